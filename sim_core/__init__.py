@@ -1,0 +1,6 @@
+"""Ridelab's simulation core: pure numerics, no web.
+
+`simulate(scenario, strategy)` is the whole of it; a scenario comes from `sim_core.scenario` or `sim_core.presets`.
+"""
+
+__version__ = "0.1.0"  # part of every stored result's key: raise it whenever a number can change

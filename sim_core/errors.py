@@ -1,0 +1,27 @@
+"""Errors of the simulation core: one base, a few kinds.
+
+A message names the field, the limit and the valid names; it never repeats a value somebody typed,
+because it is shown to whoever asked, over HTTP too.
+"""
+
+
+class RidelabError(Exception):
+    """Base of everything the core raises on purpose.
+
+    Args:
+        message: What is wrong, for a person to read.
+        field: Dotted name of the scenario field concerned, if there is one.
+    """
+
+    def __init__(self, message: str, *, field: str | None = None) -> None:
+        super().__init__(message)
+        self.message = message
+        self.field = field
+
+
+class UnknownNameError(RidelabError):
+    """A strategy, preset, signal or figure that does not exist; the message lists those that do."""
+
+
+class UnstableVehicleError(RidelabError):
+    """The passive car has no stationary response, so a normalised cost cannot be formed."""

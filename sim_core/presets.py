@@ -1,0 +1,73 @@
+"""Named scenarios; the paper's first."""
+
+from dataclasses import dataclass
+
+from sim_core.errors import UnknownNameError
+from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Preset:
+    """A scenario with a name and a sentence on what it is."""
+
+    id: str
+    label: str
+    description: str
+    scenario: Scenario
+
+
+_HALF = Vehicle().model_copy(
+    update={"body_mass": 635.0, "pitch_inertia": 768.35, "front_wheel_mass": 33.15, "rear_wheel_mass": 33.15}
+)
+
+PRESETS: dict[str, Preset] = {
+    preset.id: preset
+    for preset in (
+        Preset(
+            id="paper",
+            label="Paper",
+            description="Meng et al. 2025 as printed: 50 km/h, class B road, 0.1 m × 4 m cosine bump at 100 m.",
+            scenario=Scenario(),
+        ),
+        Preset(
+            id="half_car_consistent",
+            label="Half car, consistent",
+            description="One track's share of the paper's masses and inertia on the same wheels: Table 2 gives a whole "
+            "car's masses with one wheel's stiffnesses.",
+            scenario=Scenario(vehicle=_HALF, brake=Brake(drag_area=0.325)),
+        ),
+        Preset(
+            id="bump_only",
+            label="Bump on a smooth road",
+            description="The paper's car and bump without roughness: the response to the bump alone.",
+            scenario=Scenario(road=Road(roughness=0)),
+        ),
+        Preset(
+            id="watts_hump",
+            label="Watts hump, class C road",
+            description="A circular hump of 75 mm × 3.7 m on a worse road, seen 60 m ahead.",
+            scenario=Scenario(
+                road=Road(roughness=256e-6, bump=Bump(shape="circular", height=0.075, width=3.7)),
+                speed=Speed(detection_distance=60),
+            ),
+        ),
+        Preset(
+            id="pothole",
+            label="Pothole",
+            description="A 60 mm deep, 1 m long hollow with steep edges.",
+            scenario=Scenario(road=Road(bump=Bump(shape="trapezoid", height=-0.06, width=1))),
+        ),
+    )
+}
+
+
+def preset(name: str) -> Scenario:
+    """The scenario of that name.
+
+    Raises:
+        UnknownNameError: There is none; the message lists the names.
+    """
+    try:
+        return PRESETS[name].scenario
+    except KeyError:
+        raise UnknownNameError(f"Unknown preset; there are {', '.join(PRESETS)}") from None

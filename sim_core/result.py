@@ -1,0 +1,69 @@
+"""What a simulation returns: metrics always, time histories beside them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Span:
+    """One driving stage, by the front axle: times [s] and positions [m] of its two ends."""
+
+    stage: str
+    start_time: float
+    end_time: float
+    start_position: float
+    end_position: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StrategyResult:
+    """One strategy's run over one scenario.
+
+    Attributes:
+        strategy: Strategy id.
+        metrics: window -> signal -> statistic -> value, SI units (signals.WINDOWS, METRIC_SIGNALS, STATISTICS).
+        comfort: signals.COMFORT key -> value.
+        events: signals.EVENTS key -> value (a count, a time, true/false or None).
+        reference: signals.REFERENCES key -> value, or None where it does not apply.
+        stages: The driving stages in order, without gaps.
+        travel_time: Front axle from x = 0 to the road's end [s].
+        arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
+        series: signals.SIGNALS key -> float64 array, all of one length, time ascending.
+    """
+
+    strategy: str
+    metrics: Mapping[str, Mapping[str, Mapping[str, float]]]
+    comfort: Mapping[str, float]
+    events: Mapping[str, float | bool | None]
+    reference: Mapping[str, float | None]
+    stages: tuple[Span, ...]
+    travel_time: float
+    arrival_speed_kmh: float
+    series: Mapping[str, FloatArray]
+
+    def summary(self) -> dict[str, Any]:
+        """Everything but the series and the strategy's id, ready for JSON."""
+        return {
+            "metrics": self.metrics,
+            "comfort": self.comfort,
+            "events": self.events,
+            "reference": self.reference,
+            "stages": [
+                {
+                    "stage": span.stage,
+                    "start_time": span.start_time,
+                    "end_time": span.end_time,
+                    "start_position": span.start_position,
+                    "end_position": span.end_position,
+                }
+                for span in self.stages
+            ],
+            "travel_time": self.travel_time,
+            "arrival_speed_kmh": self.arrival_speed_kmh,
+        }

@@ -1,0 +1,283 @@
+"""The scenario: the one source of fields, units, defaults, hard limits, soft ranges and help.
+
+Its JSON Schema makes the browser's form, the command line's options and the API's documentation.
+SI units, except speeds a person types, which end in `_kmh`. Defaults are the paper's (Table 2, 3, 6
+and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
+"""
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic_core import PydanticCustomError
+
+SCHEMA_VERSION = 1
+
+
+def quantity(
+    default: float | None,
+    unit: str,
+    title: str,
+    description: str,
+    *,
+    soft: tuple[float, float],
+    ge: float | None = None,
+    gt: float | None = None,
+    le: float,
+) -> Any:
+    """A number with a unit: hard limits `ge`/`gt` to `le`, slider range `soft`."""
+    return Field(
+        default,
+        ge=ge,
+        gt=gt,
+        le=le,
+        title=title,
+        description=description,
+        json_schema_extra={"unit": unit, "soft_range": list(soft)},
+    )
+
+
+class Part(BaseModel):
+    """Base of every part: frozen, hashable, strict about names and types, no NaN or infinity."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, hide_input_in_errors=True
+    )
+
+
+def _not_all_zero(weights: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not any(weights):
+        raise PydanticCustomError("all_zero_weights", "At least one weight must be greater than 0")
+    return weights
+
+
+Weight = Annotated[float, Field(ge=0, le=1000)]
+# strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
+Weights = Annotated[
+    tuple[Weight, Weight, Weight],
+    Field(strict=False),
+    AfterValidator(_not_all_zero),
+]
+
+
+def weights(default: tuple[float, float, float], title: str, description: str) -> Any:
+    """Cost weights q1 (body acceleration), q2 (pitch acceleration), q3 (tyre load), each 0 to 1000."""
+    return Field(
+        default,
+        title=title,
+        description=description,
+        json_schema_extra={
+            "unit": "1",
+            "soft_range": [0, 10],
+            "item_titles": ["Body acceleration", "Pitch acceleration", "Tyre load"],
+        },
+    )
+
+
+class Vehicle(Part):
+    """Half-car model: body with heave and pitch, front and rear wheel (Table 2)."""
+
+    body_mass: float = quantity(1270, "kg", "Body mass", "Sprung mass m_b.", soft=(300, 2500), ge=50, le=50_000)
+    pitch_inertia: float = quantity(
+        1536.7, "kg·m^2", "Pitch inertia", "Body inertia about the pitch axis I_yy.", soft=(400, 4000), ge=10, le=500_000
+    )
+    front_wheel_mass: float = quantity(66.3, "kg", "Front wheel mass", "Unsprung mass m_w1.", soft=(20, 150), ge=5, le=5000)
+    rear_wheel_mass: float = quantity(66.3, "kg", "Rear wheel mass", "Unsprung mass m_w2.", soft=(20, 150), ge=5, le=5000)
+    cg_to_front: float = quantity(
+        1.015, "m", "Centre of gravity to front axle", "Distance a.", soft=(0.8, 2), ge=0.2, le=10
+    )
+    cg_to_rear: float = quantity(1.895, "m", "Centre of gravity to rear axle", "Distance b.", soft=(0.8, 2.5), ge=0.2, le=10)
+    cg_height: float = quantity(
+        0.54, "m", "Height of the centre of gravity", "Arm of the braking force on the body h_cg (ours).", soft=(0.3, 1), ge=0, le=3
+    )
+    front_spring: float = quantity(
+        27_000, "N/m", "Front spring", "Suspension stiffness k_s1.", soft=(10_000, 60_000), ge=1000, le=5_000_000
+    )
+    rear_spring: float = quantity(
+        30_000, "N/m", "Rear spring", "Suspension stiffness k_s2.", soft=(10_000, 60_000), ge=1000, le=5_000_000
+    )
+    front_damping: float = quantity(6000, "N·s/m", "Front damper", "Damping C_s1.", soft=(500, 10_000), ge=10, le=500_000)
+    rear_damping: float = quantity(6000, "N·s/m", "Rear damper", "Damping C_s2.", soft=(500, 10_000), ge=10, le=500_000)
+    front_tyre_stiffness: float = quantity(
+        268_000, "N/m", "Front tyre stiffness", "Vertical stiffness k_u1.", soft=(100_000, 500_000), ge=10_000, le=20_000_000
+    )
+    rear_tyre_stiffness: float = quantity(
+        268_000, "N/m", "Rear tyre stiffness", "Vertical stiffness k_u2.", soft=(100_000, 500_000), ge=10_000, le=20_000_000
+    )
+
+    @property
+    def wheelbase(self) -> float:
+        """Distance between the axles L = a + b [m]."""
+        return self.cg_to_front + self.cg_to_rear
+
+    @property
+    def total_mass(self) -> float:
+        """Body and both wheels [kg]."""
+        return self.body_mass + self.front_wheel_mass + self.rear_wheel_mass
+
+    @property
+    def static_loads(self) -> tuple[float, float]:
+        """Static tyre loads, front and rear [N]: each axle's share of the body, and its wheel."""
+        body = self.body_mass * GRAVITY / self.wheelbase
+        return (
+            body * self.cg_to_rear + self.front_wheel_mass * GRAVITY,
+            body * self.cg_to_front + self.rear_wheel_mass * GRAVITY,
+        )
+
+
+GRAVITY = 9.80665  # standard gravity [m/s^2]
+
+BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid"]
+
+
+class Bump(Part):
+    """The obstacle, added to the roughness (Eq. 2-3)."""
+
+    shape: BumpShape = Field(
+        "cosine",
+        title="Shape",
+        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, trapezoid "
+        "straight ones, each a quarter of the width.",
+    )
+    height: float = quantity(
+        0.1, "m", "Height", "Crest height; 0 is no bump, negative a pothole.", soft=(-0.15, 0.2), ge=-1, le=1
+    )
+    width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
+    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=2000)
+
+
+class Road(Part):
+    """Rough road made in space by ISO 8608, with one bump (section 2.1)."""
+
+    roughness: float = quantity(
+        64e-6,
+        "m^3",
+        "Roughness",
+        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; class means A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
+        soft=(0, 1024e-6),
+        ge=0,
+        le=0.262144,
+    )
+    seed: int = Field(
+        1, ge=0, le=2**32 - 1, title="Seed", description="Same seed, same road.", json_schema_extra={"unit": "1", "soft_range": [1, 20]}
+    )
+    length: float = quantity(
+        150,
+        "m",
+        "Length",
+        "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle.",
+        soft=(110, 300),
+        ge=5,
+        le=3000,
+    )
+    bump: Bump = Bump()
+
+
+class Speed(Part):
+    """Speeds and when braking begins (section 3.1)."""
+
+    initial_speed_kmh: float = quantity(50, "km/h", "Initial speed", "Held until the bump is detected.", soft=(20, 90), ge=5, le=200)
+    target_speed_kmh: float = quantity(
+        22.5, "km/h", "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h.", soft=(10, 50), ge=5, le=200
+    )
+    detection_distance: float = quantity(
+        80, "m", "Detection distance", "How far ahead the bump is seen and braking begins.", soft=(20, 100), ge=1, le=1000
+    )
+
+
+class Brake(Part):
+    """Brake chain and driving resistances (Eq. 4-6); the paper gives no values: typical ones, ours."""
+
+    friction_coefficient: float = quantity(0.38, "1", "Pad friction", "Coefficient µ; brake factor k = 2 µ.", soft=(0.2, 0.6), ge=0.05, le=1)
+    effective_radius: float = quantity(0.13, "m", "Effective disc radius", "Friction radius r_b.", soft=(0.08, 0.2), ge=0.02, le=1)
+    piston_area: float = quantity(0.0025, "m^2", "Piston area", "Contact area A of one brake.", soft=(0.001, 0.006), ge=1e-4, le=0.1)
+    brakes: int = Field(2, ge=1, le=8, title="Brakes", description="How many share the torque; one per axle of the half-car.", json_schema_extra={"unit": "1", "soft_range": [1, 4]})
+    threshold_speed: float = quantity(0.1, "m/s", "Threshold speed", "Sliding speed v_d of the smoothed friction.", soft=(0.01, 0.5), ge=0.001, le=5)
+    pressure_lag: float = quantity(0.1, "s", "Pressure lag", "Time constant of the line pressure.", soft=(0, 0.4), ge=0, le=2)
+    wheel_radius: float = quantity(0.3, "m", "Wheel radius", "Rolling radius.", soft=(0.25, 0.4), ge=0.1, le=2)
+    maximum_deceleration: float = quantity(4, "m/s^2", "Greatest deceleration", "Top of the fuzzy controller's torque universe.", soft=(1, 8), ge=0.2, le=10)
+    rolling_resistance: float = quantity(0.012, "1", "Rolling resistance", "Coefficient f_r.", soft=(0, 0.03), ge=0, le=0.2)
+    drag_area: float = quantity(0.65, "m^2", "Drag area", "Air drag coefficient times frontal area, c_d A.", soft=(0, 1.5), ge=0, le=20)
+
+
+class Actuator(Part):
+    """Suspension actuators; ideal by default, as in the paper."""
+
+    bandwidth: float | None = quantity(
+        None, "Hz", "Bandwidth", "First-order lag between command and force, typically 10 Hz; none is ideal.", soft=(2, 50), ge=0.5, le=1000
+    )
+    rate_limit: float | None = quantity(
+        None, "N/s", "Force rate limit", "Greatest change of the commanded force; none is unlimited.", soft=(10_000, 500_000), ge=1000, le=1e8
+    )
+
+
+class StageWeights(Part):
+    """LV control's weights per driving stage (Table 6)."""
+
+    cruise: Weights = weights((8, 1, 1), "Cruise", "Uniform speed: comfort first.")
+    brake: Weights = weights((2, 6, 1), "Brake", "Braking: pitch first.")
+    bump: Weights = weights((1, 1, 6), "Bump", "On the bump: tyre load first.")
+
+
+class RoadWeights(Part):
+    """Single suspension control's weights per road (Table 3)."""
+
+    rough: Weights = weights((8, 1, 1), "Rough road", "Class B pavement.")
+    bump: Weights = weights((3, 1, 6), "Bump", "Bumpy pavement.")
+
+
+Preview = Literal["none", "wheelbase", "lookahead"]
+
+
+class Mpc(Part):
+    """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
+
+    sample_time: float = quantity(0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05)
+    prediction_horizon: int = Field(30, ge=1, le=200, title="Prediction horizon", description="Np, in steps.", json_schema_extra={"unit": "1", "soft_range": [5, 60]})
+    control_horizon: int = Field(20, ge=1, le=100, title="Control horizon", description="Nc, moves; at most Np.", json_schema_extra={"unit": "1", "soft_range": [1, 40]})
+    preview: Preview = Field(
+        "lookahead",
+        title="Preview",
+        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the sensors see (lookahead).",
+    )
+    deflection_limit: float = quantity(0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1)
+    force_limit: float = quantity(5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000)
+    deflection_weight: float = quantity(3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000)
+    force_weight: float = quantity(1e-9, "1/N^2", "Force weight", "R, keeps the cost strictly convex (ours).", soft=(1e-10, 1e-7), ge=1e-12, le=1e-3)
+    force_change_weight: float = quantity(1e-10, "1/N^2", "Force change weight", "On the moves of the force (ours).", soft=(0, 1e-8), ge=0, le=1e-3)
+    solver: Literal["daqp", "osqp"] = Field(
+        "daqp", title="QP solver", description="Used where a limit binds; the other is the fallback."
+    )
+    stage_weights: StageWeights = Field(StageWeights(), title="LV weights per driving stage")
+    road_weights: RoadWeights = Field(RoadWeights(), title="Single suspension control's weights per road")
+
+
+class Lqr(Part):
+    """Linear quadratic regulator (section 4.2.2: equal weights)."""
+
+    weights: Weights = weights((1, 1, 1), "Weights", "Equal, as in the paper.")
+    deflection_weight: float = quantity(3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000)
+
+
+class Scenario(Part):
+    """Everything a run depends on; an omitted part or field takes the paper's default."""
+
+    vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
+    road: Road = Field(Road(), title="Road")
+    speed: Speed = Field(Speed(), title="Speed")
+    brake: Brake = Field(Brake(), title="Brake")
+    actuator: Actuator = Field(Actuator(), title="Actuator")
+    mpc: Mpc = Field(Mpc(), title="MPC")
+    lqr: Lqr = Field(Lqr(), title="LQR")
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        if self.mpc.control_horizon > self.mpc.prediction_horizon:
+            raise _at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
+        if self.road.bump.start + self.road.bump.width > self.road.length:
+            raise _at("road.bump.start", "The bump must end before the road does (start + width at most road.length)")
+        return self
+
+
+def _at(field: str, message: str) -> PydanticCustomError:
+    """An error of the whole scenario that belongs to one field; `ctx['field']` names it, dotted."""
+    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})

@@ -1,0 +1,122 @@
+"""Strategy id -> what it does and which parts of the scenario it reads. Adding a strategy is adding a row here."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from sim_core.errors import UnknownNameError
+from sim_core.scenario import Scenario
+
+
+class SpeedPolicy(StrEnum):
+    """How the car is driven along the road."""
+
+    CONSTANT = "constant"
+    PLANNED = "planned"
+
+
+class SuspensionPolicy(StrEnum):
+    """What commands the actuators."""
+
+    PASSIVE = "passive"
+    LQR = "lqr"
+    MPC_BY_ROAD = "mpc_by_road"
+    MPC_BY_STAGE = "mpc_by_stage"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Strategy:
+    """One row of the table; `reads` are dotted names of scenario parts or fields, a result depends on nothing else."""
+
+    id: str
+    label: str
+    description: str
+    speed: SpeedPolicy
+    suspension: SuspensionPolicy
+    reads: tuple[str, ...]
+
+
+_ROAD = ("vehicle", "road", "speed.initial_speed_kmh", "mpc.deflection_limit")
+_SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "brake")
+_MPC = (
+    "actuator",
+    "mpc.sample_time",
+    "mpc.prediction_horizon",
+    "mpc.control_horizon",
+    "mpc.preview",
+    "mpc.force_limit",
+    "mpc.deflection_weight",
+    "mpc.force_weight",
+    "mpc.force_change_weight",
+    "mpc.solver",
+)
+_LQR = ("actuator", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
+
+STRATEGIES: dict[str, Strategy] = {
+    strategy.id: strategy
+    for strategy in (
+        Strategy(
+            id="lv",
+            label="LV control",
+            description="Fuzzy speed control and MPC suspension, weights switched by driving stage (Table 6).",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.MPC_BY_STAGE,
+            reads=(*_ROAD, *_SPEED, *_MPC, "mpc.stage_weights"),
+        ),
+        Strategy(
+            id="lqr",
+            label="LQR",
+            description="Linear quadratic regulator with fixed weights on the same speed plan as LV.",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.LQR,
+            reads=(*_ROAD, *_SPEED, *_LQR),
+        ),
+        Strategy(
+            id="suspension_only",
+            label="Single suspension control",
+            description="MPC suspension at constant speed, weights switched by road (Table 3).",
+            speed=SpeedPolicy.CONSTANT,
+            suspension=SuspensionPolicy.MPC_BY_ROAD,
+            reads=(*_ROAD, *_MPC, "mpc.road_weights"),
+        ),
+        Strategy(
+            id="speed_only",
+            label="Single speed control",
+            description="Fuzzy speed control, passive suspension.",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.PASSIVE,
+            reads=(*_ROAD, *_SPEED),
+        ),
+        Strategy(
+            id="passive",
+            label="Passive",
+            description="No control: passive suspension at constant speed.",
+            speed=SpeedPolicy.CONSTANT,
+            suspension=SuspensionPolicy.PASSIVE,
+            reads=_ROAD,
+        ),
+    )
+}
+
+
+def strategy(name: str) -> Strategy:
+    """The strategy with that id.
+
+    Raises:
+        UnknownNameError: There is none; the message lists the ids.
+    """
+    try:
+        return STRATEGIES[name]
+    except KeyError:
+        raise UnknownNameError(f"Unknown strategy; there are {', '.join(STRATEGIES)}") from None
+
+
+def part_read(scenario: Scenario, name: str) -> dict[str, Any]:
+    """The part of the scenario that strategy reads: dotted name -> plain JSON value, sorted by name."""
+    chosen: dict[str, Any] = {}
+    for path in sorted(strategy(name).reads):
+        value: Any = scenario
+        for key in path.split("."):
+            value = getattr(value, key)
+        chosen[path] = value.model_dump(mode="json") if hasattr(value, "model_dump") else value
+    return chosen
