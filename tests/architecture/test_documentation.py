@@ -1,0 +1,56 @@
+"""The pages of docs/ name what the code has."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from sim_core.presets import PRESETS
+from sim_core.scenario import Scenario
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def words() -> str:
+    """README and all of docs/ as one text."""
+    return "\n".join(path.read_text() for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))])
+
+
+def fields() -> list[str]:
+    """Dotted names of the scenario's fields."""
+    parts = Scenario.model_fields
+    return [f"{part}.{field}" for part in parts for field in type(getattr(Scenario(), part)).model_fields]
+
+
+def test_every_field_is_documented(words: str) -> None:
+    missing = [name for name in fields() if name.split(".")[-1] not in words]
+    assert not missing
+
+
+@pytest.mark.parametrize("names", [STRATEGIES, PRESETS, SIGNALS], ids=["strategies", "presets", "signals"])
+def test_every_name_is_documented(words: str, names: dict[str, object]) -> None:
+    assert not [name for name in names if name not in words]
+
+
+def test_every_field_tells_its_unit_title_and_what_it_is() -> None:
+    schema = Scenario.model_json_schema()
+    for name, definition in schema["$defs"].items():
+        for field, entry in definition["properties"].items():
+            assert entry.get("title"), (name, field)
+            if entry.get("type") in ("number", "integer"):
+                assert entry.get("unit"), (name, field)
+                assert len(entry["soft_range"]) == 2, (name, field)
+                assert entry.get("description"), (name, field)
+
+
+def test_the_core_has_a_command_line() -> None:
+    run = subprocess.run(
+        [sys.executable, "-m", "sim_core", "--help"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    for command in ("run", "margins"):
+        assert command in run.stdout

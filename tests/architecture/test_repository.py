@@ -1,0 +1,89 @@
+"""Facts about the repository itself: sizes, locks, links, targets."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+TARGET = re.compile(r"\bmake ([a-z][a-z-]*)")
+LINK = re.compile(r"(?<!!)\[[^\]\n]+\]\(([^)\s]+)\)")
+IMAGE = re.compile(r"!\[[^\]\n]*\]\(([^)\s]+)\)")
+
+
+def tracked(*patterns: str) -> list[Path]:
+    """Files git knows, committed or about to be, that match; outside a checkout (a source archive) all of them."""
+    run = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard", "--", *patterns],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if run.returncode == 0:
+        return [ROOT / name for name in run.stdout.splitlines() if (ROOT / name).is_file()]
+    return [path for pattern in patterns for path in ROOT.rglob(pattern) if ".venv" not in path.parts]
+
+
+def test_no_source_file_is_over_400_lines() -> None:
+    """Past that a concept is missing (docs/style: about 300). Generated files say so in their name."""
+    sources = [path for path in tracked("*.py", "*.ts", "*.tsx", "*.css") if ".gen." not in path.name]
+    assert len(sources) > 20
+    long = {str(path.relative_to(ROOT)): n for path in sources if (n := len(path.read_text().splitlines())) > 400}
+    assert not long
+
+
+@pytest.mark.parametrize("name", ["requirements.lock", "requirements-dev.lock"])
+def test_locks_have_a_hash_for_everything_and_no_address(name: str) -> None:
+    text = (ROOT / name).read_text()
+    assert "://" not in text
+    assert "--index-url" not in text
+    entries = re.split(r"\n(?=[A-Za-z0-9])", "\n" + text)[1:]
+    assert len(entries) > 20
+    for entry in entries:
+        head = entry.splitlines()[0]
+        assert "==" in head, head
+        assert "--hash=sha256:" in entry, head
+
+
+def test_development_lock_holds_the_same_versions_as_the_runtime_lock() -> None:
+    def versions(name: str) -> set[str]:
+        return {line.split()[0] for line in (ROOT / name).read_text().splitlines() if re.match(r"[A-Za-z0-9].*==", line)}
+
+    assert versions("requirements.lock") <= versions("requirements-dev.lock")
+
+
+def pages() -> list[Path]:
+    """Every page written for people."""
+    return [path for path in tracked("*.md") if "node_modules" not in path.parts]
+
+
+def test_there_is_a_readme() -> None:
+    assert ROOT / "README.md" in pages()
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: str(page.relative_to(ROOT)))
+def test_links_to_files_and_headings_resolve(page: Path) -> None:
+    text = page.read_text()
+    for link in LINK.findall(text) + IMAGE.findall(text):
+        if "://" in link or link.startswith("mailto:"):
+            continue
+        name, _, anchor = link.partition("#")
+        target = (page.parent / name).resolve() if name else page
+        assert target.exists(), f"{page.name}: {link}"
+        if anchor and target.suffix == ".md":
+            assert anchor in headings(target), f"{page.name}: {link}"
+
+
+def headings(page: Path) -> set[str]:
+    """The anchors a Markdown page's headings get."""
+    lines = [line.lstrip("#").strip().lower() for line in page.read_text().splitlines() if re.match(r"#{1,6} ", line)]
+    return {re.sub(r"[^\w\- ]", "", line).replace(" ", "-") for line in lines}
+
+
+@pytest.mark.parametrize("page", pages(), ids=lambda page: str(page.relative_to(ROOT)))
+def test_every_make_target_named_exists(page: Path) -> None:
+    targets = set(re.findall(r"^([a-z][a-z-]*):", (ROOT / "Makefile").read_text(), re.MULTILINE))
+    code = "\n".join(re.findall(r"```.*?```|`[^`\n]+`", page.read_text(), re.DOTALL))
+    assert set(TARGET.findall(code)) <= targets

@@ -1,0 +1,114 @@
+"""Sampled-data control of the half-car: exact discretisation, the normalised cost, Riccati and QP, all from scratch."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import expm, solve_discrete_are
+
+from sim_core.scenario import Vehicle
+from tests.validation.reference.vehicle import StateSpace, stationary_rms
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Linear maps over one interval from w = (x, u, z_start, z_end, a): state at time s and OUTPUTS at s.
+
+    The force and the deceleration are held, the road height is linear. x: 8, u: 2, z: 2 + 2, a: 1; w: 15.
+    """
+
+    state: Array  # (8, 15)
+    output: Array  # (6, 15)
+
+
+def interval(model: StateSpace, length: float, at: float) -> Interval:
+    """The maps at time `at` within an interval of `length` [s], by one matrix exponential of the augmented system."""
+    # Augmented state (x, u, z, ż, a) with u̇ = 0, z̈ = 0, ȧ = 0.
+    n = 8 + 2 + 2 + 2 + 1
+    generator = np.zeros((n, n))
+    generator[:8, :8], generator[:8, 8:10], generator[:8, 10:12] = model.A, model.B, model.E
+    generator[:8, 14] = model.D
+    generator[10:12, 12:14] = np.eye(2)
+    to_slope = np.eye(n)
+    to_slope[12:14] = 0
+    to_slope[12:14, 10:12], to_slope[12:14, 12:14] = -np.eye(2) / length, np.eye(2) / length
+    evolved = expm(generator * at) @ to_slope
+    read = np.hstack([model.C, model.F, model.G, np.zeros((6, 2)), model.H[:, None]])
+    return Interval(state=evolved[:8], output=read @ evolved)
+
+
+def weights(car: Vehicle, q: tuple[float, float, float], travel: float, limit: float, speed: float) -> Array:
+    """Diagonal weight of OUTPUTS: each squared term over its passive class B RMS squared, travel over its limit."""
+    sigma = stationary_rms(car, speed)
+    q1, q2, q3 = q
+    return np.array(
+        [
+            q1 / sigma[0] ** 2,
+            q2 / sigma[1] ** 2,
+            q3 / sigma[2] ** 2,
+            q3 / sigma[3] ** 2,
+            travel / limit**2,
+            travel / limit**2,
+        ]
+    )
+
+
+def mean_cost(model: StateSpace, weight: Array, length: float, force_weight: float, points: Array, share: Array) -> Array:
+    """Quadratic form in w (15, 15): Σ share · y' W y at `points` (fractions of the interval) + R u'u."""
+    total = np.zeros((15, 15))
+    for fraction, part in zip(points, share, strict=True):
+        y = interval(model, length, fraction * length).output
+        total += part * y.T @ (weight[:, None] * y)
+    total[8:10, 8:10] += force_weight * np.eye(2)
+    return total
+
+
+def gauss(n: int = 10) -> tuple[Array, Array]:
+    """Gauss-Legendre points and weights on [0, 1]: the exact mean to rounding for these smooth integrands."""
+    points, share = np.polynomial.legendre.leggauss(n)
+    return (points + 1) / 2, share / 2
+
+
+@dataclass(frozen=True)
+class Regulator:
+    """u = −K x and the cost-to-go x' P x, in absolute coordinates with the road at 0."""
+
+    K: Array
+    P: Array
+
+
+def regulator(model: StateSpace, cost: Array, length: float) -> Regulator:
+    """Infinite-horizon optimum of the sampled-data cost, cross term included."""
+    maps = interval(model, length, length).state
+    A, B = maps[:, :8], maps[:, 8:10]
+    Q, S, R = cost[:8, :8], cost[:8, 8:10], cost[8:10, 8:10]
+    P = solve_discrete_are(A, B, Q, R, s=S)
+    K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + S.T)
+    return Regulator(K=K, P=P)
+
+
+def cost_to_go(model: StateSpace, cost: Array, length: float, K: Array) -> Array:
+    """P of the closed loop u = −K x: summed cost from each state, by a doubling Lyapunov iteration."""
+    maps = interval(model, length, length).state
+    closed = maps[:, :8] - maps[:, 8:10] @ K
+    feed = np.vstack([np.eye(8), -K])
+    total = feed.T @ cost[:10, :10] @ feed
+    power = closed
+    for _ in range(60):
+        total = total + power.T @ total @ power
+        power = power @ power
+    return total
+
+
+def to_deflections(car: Vehicle) -> Array:
+    """(8, 8): absolute state with the road at 0 → (d_1, d_2, t_1, t_2, ż_b, θ̇, ż_w1, ż_w2), the order of the design page."""
+    a, b = car.cg_to_front, car.cg_to_rear
+    rows = np.zeros((8, 8))
+    rows[0, :4] = [1, -a, -1, 0]
+    rows[1, :4] = [1, b, 0, -1]
+    rows[2, 2] = rows[3, 3] = 1
+    rows[4:, 4:] = np.eye(4)
+    return rows
+

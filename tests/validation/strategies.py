@@ -1,0 +1,64 @@
+"""Random cars, bumps and scenarios for property tests: the ranges people drag sliders over."""
+
+from hypothesis import strategies as st
+
+from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed, Vehicle
+
+
+def between(low: float, high: float) -> st.SearchStrategy[float]:
+    """A finite number in a range."""
+    return st.floats(low, high, allow_nan=False, allow_infinity=False)
+
+
+vehicles = st.builds(
+    Vehicle,
+    body_mass=between(300, 2500),
+    pitch_inertia=between(400, 4000),
+    front_wheel_mass=between(20, 150),
+    rear_wheel_mass=between(20, 150),
+    cg_to_front=between(0.8, 2),
+    cg_to_rear=between(0.8, 2.5),
+    cg_height=between(0.3, 1),
+    front_spring=between(10_000, 60_000),
+    rear_spring=between(10_000, 60_000),
+    front_damping=between(500, 10_000),
+    rear_damping=between(500, 10_000),
+    front_tyre_stiffness=between(100_000, 500_000),
+    rear_tyre_stiffness=between(100_000, 500_000),
+)
+
+smooth_bumps = st.builds(Bump, height=between(-0.15, 0.2), width=between(1, 10), start=between(30, 100))
+
+bumps = st.builds(
+    Bump,
+    shape=st.sampled_from(["cosine", "half_sine", "circular", "flat_top", "trapezoid"]),
+    height=between(-0.15, 0.2),
+    width=between(0.5, 10),
+    start=between(30, 100),
+)
+
+scenarios = st.builds(
+    Scenario,
+    vehicle=vehicles,
+    road=st.builds(
+        Road,
+        roughness=st.sampled_from([0.0, 16e-6, 64e-6, 256e-6, 1024e-6]),
+        seed=st.integers(0, 1000),
+        length=st.just(115.0),
+        bump=bumps,
+    ),
+    speed=st.builds(
+        Speed, initial_speed_kmh=between(15, 100), target_speed_kmh=between(8, 60), detection_distance=between(5, 120)
+    ),
+    mpc=st.builds(
+        Mpc,
+        sample_time=st.sampled_from([0.005, 0.01, 0.02]),
+        prediction_horizon=st.integers(20, 40),
+        control_horizon=st.integers(1, 20),
+        preview=st.sampled_from(["none", "wheelbase", "lookahead"]),
+        deflection_limit=between(0.03, 0.15),
+        force_limit=between(500, 10_000),
+        deflection_weight=between(0, 10),
+        solver=st.sampled_from(["daqp", "osqp"]),
+    ),
+)
