@@ -78,16 +78,34 @@ class Vehicle(Part):
 
     body_mass: float = quantity(1270, "kg", "Body mass", "Sprung mass m_b.", soft=(300, 2500), ge=50, le=50_000)
     pitch_inertia: float = quantity(
-        1536.7, "kg·m^2", "Pitch inertia", "Body inertia about the pitch axis I_yy.", soft=(400, 4000), ge=10, le=500_000
+        1536.7,
+        "kg·m^2",
+        "Pitch inertia",
+        "Body inertia about the pitch axis I_yy.",
+        soft=(400, 4000),
+        ge=10,
+        le=500_000,
     )
-    front_wheel_mass: float = quantity(66.3, "kg", "Front wheel mass", "Unsprung mass m_w1.", soft=(20, 150), ge=5, le=5000)
-    rear_wheel_mass: float = quantity(66.3, "kg", "Rear wheel mass", "Unsprung mass m_w2.", soft=(20, 150), ge=5, le=5000)
+    front_wheel_mass: float = quantity(
+        66.3, "kg", "Front wheel mass", "Unsprung mass m_w1.", soft=(20, 150), ge=5, le=5000
+    )
+    rear_wheel_mass: float = quantity(
+        66.3, "kg", "Rear wheel mass", "Unsprung mass m_w2.", soft=(20, 150), ge=5, le=5000
+    )
     cg_to_front: float = quantity(
         1.015, "m", "Centre of gravity to front axle", "Distance a.", soft=(0.8, 2), ge=0.2, le=10
     )
-    cg_to_rear: float = quantity(1.895, "m", "Centre of gravity to rear axle", "Distance b.", soft=(0.8, 2.5), ge=0.2, le=10)
+    cg_to_rear: float = quantity(
+        1.895, "m", "Centre of gravity to rear axle", "Distance b.", soft=(0.8, 2.5), ge=0.2, le=10
+    )
     cg_height: float = quantity(
-        0.54, "m", "Height of the centre of gravity", "Arm of the braking force on the body h_cg (ours).", soft=(0.3, 1), ge=0, le=3
+        0.54,
+        "m",
+        "Height of the centre of gravity",
+        "Arm of the braking force on the body h_cg (ours).",
+        soft=(0.3, 1),
+        ge=0,
+        le=3,
     )
     front_spring: float = quantity(
         27_000, "N/m", "Front spring", "Suspension stiffness k_s1.", soft=(10_000, 60_000), ge=1000, le=5_000_000
@@ -95,13 +113,27 @@ class Vehicle(Part):
     rear_spring: float = quantity(
         30_000, "N/m", "Rear spring", "Suspension stiffness k_s2.", soft=(10_000, 60_000), ge=1000, le=5_000_000
     )
-    front_damping: float = quantity(6000, "N·s/m", "Front damper", "Damping C_s1.", soft=(500, 10_000), ge=10, le=500_000)
+    front_damping: float = quantity(
+        6000, "N·s/m", "Front damper", "Damping C_s1.", soft=(500, 10_000), ge=10, le=500_000
+    )
     rear_damping: float = quantity(6000, "N·s/m", "Rear damper", "Damping C_s2.", soft=(500, 10_000), ge=10, le=500_000)
     front_tyre_stiffness: float = quantity(
-        268_000, "N/m", "Front tyre stiffness", "Vertical stiffness k_u1.", soft=(100_000, 500_000), ge=10_000, le=20_000_000
+        268_000,
+        "N/m",
+        "Front tyre stiffness",
+        "Vertical stiffness k_u1.",
+        soft=(100_000, 500_000),
+        ge=10_000,
+        le=20_000_000,
     )
     rear_tyre_stiffness: float = quantity(
-        268_000, "N/m", "Rear tyre stiffness", "Vertical stiffness k_u2.", soft=(100_000, 500_000), ge=10_000, le=20_000_000
+        268_000,
+        "N/m",
+        "Rear tyre stiffness",
+        "Vertical stiffness k_u2.",
+        soft=(100_000, 500_000),
+        ge=10_000,
+        le=20_000_000,
     )
 
     @property
@@ -158,7 +190,12 @@ class Road(Part):
         le=0.262144,
     )
     seed: int = Field(
-        1, ge=0, le=2**32 - 1, title="Seed", description="Same seed, same road.", json_schema_extra={"unit": "1", "soft_range": [1, 20]}
+        1,
+        ge=0,
+        le=2**32 - 1,
+        title="Seed",
+        description="Same seed, same road.",
+        json_schema_extra={"unit": "1", "soft_range": [1, 20]},
     )
     length: float = quantity(
         150,
@@ -175,38 +212,93 @@ class Road(Part):
 class Speed(Part):
     """Speeds and when braking begins (section 3.1)."""
 
-    initial_speed_kmh: float = quantity(50, "km/h", "Initial speed", "Held until the bump is detected.", soft=(20, 90), ge=5, le=200)
+    initial_speed_kmh: float = quantity(
+        50, "km/h", "Initial speed", "Held until the bump is detected.", soft=(20, 90), ge=5, le=200
+    )
     target_speed_kmh: float = quantity(
         22.5, "km/h", "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h.", soft=(10, 50), ge=5, le=200
     )
     detection_distance: float = quantity(
-        80, "m", "Detection distance", "How far ahead the bump is seen and braking begins.", soft=(20, 100), ge=1, le=1000
+        80,
+        "m",
+        "Detection distance",
+        "How far ahead the bump is seen and braking begins.",
+        soft=(20, 100),
+        ge=1,
+        le=1000,
+    )
+    controller: Literal["guarded", "fuzzy"] = Field(
+        "guarded",
+        title="Speed controller",
+        description="fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
+        "changes nothing on the paper's scenario.",
     )
 
 
 class Brake(Part):
     """Brake chain and driving resistances (Eq. 4-6); the paper gives no values: typical ones, ours."""
 
-    friction_coefficient: float = quantity(0.38, "1", "Pad friction", "Coefficient µ; brake factor k = 2 µ.", soft=(0.2, 0.6), ge=0.05, le=1)
-    effective_radius: float = quantity(0.13, "m", "Effective disc radius", "Friction radius r_b.", soft=(0.08, 0.2), ge=0.02, le=1)
-    piston_area: float = quantity(0.0025, "m^2", "Piston area", "Contact area A of one brake.", soft=(0.001, 0.006), ge=1e-4, le=0.1)
-    brakes: int = Field(2, ge=1, le=8, title="Brakes", description="How many share the torque; one per axle of the half-car.", json_schema_extra={"unit": "1", "soft_range": [1, 4]})
-    threshold_speed: float = quantity(0.1, "m/s", "Threshold speed", "Sliding speed v_d of the smoothed friction.", soft=(0.01, 0.5), ge=0.001, le=5)
-    pressure_lag: float = quantity(0.1, "s", "Pressure lag", "Time constant of the line pressure.", soft=(0, 0.4), ge=0, le=2)
+    friction_coefficient: float = quantity(
+        0.38, "1", "Pad friction", "Coefficient µ; brake factor k = 2 µ.", soft=(0.2, 0.6), ge=0.05, le=1
+    )
+    effective_radius: float = quantity(
+        0.13, "m", "Effective disc radius", "Friction radius r_b.", soft=(0.08, 0.2), ge=0.02, le=1
+    )
+    piston_area: float = quantity(
+        0.0025, "m^2", "Piston area", "Contact area A of one brake.", soft=(0.001, 0.006), ge=1e-4, le=0.1
+    )
+    brakes: int = Field(
+        2,
+        ge=1,
+        le=8,
+        title="Brakes",
+        description="How many share the torque; one per axle of the half-car.",
+        json_schema_extra={"unit": "1", "soft_range": [1, 4]},
+    )
+    threshold_speed: float = quantity(
+        0.1, "m/s", "Threshold speed", "Sliding speed v_d of the smoothed friction.", soft=(0.01, 0.5), ge=0.001, le=5
+    )
+    pressure_lag: float = quantity(
+        0.1, "s", "Pressure lag", "Time constant of the line pressure.", soft=(0, 0.4), ge=0, le=2
+    )
     wheel_radius: float = quantity(0.3, "m", "Wheel radius", "Rolling radius.", soft=(0.25, 0.4), ge=0.1, le=2)
-    maximum_deceleration: float = quantity(4, "m/s^2", "Greatest deceleration", "Top of the fuzzy controller's torque universe.", soft=(1, 8), ge=0.2, le=10)
-    rolling_resistance: float = quantity(0.012, "1", "Rolling resistance", "Coefficient f_r.", soft=(0, 0.03), ge=0, le=0.2)
-    drag_area: float = quantity(0.65, "m^2", "Drag area", "Air drag coefficient times frontal area, c_d A.", soft=(0, 1.5), ge=0, le=20)
+    maximum_deceleration: float = quantity(
+        4,
+        "m/s^2",
+        "Greatest deceleration",
+        "Top of the fuzzy controller's torque universe.",
+        soft=(1, 8),
+        ge=0.2,
+        le=10,
+    )
+    rolling_resistance: float = quantity(
+        0.012, "1", "Rolling resistance", "Coefficient f_r.", soft=(0, 0.03), ge=0, le=0.2
+    )
+    drag_area: float = quantity(
+        0.65, "m^2", "Drag area", "Air drag coefficient times frontal area, c_d A.", soft=(0, 1.5), ge=0, le=20
+    )
 
 
 class Actuator(Part):
     """Suspension actuators; ideal by default, as in the paper."""
 
     bandwidth: float | None = quantity(
-        None, "Hz", "Bandwidth", "First-order lag between command and force, typically 10 Hz; none is ideal.", soft=(2, 50), ge=0.5, le=1000
+        None,
+        "Hz",
+        "Bandwidth",
+        "First-order lag between command and force, typically 10 Hz; none is ideal.",
+        soft=(2, 50),
+        ge=0.5,
+        le=1000,
     )
     rate_limit: float | None = quantity(
-        None, "N/s", "Force rate limit", "Greatest change of the commanded force; none is unlimited.", soft=(10_000, 500_000), ge=1000, le=1e8
+        None,
+        "N/s",
+        "Force rate limit",
+        "Greatest change of the commanded force; none is unlimited.",
+        soft=(10_000, 500_000),
+        ge=1000,
+        le=1e8,
     )
 
 
@@ -231,19 +323,51 @@ Preview = Literal["none", "wheelbase", "lookahead"]
 class Mpc(Part):
     """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
 
-    sample_time: float = quantity(0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05)
-    prediction_horizon: int = Field(30, ge=1, le=200, title="Prediction horizon", description="Np, in steps.", json_schema_extra={"unit": "1", "soft_range": [5, 60]})
-    control_horizon: int = Field(20, ge=1, le=100, title="Control horizon", description="Nc, moves; at most Np.", json_schema_extra={"unit": "1", "soft_range": [1, 40]})
+    sample_time: float = quantity(
+        0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05
+    )
+    prediction_horizon: int = Field(
+        30,
+        ge=1,
+        le=200,
+        title="Prediction horizon",
+        description="Np, in steps.",
+        json_schema_extra={"unit": "1", "soft_range": [5, 60]},
+    )
+    control_horizon: int = Field(
+        20,
+        ge=1,
+        le=100,
+        title="Control horizon",
+        description="Nc, moves; at most Np.",
+        json_schema_extra={"unit": "1", "soft_range": [1, 40]},
+    )
     preview: Preview = Field(
         "lookahead",
         title="Preview",
         description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the sensors see (lookahead).",
     )
-    deflection_limit: float = quantity(0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1)
-    force_limit: float = quantity(5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000)
-    deflection_weight: float = quantity(3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000)
-    force_weight: float = quantity(1e-9, "1/N^2", "Force weight", "R, keeps the cost strictly convex (ours).", soft=(1e-10, 1e-7), ge=1e-12, le=1e-3)
-    force_change_weight: float = quantity(1e-10, "1/N^2", "Force change weight", "On the moves of the force (ours).", soft=(0, 1e-8), ge=0, le=1e-3)
+    deflection_limit: float = quantity(
+        0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1
+    )
+    force_limit: float = quantity(
+        5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000
+    )
+    deflection_weight: float = quantity(
+        3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000
+    )
+    force_weight: float = quantity(
+        1e-9,
+        "1/N^2",
+        "Force weight",
+        "R, keeps the cost strictly convex (ours).",
+        soft=(1e-10, 1e-7),
+        ge=1e-12,
+        le=1e-3,
+    )
+    force_change_weight: float = quantity(
+        1e-10, "1/N^2", "Force change weight", "On the moves of the force (ours).", soft=(0, 1e-8), ge=0, le=1e-3
+    )
     solver: Literal["daqp", "osqp"] = Field(
         "daqp", title="QP solver", description="Used where a limit binds; the other is the fallback."
     )
@@ -255,7 +379,9 @@ class Lqr(Part):
     """Linear quadratic regulator (section 4.2.2: equal weights)."""
 
     weights: Weights = weights((1, 1, 1), "Weights", "Equal, as in the paper.")
-    deflection_weight: float = quantity(3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000)
+    deflection_weight: float = quantity(
+        3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000
+    )
 
 
 class Scenario(Part):
@@ -275,6 +401,9 @@ class Scenario(Part):
             raise _at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
         if self.road.bump.start + self.road.bump.width > self.road.length:
             raise _at("road.bump.start", "The bump must end before the road does (start + width at most road.length)")
+        bump = self.road.bump
+        if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
+            raise _at("road.bump.height", "A circular bump's height must not exceed half its width")
         return self
 
 

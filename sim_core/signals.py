@@ -33,16 +33,54 @@ SIGNALS = _catalogue(
     Quantity(key="brake_deceleration", label="Braking deceleration", unit="m/s^2", symbol="a_brake"),
     Quantity(key="body_acceleration", label="Body acceleration", unit="m/s^2", symbol="z̈_b", description="up positive"),
     Quantity(
-        key="pitch_acceleration", label="Pitch acceleration", unit="rad/s^2", symbol="θ̈", description="nose-down positive"
+        key="pitch_acceleration",
+        label="Pitch acceleration",
+        unit="rad/s^2",
+        symbol="θ̈",
+        description="nose-down positive",
     ),
     Quantity(
-        key="front_tyre_load", label="Front tyre dynamic load", unit="N", symbol="F_t1", description="pressed harder positive"
+        key="front_tyre_load",
+        label="Front tyre dynamic load",
+        unit="N",
+        symbol="F_t1",
+        description="pressed harder positive",
     ),
-    Quantity(key="rear_tyre_load", label="Rear tyre dynamic load", unit="N", symbol="F_t2", description="pressed harder positive"),
-    Quantity(key="front_deflection", label="Front suspension deflection", unit="m", symbol="d_1", description="z_b1 - z_w1, extension positive"),
-    Quantity(key="rear_deflection", label="Rear suspension deflection", unit="m", symbol="d_2", description="z_b2 - z_w2, extension positive"),
-    Quantity(key="front_force", label="Front actuator force", unit="N", symbol="u_1", description="lifts the body, presses the wheel down"),
-    Quantity(key="rear_force", label="Rear actuator force", unit="N", symbol="u_2", description="lifts the body, presses the wheel down"),
+    Quantity(
+        key="rear_tyre_load",
+        label="Rear tyre dynamic load",
+        unit="N",
+        symbol="F_t2",
+        description="pressed harder positive",
+    ),
+    Quantity(
+        key="front_deflection",
+        label="Front suspension deflection",
+        unit="m",
+        symbol="d_1",
+        description="z_b1 - z_w1, extension positive",
+    ),
+    Quantity(
+        key="rear_deflection",
+        label="Rear suspension deflection",
+        unit="m",
+        symbol="d_2",
+        description="z_b2 - z_w2, extension positive",
+    ),
+    Quantity(
+        key="front_force",
+        label="Front actuator force",
+        unit="N",
+        symbol="u_1",
+        description="lifts the body, presses the wheel down",
+    ),
+    Quantity(
+        key="rear_force",
+        label="Rear actuator force",
+        unit="N",
+        symbol="u_2",
+        description="lifts the body, presses the wheel down",
+    ),
 )
 
 # Signals that get an RMS and a peak in each window.
@@ -74,35 +112,102 @@ STATISTICS = _catalogue(
 STAGES = _catalogue(
     Quantity(key="cruise", label="Cruise", unit="1"),
     Quantity(key="brake", label="Brake", unit="1", description="from detection to the bump"),
-    Quantity(key="bump", label="Bump", unit="1", description="front axle from the bump's start until the rear axle has left it"),
+    Quantity(
+        key="bump",
+        label="Bump",
+        unit="1",
+        description="front axle from the bump's start until the rear axle has left it",
+    ),
 )
 
 COMFORT = _catalogue(
     Quantity(key="weighted_rms", label="Weighted RMS (ISO 2631-1 Wk)", unit="m/s^2", symbol="a_w"),
     Quantity(key="vibration_dose", label="Vibration dose value (Wk)", unit="m/s^1.75", symbol="VDV"),
-    Quantity(key="front_dynamic_load_coefficient", label="Front dynamic load coefficient", unit="1", description="RMS on the rough road over static load"),
-    Quantity(key="rear_dynamic_load_coefficient", label="Rear dynamic load coefficient", unit="1", description="RMS on the rough road over static load"),
-    Quantity(key="actuator_mean_power", label="Actuator power, mean magnitude", unit="W", description="mean of |u·ḋ| summed over both axles"),
-    Quantity(key="actuator_peak_power", label="Actuator power, peak", unit="W", description="largest |u·ḋ| summed over both axles"),
+    Quantity(
+        key="front_dynamic_load_coefficient",
+        label="Front dynamic load coefficient",
+        unit="1",
+        description="RMS on the rough road over static load",
+    ),
+    Quantity(
+        key="rear_dynamic_load_coefficient",
+        label="Rear dynamic load coefficient",
+        unit="1",
+        description="RMS on the rough road over static load",
+    ),
+    Quantity(
+        key="actuator_mean_power",
+        label="Actuator power, mean magnitude",
+        unit="W",
+        description="mean of |u·ḋ| summed over both axles",
+    ),
+    Quantity(
+        key="actuator_peak_power",
+        label="Actuator power, peak",
+        unit="W",
+        description="largest |u·ḋ| summed over both axles",
+    ),
 )
 
 EVENTS = _catalogue(
-    Quantity(key="airborne_ms", label="Airborne", unit="ms", description="time either tyre's dynamic load is below minus its static load; the linear tyre then pulls, which a real one cannot"),
+    Quantity(
+        key="airborne_ms",
+        label="Airborne",
+        unit="ms",
+        description="time either tyre's dynamic load is below minus its static load; the linear tyre then pulls, which a real one cannot",
+    ),
     Quantity(key="front_airborne_ms", label="Front tyre airborne", unit="ms"),
     Quantity(key="rear_airborne_ms", label="Rear tyre airborne", unit="ms"),
-    Quantity(key="target_reached", label="Target speed reached", unit="1", description="within the target band at the bump; null where there is no target"),
-    Quantity(key="travel_exceeded_mm", label="Travel over the limit", unit="mm", description="largest deflection beyond mpc.deflection_limit, 0 if held"),
-    Quantity(key="limited_steps", label="Steps with a limit active", unit="1", description="control steps in which a force or travel limit shaped the command"),
+    Quantity(
+        key="target_reached",
+        label="Target speed reached",
+        unit="1",
+        description="within the target band at the bump; null where there is no target",
+    ),
+    Quantity(
+        key="travel_exceeded_mm",
+        label="Travel over the limit",
+        unit="mm",
+        description="largest deflection beyond mpc.deflection_limit, 0 if held",
+    ),
+    Quantity(
+        key="limited_steps",
+        label="Steps with a limit active",
+        unit="1",
+        description="control steps in which a force or travel limit shaped the command",
+    ),
     Quantity(key="qp_solves", label="QPs solved", unit="1"),
-    Quantity(key="qp_fallbacks", label="QP solver fallbacks", unit="1", description="solved by the other solver after the first gave no verified solution"),
-    Quantity(key="qp_failures", label="QPs not solved", unit="1", description="neither solver gave a verified solution; the last safe force was held"),
-    Quantity(key="max_slack_mm", label="Largest travel slack", unit="mm", description="largest predicted deflection beyond the limit the MPC accepted"),
+    Quantity(
+        key="qp_fallbacks",
+        label="QP solver fallbacks",
+        unit="1",
+        description="solved by the other solver after the first gave no verified solution",
+    ),
+    Quantity(
+        key="qp_failures",
+        label="QPs not solved",
+        unit="1",
+        description="neither solver gave a verified solution; the last safe force was held",
+    ),
+    Quantity(
+        key="max_slack_mm",
+        label="Largest travel slack",
+        unit="mm",
+        description="largest predicted deflection beyond the limit the MPC accepted",
+    ),
 )
 
 # Figures of a whole run that stand beside the windows.
 RUN_FIGURES = _catalogue(
-    Quantity(key="travel_time", label="Travel time", unit="s", description="front axle from x = 0 to the end of the road"),
-    Quantity(key="arrival_speed_kmh", label="Speed at the bump", unit="km/h", description="when the front axle reaches the bump"),
+    Quantity(
+        key="travel_time", label="Travel time", unit="s", description="front axle from x = 0 to the end of the road"
+    ),
+    Quantity(
+        key="arrival_speed_kmh",
+        label="Speed at the bump",
+        unit="km/h",
+        description="when the front axle reaches the bump",
+    ),
 )
 
 # Lines a plot draws beside the curves; values come with each result as `reference`.

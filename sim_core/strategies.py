@@ -37,7 +37,7 @@ class Strategy:
 
 
 _ROAD = ("vehicle", "road", "speed.initial_speed_kmh", "mpc.deflection_limit")
-_SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "brake")
+_SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")
 _MPC = (
     "actuator",
     "mpc.sample_time",

@@ -1,0 +1,67 @@
+"""Fuzzy speed controller: Table 1's rules over speed error and distance to the bump (section 3.1).
+
+Mamdani min/max inference, five even triangles each, centroid. One direct scikit-fuzzy evaluation takes about
+10 ms, so its memberships make the whole surface once and a run interpolates.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import skfuzzy
+
+from sim_core.result import FloatArray
+
+SETS = "OSMLV"  # very low, medium-low, medium, medium-high, very high
+# Rows: distance to the bump O to V; columns: speed error O to V; entries: braking torque (Table 1).
+RULES = ("OMLVV", "OMLVV", "OSMLL", "OSMML", "OSSMM")
+SPEED_ERROR_MAX = 30.0  # universe [0, 30] km/h
+DISTANCE_MAX = 80.0  # universe [0, 80] m
+_ERROR_STEPS, _DISTANCE_STEPS, _TORQUE_STEPS = 120, 160, 200
+
+
+def even_triangles(universe: FloatArray) -> FloatArray:
+    """Memberships (5, n) of five even triangles over a universe (n,); the outer two are halves."""
+    peaks = np.linspace(universe[0], universe[-1], len(SETS))
+    width = peaks[1] - peaks[0]
+    return np.array([skfuzzy.trimf(universe, [peak - width, peak, peak + width]) for peak in peaks])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TorqueSurface:
+    """Braking torque as a share of its universe, on an even grid (distance, speed error)."""
+
+    table: tuple[tuple[float, ...], ...]
+
+    def share(self, speed_error_kmh: float, distance: float) -> float:
+        """Torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
+        column = min(max(speed_error_kmh, 0.0), SPEED_ERROR_MAX) * (_ERROR_STEPS / SPEED_ERROR_MAX)
+        row = min(max(distance, 0.0), DISTANCE_MAX) * (_DISTANCE_STEPS / DISTANCE_MAX)
+        i, j = min(int(row), _DISTANCE_STEPS - 1), min(int(column), _ERROR_STEPS - 1)
+        fy, fx = row - i, column - j
+        low, high = self.table[i], self.table[i + 1]
+        first = low[j] + fx * (low[j + 1] - low[j])
+        return first + fy * (high[j] + fx * (high[j + 1] - high[j]) - first)
+
+
+@lru_cache(maxsize=1)
+def torque_surface() -> TorqueSurface:
+    """Table 1 evaluated on a grid of 0.25 km/h × 0.5 m."""
+    error = even_triangles(np.linspace(0, SPEED_ERROR_MAX, _ERROR_STEPS + 1))
+    distance = even_triangles(np.linspace(0, DISTANCE_MAX, _DISTANCE_STEPS + 1))
+    torque_universe = np.linspace(0, 1, _TORQUE_STEPS + 1)
+    torque = even_triangles(torque_universe)
+
+    fired = np.zeros((len(SETS), distance.shape[1], error.shape[1]))  # how strongly each torque set is concluded
+    for s, row in enumerate(RULES):
+        for v, conclusion in enumerate(row):
+            strength = np.fmin(distance[s][:, None], error[v][None, :])
+            index = SETS.index(conclusion)
+            fired[index] = np.fmax(fired[index], strength)
+
+    aggregated = np.fmin(fired[0][..., None], torque[0])
+    for index in range(1, len(SETS)):
+        aggregated = np.fmax(aggregated, np.fmin(fired[index][..., None], torque[index]))
+    moment = np.trapezoid(aggregated * torque_universe, dx=1.0, axis=-1)
+    centroid = moment / np.trapezoid(aggregated, dx=1.0, axis=-1)
+    return TorqueSurface(tuple(tuple(map(float, row)) for row in centroid))

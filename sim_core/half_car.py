@@ -1,0 +1,95 @@
+"""Half-car model in deflection coordinates (Eq. 7 with the braking moment added), and its exact stepping.
+
+State (8): suspension deflections d1, d2 [m]; tyre deflections z_w - z_r, front and rear [m]; body velocity [m/s];
+pitch rate, nose-down positive [rad/s]; wheel velocities, front and rear [m/s].
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from scipy.linalg import expm
+
+from sim_core.result import FloatArray
+from sim_core.scenario import Vehicle
+
+STATES = 8
+FORCES = 2
+DISTURBANCES = 3  # road velocity front and rear [m/s], braking deceleration [m/s^2]
+OUTPUTS = (
+    "body_acceleration",
+    "pitch_acceleration",
+    "front_tyre_load",
+    "rear_tyre_load",
+    "front_deflection",
+    "rear_deflection",
+    "front_deflection_speed",
+    "rear_deflection_speed",
+)
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class LinearModel:
+    """x' = A x + B u + E w, y = C x + D u + F w; continuous, or one step of a discrete one (then without y).
+
+    Shapes: A (8, 8), B (8, 2), E (8, 3), C (8 outputs, 8), D (8, 2), F (8, 3). u [N], w = DISTURBANCES.
+    """
+
+    A: FloatArray
+    B: FloatArray
+    E: FloatArray
+    C: FloatArray
+    D: FloatArray
+    F: FloatArray
+
+
+@lru_cache(maxsize=128)
+def half_car(vehicle: Vehicle) -> LinearModel:
+    """The continuous model of a vehicle (Eq. 7; wheel, body and pitch equations in docs/physics.md)."""
+    m, inertia = vehicle.body_mass, vehicle.pitch_inertia
+    arm = np.array([-vehicle.cg_to_front, vehicle.cg_to_rear])  # ż_bi = ż_b + arm_i θ̇
+    wheel_mass = np.array([vehicle.front_wheel_mass, vehicle.rear_wheel_mass])
+    tyre = np.array([vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness])
+    eye = np.eye(2)
+
+    deflection_speed = np.hstack([np.zeros((2, 4)), np.ones((2, 1)), arm[:, None], -eye])
+    force_x = np.diag([vehicle.front_spring, vehicle.rear_spring]) @ np.eye(2, STATES)
+    force_x = force_x + np.diag([vehicle.front_damping, vehicle.rear_damping]) @ deflection_speed  # F_i = k d + c ḋ - u
+    tyre_load = np.hstack([np.zeros((2, 2)), -np.diag(tyre), np.zeros((2, 4))])
+
+    body_x, body_u = -force_x.sum(axis=0) / m, np.full(2, 1 / m)
+    pitch_x, pitch_u = -(arm @ force_x) / inertia, arm / inertia
+    wheel_x, wheel_u = (tyre_load + force_x) / wheel_mass[:, None], -eye / wheel_mass[:, None]
+    brake_moment = np.array([0.0, 0.0, m * vehicle.cg_height / inertia])
+
+    wheel_speed = np.hstack([np.zeros((2, 6)), eye])
+    A = np.vstack([deflection_speed, wheel_speed, body_x, pitch_x, wheel_x])
+    B = np.vstack([np.zeros((4, 2)), body_u, pitch_u, wheel_u])
+    E = np.zeros((STATES, DISTURBANCES))
+    E[2, 0] = E[3, 1] = -1.0
+    E[5] = brake_moment
+    C = np.vstack([body_x, pitch_x, tyre_load, np.eye(2, STATES), deflection_speed])
+    D = np.vstack([body_u, pitch_u, np.zeros((6, 2))])
+    F = np.zeros((len(OUTPUTS), DISTURBANCES))
+    F[1] = brake_moment
+    return LinearModel(A=A, B=B, E=E, C=C, D=D, F=F)
+
+
+def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, FloatArray]:
+    """Exact step of x' = A x + inputs·v with v held: (Φ, Γ) by the matrix exponential (Van Loan 1978).
+
+    A held road *velocity* is a road height that is linear within the step, so no height is ever held.
+    """
+    n, m = inputs.shape
+    block = np.zeros((n + m, n + m))
+    block[:n, :n], block[:n, n:] = A, inputs
+    exponential = expm(block * step)
+    return exponential[:n, :n], exponential[:n, n:]
+
+
+@lru_cache(maxsize=128)
+def discrete(vehicle: Vehicle, step: float) -> LinearModel:
+    """The model over one step [s] with force, road velocities and deceleration held; exact."""
+    model = half_car(vehicle)
+    A, inputs = hold(model.A, np.hstack([model.B, model.E]), step)
+    return LinearModel(A=A, B=inputs[:, :FORCES], E=inputs[:, FORCES:], C=model.C, D=model.D, F=model.F)

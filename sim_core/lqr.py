@@ -1,0 +1,63 @@
+"""Discrete infinite-horizon LQR on the shared cost, cross term included (section 4.2.2)."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from scipy.linalg import solve_discrete_are
+
+from sim_core.controller import Controller, LinearLaw
+from sim_core.cost import KILO, CostTerms, stage_cost
+from sim_core.errors import RidelabError
+from sim_core.half_car import FORCES, STATES, discrete
+from sim_core.result import FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Regulator:
+    """u = -K x in kN: K (2, 8); P (8, 8) is the cost to go x'P x."""
+
+    K: FloatArray
+    P: FloatArray
+
+
+@lru_cache(maxsize=512)
+def regulator(terms: CostTerms) -> Regulator:
+    """Solve P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
+
+    Raises:
+        RidelabError: No stabilising solution was found for these weights.
+    """
+    model = discrete(terms.vehicle, terms.sample_time)
+    A, B = model.A, model.B * KILO
+    S = stage_cost(terms)
+    x, u = slice(0, STATES), slice(STATES, STATES + FORCES)
+    Q, R, N = S[x, x], S[u, u], S[x, u]
+    try:
+        P = solve_discrete_are(A, B, Q, R, s=N)
+        P = (P + P.T) / 2
+        K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
+    except np.linalg.LinAlgError:
+        raise RidelabError("No stabilising controller exists for these weights and this vehicle") from None
+    if not np.isfinite(K).all() or np.abs(np.linalg.eigvals(A - B @ K)).max() >= 1:
+        raise RidelabError("No stabilising controller exists for these weights and this vehicle")
+    return Regulator(K=K, P=P)
+
+
+class LqrController(Controller):
+    """The regulator within the force limit; it knows neither the road ahead nor the travel limit."""
+
+    def __init__(self, design: Regulator, force_limit: float) -> None:
+        super().__init__()
+        gain = np.zeros((FORCES, STATES + FORCES))
+        gain[:, :STATES] = -design.K * KILO
+        self._law = LinearLaw(gain=gain, checks=gain, bounds=np.full(FORCES, force_limit))
+        self._limit = force_limit
+
+    def law(self, stage: str) -> LinearLaw:
+        """The same in every stage."""
+        return self._law
+
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
+        """The regulator's force, clipped."""
+        return np.clip(self._law.gain[:, :STATES] @ state, -self._limit, self._limit)

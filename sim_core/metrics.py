@@ -1,0 +1,124 @@
+"""Metrics of a run: RMS and peak per window as the paper's tables, and what the field expects beside them."""
+
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+
+from sim_core.comfort import vibration_dose, weighted
+from sim_core.controller import SolverReport
+from sim_core.longitudinal import KMH, TARGET_BAND, Drive
+from sim_core.result import FloatArray, Span, StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.signals import METRIC_SIGNALS
+from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Recording:
+    """Series on the fine grid (signals.SIGNALS), its step [s], and the deflections' speeds (2, n) [m/s]."""
+
+    step: float
+    series: dict[str, FloatArray]
+    deflection_speed: FloatArray
+
+
+def evaluate(
+    scenario: Scenario,
+    strategy: Strategy,
+    drive: Drive,
+    stages: tuple[Span, ...],
+    recording: Recording,
+    report: SolverReport,
+    limited_steps: int,
+) -> StrategyResult:
+    """Everything a run reports, from its recording."""
+    series = recording.series
+    windows = _windows(scenario, series["position"])
+    arrival = float(drive.at(np.array(drive.time_at(scenario.road.bump.start)))[1])
+    metrics = {
+        window: {signal: _statistics(series[signal][kept]) for signal in METRIC_SIGNALS}
+        for window, kept in windows.items()
+    }
+    static = scenario.vehicle.static_loads
+    planned = strategy.speed is SpeedPolicy.PLANNED
+    actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
+    rough = metrics["rough_road"]
+    power = np.abs(series["front_force"] * recording.deflection_speed[0])
+    power += np.abs(series["rear_force"] * recording.deflection_speed[1])
+    filtered = weighted(series["body_acceleration"], recording.step)
+    return StrategyResult(
+        strategy=strategy.id,
+        metrics=metrics,
+        comfort={
+            "weighted_rms": _rms(filtered),
+            "vibration_dose": vibration_dose(filtered, recording.step),
+            "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
+            "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
+            "actuator_mean_power": float(power.mean()),
+            "actuator_peak_power": float(power.max()),
+        },
+        events={
+            **_airborne(recording, static),
+            "target_reached": _target_reached(scenario, arrival) if planned else None,
+            "travel_exceeded_mm": _travel_exceeded(scenario, series),
+            "limited_steps": limited_steps,
+            "qp_solves": report.solves,
+            "qp_fallbacks": report.fallbacks,
+            "qp_failures": report.failures,
+            "max_slack_mm": report.max_slack * 1000,
+        },
+        reference={
+            "front_static_load": static[0],
+            "rear_static_load": static[1],
+            "deflection_limit": scenario.mpc.deflection_limit,
+            "force_limit": scenario.mpc.force_limit if actuated else None,
+            "target_speed": scenario.speed.target_speed_kmh * KMH if planned else None,
+            "target_band": TARGET_BAND if planned else None,
+        },
+        stages=stages,
+        travel_time=drive.time_at(scenario.road.length),
+        arrival_speed_kmh=arrival / KMH,
+        series=series,
+    )
+
+
+def _windows(scenario: Scenario, position: FloatArray) -> dict[str, slice]:
+    """Samples of each window; the front axle from 0 to the bump, and on the bump until the rear has left it."""
+    bump = scenario.road.bump
+    arrival = int(position.searchsorted(bump.start))
+    leaving = int(position.searchsorted(bump.start + bump.width + scenario.vehicle.wheelbase, side="right"))
+    return {"rough_road": slice(0, arrival), "bump": slice(arrival, leaving), "whole": slice(0, len(position))}
+
+
+def _rms(values: FloatArray) -> float:
+    return sqrt(float(np.dot(values, values)) / len(values))
+
+
+def _statistics(values: FloatArray) -> dict[str, float]:
+    return {"rms": _rms(values), "peak": float(max(values.max(), -values.min()))}
+
+
+def _airborne(recording: Recording, static: tuple[float, float]) -> dict[str, float]:
+    """Time with a tyre pulling on the road, which only the linear model can [ms]."""
+    front = recording.series["front_tyre_load"] < -static[0]
+    rear = recording.series["rear_tyre_load"] < -static[1]
+    each = recording.step * 1000
+    return {
+        "airborne_ms": float(np.count_nonzero(front | rear)) * each,
+        "front_airborne_ms": float(np.count_nonzero(front)) * each,
+        "rear_airborne_ms": float(np.count_nonzero(rear)) * each,
+    }
+
+
+def _travel_exceeded(scenario: Scenario, series: dict[str, FloatArray]) -> float:
+    largest = max(float(np.abs(series[name]).max()) for name in ("front_deflection", "rear_deflection"))
+    return max(0.0, largest - scenario.mpc.deflection_limit) * 1000
+
+
+def _target_reached(scenario: Scenario, arrival: float) -> bool:
+    """Arrival within the band around the target; a target at or above the initial speed asks for nothing."""
+    target = scenario.speed.target_speed_kmh * KMH
+    if target >= scenario.speed.initial_speed_kmh * KMH:
+        return True
+    return abs(arrival - target) <= TARGET_BAND + 1e-9

@@ -1,0 +1,50 @@
+"""What the MPC knows of the road and the braking over its horizon (docs/physics.md, "Preview").
+
+none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
+lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
+"""
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from sim_core.half_car import DISTURBANCES
+from sim_core.longitudinal import Drive
+from sim_core.result import FloatArray
+from sim_core.road import RoadProfile
+
+
+def preview_windows(
+    mode: str, road: RoadProfile, drive: Drive, time: FloatArray, horizon: int, wheelbase: float
+) -> FloatArray:
+    """Disturbances over the horizon as expected at each control step, shape (steps, 3 · horizon).
+
+    Columns: mean velocity of the front axle's road in each interval, then of the rear's [m/s], then the braking
+    deceleration [m/s^2].
+
+    Args:
+        mode: none, wheelbase or lookahead.
+        road: The road.
+        drive: How it is driven.
+        time: Control instants (steps + 1,), even [s]; the last is the end of the last step.
+        horizon: Prediction horizon.
+        wheelbase: L [m].
+    """
+    steps, h = len(time) - 1, float(time[1] - time[0])
+    windows = np.zeros((steps, DISTURBANCES, horizon))
+    if mode == "lookahead":
+        further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
+        position, _ = drive.at(further)
+        for axle, behind in enumerate((0.0, wheelbase)):
+            velocity = np.diff(road.height(position - behind)) / h
+            windows[:, axle] = sliding_window_view(velocity, horizon)[:steps]
+        braking = drive.sample(drive.braking, further[:-1] + h / 2)
+        windows[:, 2] = sliding_window_view(braking, horizon)[:steps]
+    else:
+        position, speed = drive.at(time[:-1])
+        windows[:, 2] = drive.sample(drive.braking, time[:-1])[:, None]
+        if mode == "wheelbase":
+            ahead = speed[:, None] * h * np.arange(horizon + 1)
+            driven = ahead[:, 1:] <= wheelbase
+            heights = road.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
+            windows[:, 1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
+    return windows.reshape(steps, DISTURBANCES * horizon)

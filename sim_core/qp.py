@@ -1,0 +1,129 @@
+"""Small dense QPs: min ½ y'Hy + f'y, low <= y <= high, A y <= b; DAQP and OSQP behind one face.
+
+No solver's word is taken: an answer counts only if it is finite and its own optimality residuals, computed here, are
+small. OSQP raises nothing by default and may return a huge y for an infeasible problem.
+"""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Literal
+
+import daqp
+import numpy as np
+import osqp
+from scipy.sparse import csc_array, triu
+
+from sim_core.result import FloatArray
+
+SolverName = Literal["daqp", "osqp"]
+TOLERANCE = 1e-6  # of the residuals, relative to the problem's own numbers
+_NO_LIMIT = 1e30  # what both solvers take as infinity
+_OSQP_SETTINGS = {
+    "eps_abs": 1e-9,
+    "eps_rel": 1e-9,
+    "max_iter": 20_000,
+    "polishing": True,
+    "scaled_termination": False,
+    "verbose": False,
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class QpShape:
+    """What stays the same from step to step: H (n, n) positive definite, A (m, n), low and high (n,)."""
+
+    H: FloatArray
+    A: FloatArray
+    low: FloatArray
+    high: FloatArray
+
+
+def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray) -> float:
+    """Largest violation of the KKT conditions at y, relative; NaN or infinity for an answer that is not finite.
+
+    For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
+    those of the box, then of A y <= b; positive at an upper limit, negative at a lower one.
+    """
+    n = len(y)
+    box, rows = multipliers[:n], multipliers[n:]
+    gradient = shape.H @ y + f
+    stationary = np.abs(gradient + box + shape.A.T @ rows).max() / (1 + np.abs(f).max())
+    slack_high, slack_low, slack_rows = shape.high - y, y - shape.low, b - shape.A @ y
+    primal = max(0.0, -slack_high.min(), -slack_low.min(), -slack_rows.min(initial=0.0))
+    force = 1 + np.abs(multipliers).max()
+    wrong_sign = max(0.0, -rows.min(initial=0.0)) / force
+    gap = np.abs(np.where(box > 0, box * slack_high, box * slack_low)).max(initial=0.0)
+    gap = max(gap, np.abs(rows * slack_rows).max(initial=0.0)) / force
+    return float(max(stationary, primal, wrong_sign, gap)) if np.isfinite(y).all() else float("nan")
+
+
+class QpSolver(ABC):
+    """A solver set up once for a shape and used by one run."""
+
+    def __init__(self, shape: QpShape) -> None:
+        self._shape = shape
+
+    def solve(self, f: FloatArray, b: FloatArray) -> FloatArray | None:
+        """The minimiser (n,), or None if the solver gave no answer that holds up."""
+        answer = self._attempt(f, b)
+        if answer is None or not residual(self._shape, f, b, *answer) <= TOLERANCE:
+            return None
+        return answer[0]
+
+    @abstractmethod
+    def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
+        """The solver's y and multipliers if it says solved."""
+
+
+class DaqpSolver(QpSolver):
+    """Dual active set (Arnström, Bemporad, Axehill 2022), made for embedded MPC."""
+
+    def __init__(self, shape: QpShape) -> None:
+        super().__init__(shape)
+        self._model: daqp.Model | None = None
+        self._lower = np.concatenate([shape.low, np.full(len(shape.A), -_NO_LIMIT)])
+
+    def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
+        upper = np.concatenate([self._shape.high, b])
+        if self._model is None:
+            self._model = daqp.Model()
+            self._model.settings = {"primal_tol": 1e-9}
+            flag, _ = self._model.setup(self._shape.H, f, self._shape.A, upper, self._lower)
+        else:
+            flag = self._model.update(f=f, bupper=upper, blower=self._lower)
+        if flag < 0:
+            self._model = None
+            return None
+        y, _, flag, info = self._model.solve()
+        return (np.asarray(y), np.asarray(info["lam"])) if flag > 0 else None
+
+
+class OsqpSolver(QpSolver):
+    """Operator splitting (Stellato et al. 2020), in whitened variables v = L'y with H = L L' and unit rows."""
+
+    def __init__(self, shape: QpShape) -> None:
+        super().__init__(shape)
+        self._model: osqp.OSQP | None = None
+        n = len(shape.H)
+        self._whiten = np.linalg.inv(np.linalg.cholesky(shape.H)).T  # y = whiten v
+        rows = np.vstack([self._whiten, shape.A @ self._whiten])
+        self._norm = np.linalg.norm(rows, axis=1)
+        self._rows = csc_array(rows / self._norm[:, None])
+        self._eye = csc_array(triu(np.eye(n)))
+        self._lower = np.concatenate([shape.low / self._norm[:n], np.full(len(shape.A), -_NO_LIMIT)])
+
+    def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
+        upper = np.concatenate([self._shape.high, b]) / self._norm
+        q = self._whiten.T @ f
+        if self._model is None:
+            self._model = osqp.OSQP()
+            self._model.setup(P=self._eye, q=q, A=self._rows, l=self._lower, u=upper, **_OSQP_SETTINGS)
+        else:
+            self._model.update(q=q, l=self._lower, u=upper)
+        result = self._model.solve()
+        if result.info.status_val != osqp.SolverStatus.OSQP_SOLVED:
+            return None
+        return self._whiten @ result.x, result.y / self._norm
+
+
+SOLVERS: dict[str, type[QpSolver]] = {"daqp": DaqpSolver, "osqp": OsqpSolver}

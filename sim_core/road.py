@@ -1,0 +1,88 @@
+"""The road, made once in space: ISO 8608 roughness plus one bump (paper section 2.1, errata in docs/physics.md).
+
+Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import exp, pi, sqrt
+
+import numpy as np
+from scipy.signal import lfilter
+
+from sim_core.result import FloatArray
+from sim_core.scenario import Bump, Road
+
+REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
+CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded
+GRID = 0.01  # distance between roughness samples [m]
+RUN_IN = 20.0  # driven before x = 0, so that the car has met the road when the record starts [m]
+_BEFORE = 45.0  # road made before x = 0 [m]: run-in, longest wheelbase, one control step
+_AFTER = 1.0  # road made beyond its end [m]; further on it stays level
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoadProfile:
+    """Height of the road over distance: roughness samples, linear in between, and the bump's formula."""
+
+    roughness: FloatArray
+    bump: Bump
+
+    def height(self, position: FloatArray) -> FloatArray:
+        """Road height [m] at positions [m] of any shape; level beyond the road made."""
+        place = np.clip((position + _BEFORE) / GRID, 0.0, len(self.roughness) - 1.000001)
+        index = place.astype(np.intp)
+        low = self.roughness[index]
+        rough: FloatArray = low + (place - index) * (self.roughness[index + 1] - low)
+        return rough + bump_height(self.bump, position)
+
+
+def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
+    """Height of the bump alone [m] at positions [m].
+
+    cosine is Eq. 2 of the paper; circular the arc of a Watts hump through both feet and the crest.
+    """
+    s = np.clip((position - bump.start) / bump.width, 0.0, 1.0)
+    h, w = bump.height, bump.width
+    if h == 0:
+        return np.zeros_like(s)
+    if bump.shape == "cosine":
+        return np.asarray(h / 2 * (1 - np.cos(2 * pi * s)))
+    if bump.shape == "half_sine":
+        return np.asarray(h * np.sin(pi * s))
+    if bump.shape == "circular":
+        radius = (w**2 / 4 + h**2) / (2 * abs(h))
+        arc = np.sqrt(np.maximum(radius**2 - (w * (s - 0.5)) ** 2, 0.0)) - (radius - abs(h))
+        return np.asarray(np.copysign(np.maximum(arc, 0.0), h))
+    ramp = np.clip(4 * np.minimum(s, 1 - s), 0.0, 1.0)  # 0 to 1 within a quarter of the width at either end
+    if bump.shape == "trapezoid":
+        return np.asarray(h * ramp)
+    return np.asarray(h / 2 * (1 - np.cos(pi * ramp)))  # flat_top
+
+
+def stationary_deviation(roughness: float) -> float:
+    """Standard deviation of the endless road [m]: root of the PSD's integral, Gd n0² π / (2 n00)."""
+    return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
+
+
+@lru_cache(maxsize=64)
+def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
+    """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points.
+
+    Var(w) = 1/(2Δx) makes the one-sided PSD Gd(n0) n0² / (n² + n00²) (ISO 8608 with a cut-off). The same
+    seed gives the same road for every length: a longer one only goes on.
+    """
+    count = int((length + _BEFORE + _AFTER) / GRID) + 2
+    deviation = stationary_deviation(roughness)
+    keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
+    noise = np.random.default_rng(seed).standard_normal(count)
+    noise[0] *= deviation
+    noise[1:] *= deviation * sqrt(1 - keep**2)
+    samples = np.asarray(lfilter([1.0], [1.0, -keep], noise), dtype=np.float64)
+    samples.flags.writeable = False
+    return samples
+
+
+def profile(road: Road) -> RoadProfile:
+    """The road of a scenario."""
+    return RoadProfile(_roughness(road.roughness, road.seed, road.length), road.bump)
