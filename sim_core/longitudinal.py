@@ -77,14 +77,15 @@ class Drive:
         if position >= self.position[-1]:
             return float(self.time[-1] + (position - self.position[-1]) / self.speed[-1])
         i = int(np.searchsorted(self.position, position)) - 1
-        low, high = self.time[i], self.time[i + 1]
-        for _ in range(60):  # bisection: the Hermite polynomial is monotonic here
-            middle = (low + high) / 2
-            if self.at(np.array(middle))[0] < position:
-                low = middle
-            else:
-                high = middle
-        return float(high)
+        x0, x1 = float(self.position[i]), float(self.position[i + 1])
+        v0, v1 = float(self.speed[i]), float(self.speed[i + 1])
+        step = float(self.time[1] - self.time[0])
+        low, high = 0.0, 1.0
+        for _ in range(50):  # bisection: the cubic of `at` is monotonic here
+            s = (low + high) / 2
+            place = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
+            low, high = (s, high) if place < position else (low, s)
+        return float(self.time[i]) + step * high
 
 
 def drive(scenario: Scenario, policy: SpeedPolicy) -> Drive:
@@ -106,6 +107,7 @@ def drive(scenario: Scenario, policy: SpeedPolicy) -> Drive:
     )
 
 
+@lru_cache(maxsize=256)
 def _constant(speed: float) -> Drive:
     two, none = np.array([0.0, CONTROL_STEP]), np.zeros(2)
     return Drive(

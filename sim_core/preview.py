@@ -4,17 +4,22 @@ none: the road ahead is taken as level. wheelbase: the rear axle will meet what 
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
 """
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.half_car import DISTURBANCES
 from sim_core.longitudinal import Drive
 from sim_core.result import FloatArray
-from sim_core.road import RoadProfile
+from sim_core.road import profile
+from sim_core.scenario import Preview, Road
+from sim_core.track import Track
 
 
+@lru_cache(maxsize=6)
 def preview_windows(
-    mode: str, road: RoadProfile, drive: Drive, time: FloatArray, horizon: int, wheelbase: float
+    mode: Preview, road: Road, drive: Drive, track: Track, horizon: int, wheelbase: float
 ) -> FloatArray:
     """Disturbances over the horizon as expected at each control step, shape (steps, 3 · horizon).
 
@@ -25,17 +30,18 @@ def preview_windows(
         mode: none, wheelbase or lookahead.
         road: The road.
         drive: How it is driven.
-        time: Control instants (steps + 1,), even [s]; the last is the end of the last step.
+        track: The same, sampled.
         horizon: Prediction horizon.
         wheelbase: L [m].
     """
-    steps, h = len(time) - 1, float(time[1] - time[0])
+    surface, time, h = profile(road), track.time, track.step
+    steps = len(time) - 1
     windows = np.zeros((steps, DISTURBANCES, horizon))
     if mode == "lookahead":
         further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
         position, _ = drive.at(further)
         for axle, behind in enumerate((0.0, wheelbase)):
-            velocity = np.diff(road.height(position - behind)) / h
+            velocity = np.diff(surface.height(position - behind)) / h
             windows[:, axle] = sliding_window_view(velocity, horizon)[:steps]
         braking = drive.sample(drive.braking, further[:-1] + h / 2)
         windows[:, 2] = sliding_window_view(braking, horizon)[:steps]
@@ -45,6 +51,6 @@ def preview_windows(
         if mode == "wheelbase":
             ahead = speed[:, None] * h * np.arange(horizon + 1)
             driven = ahead[:, 1:] <= wheelbase
-            heights = road.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
+            heights = surface.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
             windows[:, 1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
     return windows.reshape(steps, DISTURBANCES * horizon)

@@ -34,7 +34,9 @@ class RoadProfile:
         index = place.astype(np.intp)
         low = self.roughness[index]
         rough: FloatArray = low + (place - index) * (self.roughness[index + 1] - low)
-        return rough + bump_height(self.bump, position)
+        inside = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
+        rough[inside] += bump_height(self.bump, position[inside])
+        return rough
 
 
 def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
