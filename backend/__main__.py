@@ -1,0 +1,80 @@
+"""`python -m backend`: serve the dashboard and the API.
+
+Worker processes import this module too when they are spawned, so it imports the web stack only when it serves.
+"""
+
+import argparse
+import os
+import socket
+import sys
+import threading
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from backend.settings import Settings
+
+DEADLINE = 9.0  # an ordered end takes at most so long [s]; SIGTERM promises ten
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Serve until SIGTERM or SIGINT; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="python -m backend", description="Serve Ridelab's dashboard and API.")
+    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default %(default)s)")
+    parser.add_argument(
+        "--port", type=int, default=8000, help="port to listen on, 0 for a free one (default %(default)s)"
+    )
+    parser.add_argument("--data-dir", type=Path, help="where the database lives (default data, or RIDELAB_DATA_DIR)")
+    parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
+    options = parser.parse_args(arguments)
+
+    from backend.settings import Settings, SettingsError
+
+    try:
+        settings = Settings.from_environment(os.environ, data_dir=options.data_dir)
+        listener = _listen(options.host, options.port)
+    except (SettingsError, OSError) as error:
+        print(f"Ridelab does not start: {error}", file=sys.stderr)
+        return 2
+    return _serve(settings, listener, options.host)
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    """A bound socket: taken before anything else starts, so that a port in use is said at once."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    listener = socket.socket(family)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener.bind((host, port))
+    return listener
+
+
+def _serve(settings: "Settings", listener: socket.socket, host: str) -> int:
+    import uvicorn
+
+    from backend.app import create_app
+
+    class Server(uvicorn.Server):
+        """Says where it listens, and ends in time whatever hangs."""
+
+        async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+            await super().startup(sockets)
+            if self.started:
+                shown = f"[{host}]" if ":" in host else host
+                print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
+
+        def handle_exit(self, sig: int, frame: object) -> None:
+            timer = threading.Timer(DEADLINE, os._exit, (1,))
+            timer.daemon = True
+            timer.start()
+            super().handle_exit(sig, frame)  # type: ignore[arg-type]
+
+    config = uvicorn.Config(
+        create_app(settings), log_level="warning", access_log=False, timeout_graceful_shutdown=3, server_header=False
+    )
+    server = Server(config)
+    server.run(sockets=[listener])
+    return 0 if server.started else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,92 @@
+"""The application: its parts put together, started and ended."""
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+from starlette.middleware import Middleware
+from starlette.middleware.gzip import GZipMiddleware
+
+from backend import problems
+from backend.admission import Admission
+from backend.compute import Workers
+from backend.memory import Memory
+from backend.results import Results
+from backend.routes import health, runs, schema, site
+from backend.runs import Runs
+from backend.security import GuardMiddleware
+from backend.settings import Settings
+from backend.store import Store
+from sim_core import __version__
+
+DESCRIPTION = """A what-if laboratory for active suspension over bumps.
+
+SI units everywhere, except speeds a person types (`*_kmh`). Errors are RFC 9457 `application/problem+json`."""
+
+COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
+
+
+def create_app(settings: Settings) -> FastAPI:
+    """A service with these settings; workers and store start with its lifespan."""
+    app = FastAPI(
+        title="Ridelab",
+        version=__version__,
+        description=DESCRIPTION,
+        docs_url=None,
+        redoc_url=None,
+        lifespan=_lifespan,
+        max_body_size=settings.max_body_bytes,
+        middleware=[Middleware(GuardMiddleware), Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1)],
+    )
+    app.state.settings = settings
+    problems.register(app)
+    for router in (runs.computing, runs.runs, schema.schema, health.health):
+        app.include_router(router)
+    site.add_site(app, settings.frontend_dir)
+    app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
+    return app
+
+
+@asynccontextmanager
+async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    settings: Settings = app.state.settings
+    workers = Workers(settings.workers, timeout=settings.run_timeout)
+    workers.start()
+    store = Store(settings.store_url)
+    try:
+        await store.call(store.migrate)
+        await asyncio.to_thread(schema.warm)
+        admission = Admission(
+            max_request_cost=settings.max_request_cost,
+            max_queued_cost=settings.max_queued_cost,
+            max_client_requests=settings.max_client_requests,
+        )
+        memory = Memory(settings.series_cache_bytes)
+        results = Results(store=store, workers=workers, memory=memory, admission=admission)
+        app.state.workers = workers
+        app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
+        yield
+    finally:
+        await workers.close()
+        store.close()
+
+
+def _openapi(app: FastAPI) -> dict[str, Any]:
+    """OpenAPI 3.1 with each error under the media type it is sent with."""
+    if app.openapi_schema is None:
+        description = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+        for operations in description["paths"].values():
+            for operation in operations.values():
+                for answer in operation["responses"].values():
+                    _name_problem(answer)
+        app.openapi_schema = description
+    return app.openapi_schema
+
+
+def _name_problem(answer: dict[str, Any]) -> None:
+    content = answer.get("content", {})
+    if str(content.get("application/json", {}).get("schema", {}).get("$ref", "")).endswith("/Problem"):
+        content[problems.MEDIA_TYPE] = content.pop("application/json")

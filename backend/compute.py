@@ -1,0 +1,167 @@
+"""Warm worker processes for interactive runs.
+
+Each slot is a pool of one process of its own. A process that dies, hangs or breaks its pipe takes only its slot
+with it: the slot is thrown away whole, with every lock in it, and a new one is warmed while the others serve.
+"""
+
+import asyncio
+import contextlib
+import logging
+import multiprocessing
+import os
+from collections.abc import Callable, Coroutine
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any, TypeVar
+
+from pebble import ProcessExpired, ProcessPool
+
+from backend import worker
+
+logger = logging.getLogger(__name__)
+
+T = TypeVar("T")
+GRACE = 15.0  # beyond the task's own time limit: then the slot itself is stuck [s]
+PATIENCE = 60.0  # for a free worker [s]
+ATTEMPTS = 2
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+
+
+class WorkerLostError(Exception):
+    """The worker died during the task, and so did the one that tried again."""
+
+
+class WorkerTimeoutError(Exception):
+    """The task took longer than the limit and was ended."""
+
+
+class WorkersBusyError(Exception):
+    """No worker came free in time."""
+
+
+class Workers:
+    """A fixed number of warm processes, handed out one task at a time, the last used first (its caches fit best)."""
+
+    def __init__(self, count: int, *, timeout: float) -> None:
+        self._count = count
+        self._timeout = timeout
+        self._idle: asyncio.LifoQueue[ProcessPool] = asyncio.LifoQueue()
+        self._slots: set[ProcessPool] = set()
+        self._chores: set[asyncio.Task[Any]] = set()
+
+    def start(self) -> None:
+        """Begin to spawn and warm every slot, and return."""
+        os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
+        for _ in range(self._count):
+            self._chore(self._add_slot())
+
+    @property
+    def ready(self) -> bool:
+        """Whether a warm worker is there, busy or idle."""
+        return any(slot.active for slot in self._slots)
+
+    async def call(self, function: Callable[..., T], *args: Any) -> T:
+        """Run `function(*args)` in a worker; a task whose worker dies is tried once more.
+
+        Raises:
+            WorkerLostError: Two workers died over it.
+            WorkerTimeoutError: It took longer than the limit.
+            WorkersBusyError: None came free within a minute.
+        """
+        deaths = 0
+        while deaths < ATTEMPTS:
+            slot = await self._free_slot()
+            if not slot.active:  # died while idle: not this task's doing
+                self._discard(slot)
+                continue
+            # Shielded: whoever asked may go away, the slot is given back all the same.
+            attempt = self._chore(self._attempt(slot, function, args))
+            try:
+                return await asyncio.shield(attempt)
+            except (ProcessExpired, BrokenProcessPool):
+                deaths += 1
+                logger.warning("A worker died during a task (%d of %d attempts)", deaths, ATTEMPTS)
+            except TimeoutError:
+                raise WorkerTimeoutError from None
+        raise WorkerLostError
+
+    async def _attempt(self, slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...]) -> T:
+        """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
+        healthy = False
+        try:
+            result: T = await asyncio.wait_for(self._schedule(slot, function, args), self._timeout + GRACE)
+            healthy = True
+            return result
+        except (ProcessExpired, BrokenProcessPool, TimeoutError):
+            raise
+        except Exception:
+            healthy = True  # the function raised, its process is well
+            raise
+        finally:
+            if healthy:
+                self._idle.put_nowait(slot)
+            else:
+                self._discard(slot)
+
+    async def close(self) -> None:
+        """End every process; takes at most a few seconds."""
+        slots, self._slots = self._slots, set()
+        chores = tuple(self._chores)
+        for chore in chores:
+            chore.cancel()
+        await asyncio.gather(*chores, return_exceptions=True)
+        await asyncio.gather(*(asyncio.to_thread(_end, slot) for slot in slots))
+
+    async def _free_slot(self) -> ProcessPool:
+        try:
+            return await asyncio.wait_for(self._idle.get(), PATIENCE)
+        except TimeoutError:
+            raise WorkersBusyError from None
+
+    def _schedule(self, slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...]) -> "asyncio.Future[T]":
+        try:
+            return asyncio.wrap_future(slot.schedule(function, args=args, timeout=self._timeout))
+        except RuntimeError as error:  # the slot broke since it was looked at
+            raise BrokenProcessPool(str(error)) from None
+
+    def _discard(self, slot: ProcessPool) -> None:
+        if slot not in self._slots:  # the service is closing, and ends it
+            return
+        self._slots.discard(slot)
+        self._chore(asyncio.to_thread(_end, slot))
+        self._chore(self._add_slot())
+
+    async def _add_slot(self) -> None:
+        """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
+        for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
+            slot = ProcessPool(max_workers=1, initializer=worker.start, context=multiprocessing.get_context("spawn"))
+            try:
+                await self._schedule(slot, worker.warm_up, ())
+            except asyncio.CancelledError:
+                await asyncio.shield(asyncio.to_thread(_end, slot))
+                raise
+            except Exception:
+                logger.exception("A worker did not start")
+                await asyncio.to_thread(_end, slot)
+                await asyncio.sleep(delay)
+            else:
+                self._slots.add(slot)
+                self._idle.put_nowait(slot)
+                return
+
+    def _chore(self, work: Coroutine[Any, Any, T]) -> asyncio.Task[T]:
+        """Run it beside; the set keeps it alive, and a failure nobody waits for is no news."""
+        task = asyncio.ensure_future(work)
+        self._chores.add(task)
+        task.add_done_callback(self._chore_done)
+        return task
+
+    def _chore_done(self, task: asyncio.Task[Any]) -> None:
+        self._chores.discard(task)
+        if not task.cancelled():
+            task.exception()
+
+
+def _end(slot: ProcessPool) -> None:
+    with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
+        slot.stop()  # type: ignore[no-untyped-call]
+        slot.join()

@@ -1,0 +1,49 @@
+"""Keys of content-addressed results: the hash of exactly what a result depends on."""
+
+import base64
+import hashlib
+from collections.abc import Iterable
+from typing import Any
+
+import orjson
+
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
+from sim_core.strategies import part_read
+
+RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
+
+
+def canonical(value: Any) -> bytes:
+    """One byte string for one meaning: keys sorted, no spaces, 50 and 50.0 alike, no negative zero."""
+    return orjson.dumps(_plain(value), option=orjson.OPT_SORT_KEYS)
+
+
+def result_key(scenario: Scenario, strategy: str) -> str:
+    """Key of one strategy's result: core version, strategy and the part of the scenario it reads."""
+    return _hash({"core": CORE_VERSION, "strategy": strategy, "part": part_read(scenario, strategy)})
+
+
+def run_id(scenario: Scenario, strategies: Iterable[str]) -> str:
+    """Id of a run: the whole scenario, the set of strategies and the core version."""
+    content = {
+        "core": CORE_VERSION,
+        "scenario": scenario.model_dump(mode="json"),
+        "strategies": sorted(set(strategies)),
+    }
+    return _hash(content)[:RUN_ID_LENGTH]
+
+
+def _hash(content: dict[str, Any]) -> str:
+    return base64.urlsafe_b64encode(hashlib.sha256(canonical(content)).digest()).decode().rstrip("=")
+
+
+def _plain(value: Any) -> Any:
+    """The same value with each whole float as an integer (which also makes -0.0 a 0)."""
+    if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
+        return int(value)
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    return value

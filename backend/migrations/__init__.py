@@ -1,0 +1,1 @@
+"""Schema migrations (Alembic), run by the service itself when it starts."""

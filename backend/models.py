@@ -1,0 +1,276 @@
+"""The shapes of requests and answers: OpenAPI, and with it the browser's client, is made from them.
+
+Answers are not validated on their way out (they are built from the core's own catalogue, and the tests hold each
+against its model); requests are, strictly.
+"""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic_core import PydanticCustomError
+
+from sim_core.scenario import Scenario
+from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
+from sim_core.strategies import STRATEGIES
+
+DEFAULT_POINTS = 800
+MAX_POINTS = 100_000
+STRATEGY_IDS = list(STRATEGIES)
+
+
+class RequestModel(BaseModel):
+    """Base of what is sent: no other fields, no conversions."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, hide_input_in_errors=True)
+
+
+class Answer(BaseModel):
+    """Base of what is answered: every field is always there, whatever its default."""
+
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+
+
+def _known_strategy(name: str) -> str:
+    if name not in STRATEGIES:
+        raise PydanticCustomError(
+            "unknown_strategy", "Unknown strategy; there are {names}", {"names": ", ".join(STRATEGIES)}
+        )
+    return name
+
+
+def _known_signal(name: str) -> str:
+    if name not in SIGNALS:
+        raise PydanticCustomError("unknown_signal", "Unknown signal; there are {names}", {"names": ", ".join(SIGNALS)})
+    return name
+
+
+StrategyName = Annotated[str, AfterValidator(_known_strategy), Field(json_schema_extra={"enum": STRATEGY_IDS})]
+SignalName = Annotated[str, AfterValidator(_known_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
+Points = Annotated[int, Field(ge=2, le=MAX_POINTS, description="About how many samples; peaks survive.")]
+
+
+class RunRequest(RequestModel):
+    """What to run; an omitted part of the scenario takes the paper's default."""
+
+    scenario: Scenario = Scenario()
+    strategies: list[StrategyName] = Field(min_length=1, max_length=32)
+
+
+class LiveRequest(RunRequest):
+    """What to run while somebody drags: nothing is stored, the time histories come along."""
+
+    points: Points = DEFAULT_POINTS
+    signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
+
+
+def _keys(names: Any, description: str) -> Any:
+    return Field(description=description, json_schema_extra={"propertyNames": {"enum": list(names)}})
+
+
+class Statistics(Answer):
+    """One signal in one window."""
+
+    rms: float
+    peak: float
+
+
+WindowMetrics = Annotated[
+    dict[str, Statistics], _keys(METRIC_SIGNALS, "By signal (catalogue: metric_signals), SI units")
+]
+
+
+class Stage(Answer):
+    """One driving stage, by the front axle."""
+
+    stage: Annotated[str, Field(json_schema_extra={"enum": list(STAGES)})]
+    start_time: float = Field(description="[s]")
+    end_time: float = Field(description="[s]")
+    start_position: float = Field(description="[m]")
+    end_position: float = Field(description="[m]")
+
+
+class StrategyResult(Answer):
+    """One strategy's figures over the scenario."""
+
+    status: Literal["ok"]
+    compute_ms: float = Field(description="The worker's own time [ms]; work shared between strategies counts once")
+    metrics: dict[str, WindowMetrics] = _keys(WINDOWS, "By window (catalogue: windows)")
+    comfort: dict[str, float] = _keys(COMFORT, "Catalogue: comfort")
+    events: dict[str, bool | float | None] = _keys(EVENTS, "Catalogue: events")
+    reference: dict[str, float | None] = _keys(REFERENCES, "Lines a plot draws; catalogue: references")
+    stages: list[Stage]
+    travel_time: float = Field(description="[s]")
+    arrival_speed_kmh: float = Field(description="[km/h]")
+
+
+class StrategyFailure(Answer):
+    """A strategy the core refuses for this scenario, and why."""
+
+    status: Literal["failed"]
+    compute_ms: float
+    reason: str
+
+
+class CachedResult(StrategyResult):
+    """The same, with where it came from."""
+
+    cached: bool = Field(
+        description="Taken from store or memory, or from an equal request under way: not computed for this one"
+    )
+
+
+class CachedFailure(StrategyFailure):
+    """The same, with where it came from."""
+
+    cached: bool
+
+
+class TypedArray(Answer):
+    """Little-endian float32 in base64: plotly's typed-array form."""
+
+    dtype: Literal["f4"]
+    bdata: str
+
+
+class LiveResult(CachedResult):
+    """Figures and decimated time histories."""
+
+    series: dict[str, TypedArray] = _keys(SIGNALS, "The same samples for every signal; SI units")
+
+
+class RunBase(Answer):
+    """What every form of a run has."""
+
+    core_version: str
+    scenario: Scenario
+
+
+class Run(RunBase):
+    """A stored run; it never changes."""
+
+    id: str
+    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = _keys(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+class CreatedRun(RunBase):
+    """A run as the request that made it sees it."""
+
+    id: str
+    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = _keys(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+class LiveRun(RunBase):
+    """A run that is not stored."""
+
+    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = _keys(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+Histories = Annotated[
+    dict[str, list[float | None] | TypedArray], _keys(SIGNALS, "Lists, or typed arrays with encoding=base64")
+]
+
+
+class Series(Answer):
+    """Time histories of one strategy."""
+
+    core_version: str
+    strategy: str
+    units: dict[str, str]
+    series: Histories
+
+
+class SeriesOfSeveral(Answer):
+    """Time histories of several strategies."""
+
+    core_version: str
+    units: dict[str, str]
+    strategies: dict[str, Histories]
+
+
+class Figures(Answer):
+    """Plotly figures by name, in the order of display."""
+
+    figures: dict[str, dict[str, Any]]
+
+
+class PresetAnswer(Answer):
+    """A named scenario."""
+
+    id: str
+    label: str
+    description: str
+    scenario: Scenario
+
+
+class StrategyAnswer(Answer):
+    """A strategy: what it does, which parts of the scenario it reads, how it is drawn."""
+
+    id: str
+    label: str
+    description: str
+    reads: list[str]
+    colour: str
+    dash: str
+
+
+class QuantityAnswer(Answer):
+    """One named quantity; unit `1` for none."""
+
+    key: str
+    label: str
+    unit: str
+    symbol: str
+    description: str
+
+
+class Catalogue(Answer):
+    """Everything that has a name and a unit."""
+
+    signals: list[QuantityAnswer]
+    metric_signals: list[str]
+    paper_signals: list[str]
+    windows: list[QuantityAnswer]
+    statistics: list[QuantityAnswer]
+    stages: list[QuantityAnswer]
+    comfort: list[QuantityAnswer]
+    events: list[QuantityAnswer]
+    run_figures: list[QuantityAnswer]
+    references: list[QuantityAnswer]
+
+
+class Health(Answer):
+    """Liveness."""
+
+    status: Literal["ok"]
+
+
+class Readiness(Answer):
+    """Readiness, part by part."""
+
+    status: Literal["ready", "starting"]
+    store: bool
+    workers: bool
+
+
+class ProblemPlace(Answer):
+    """One value that cannot be used: a JSON pointer into the body, or a query parameter's name."""
+
+    message: str
+    pointer: str
+    parameter: str | None = None
+
+
+class Problem(Answer):
+    """RFC 9457."""
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    errors: list[ProblemPlace]

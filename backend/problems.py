@@ -1,0 +1,161 @@
+"""Every error leaves as RFC 9457 `application/problem+json`; none repeats what was sent."""
+
+import logging
+from collections.abc import Mapping, Sequence
+from http import HTTPStatus
+from typing import Any, cast
+
+import orjson
+from fastapi import FastAPI, Request
+from fastapi.exceptions import RequestValidationError
+from fastapi.responses import Response
+from pydantic import BaseModel
+from sqlalchemy.exc import SQLAlchemyError
+from starlette.exceptions import HTTPException
+
+from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
+from sim_core.errors import RidelabError
+
+logger = logging.getLogger(__name__)
+
+MEDIA_TYPE = "application/problem+json"
+TYPES = "urn:problem-type:ridelab:"
+MOST_ERRORS = 50
+
+DETAILS = {
+    400: "The request could not be read.",
+    404: "There is nothing at this address.",
+    405: "This address does not answer that method.",
+    413: "The request body is longer than allowed.",
+    415: "The body has to be JSON, with the header Content-Type: application/json.",
+    422: "The request has values that cannot be used; errors names each.",
+    500: "Something went wrong in the service. It is in its log.",
+    503: "The service cannot answer right now.",
+}
+
+
+class ProblemError(HTTPException):
+    """An error with its own text; raised anywhere below a route.
+
+    Args:
+        status: HTTP status.
+        detail: What is wrong and what would be right, for a person to read.
+        kind: Short name for machines, the end of the `type` URN; None is `about:blank`.
+        errors: `{"pointer" or "parameter", "message"}` for each place concerned.
+        retry_after: Seconds for the `Retry-After` header.
+    """
+
+    def __init__(
+        self,
+        status: int,
+        detail: str,
+        *,
+        kind: str | None = None,
+        errors: Sequence[Mapping[str, str]] = (),
+        retry_after: int | None = None,
+    ) -> None:
+        headers = {"Retry-After": str(retry_after)} if retry_after is not None else None
+        super().__init__(status, detail, headers)
+        self.kind = kind
+        self.errors = errors
+
+
+def problem(
+    status: int,
+    detail: str | None = None,
+    *,
+    kind: str | None = None,
+    errors: Sequence[Mapping[str, str]] = (),
+    headers: Mapping[str, str] | None = None,
+) -> Response:
+    """The response that says so."""
+    content = {
+        "type": f"{TYPES}{kind}" if kind else "about:blank",
+        "title": HTTPStatus(status).phrase,
+        "status": status,
+        "detail": detail or DETAILS.get(status, HTTPStatus(status).phrase),
+        "errors": list(errors),
+    }
+    return Response(orjson.dumps(content), status, dict(headers or {}), MEDIA_TYPE)
+
+
+def pointer(path: Sequence[str | int]) -> str:
+    """JSON pointer (RFC 6901) into the request body."""
+    return "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
+
+
+def register(app: FastAPI) -> None:
+    """Make every exception leave as a problem. What none of these know, `GuardMiddleware` answers with 500."""
+    app.add_exception_handler(HTTPException, _http)
+    app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(RidelabError, _refused)
+    app.add_exception_handler(SQLAlchemyError, _store)
+    app.add_exception_handler(WorkerLostError, _lost)
+    app.add_exception_handler(WorkersBusyError, _busy)
+    app.add_exception_handler(WorkerTimeoutError, _slow)
+
+
+async def _http(_: Request, error: Exception) -> Response:
+    error = cast(HTTPException, error)
+    if isinstance(error, ProblemError):
+        return problem(error.status_code, error.detail, kind=error.kind, errors=error.errors, headers=error.headers)
+    # The framework's own: its text might hold the path or a value, so ours is sent.
+    return problem(error.status_code, headers=error.headers)
+
+
+async def _invalid(request: Request, error: Exception) -> Response:
+    error = cast(RequestValidationError, error)
+    body = getattr(request.scope.get("route"), "body_field", None)
+    model = body.field_info.annotation if body is not None else None
+    found = [_place(item, model) for item in error.errors()[:MOST_ERRORS]]
+    return problem(422, kind="invalid-request", errors=found)
+
+
+async def _refused(_: Request, error: Exception) -> Response:
+    error = cast(RidelabError, error)
+    place = pointer(["scenario", *error.field.split(".")]) if error.field else ""
+    return problem(422, error.message, kind="refused", errors=[{"pointer": place, "message": error.message}])
+
+
+async def _store(_: Request, error: Exception) -> Response:
+    logger.error("The database did not answer", exc_info=error)
+    return problem(503, "The database does not answer.", kind="store-unavailable", headers={"Retry-After": "5"})
+
+
+async def _lost(_: Request, __: Exception) -> Response:
+    text = "The computation ended unexpectedly, twice. Other requests are answered as before."
+    return problem(503, text, kind="worker-lost", headers={"Retry-After": "5"})
+
+
+async def _busy(_: Request, __: Exception) -> Response:
+    return problem(503, "No worker came free in time.", kind="full", headers={"Retry-After": "10"})
+
+
+async def _slow(_: Request, __: Exception) -> Response:
+    return problem(503, "The computation took longer than the limit and was ended.", kind="timeout")
+
+
+def _place(item: Mapping[str, Any], model: type[BaseModel] | None) -> dict[str, str]:
+    """Where one validation error belongs and what it says, without the value sent."""
+    where, *path = item["loc"] or ("body",)
+    context = item.get("ctx") or {}
+    message = str(item["msg"])
+    if where != "body":
+        return {"parameter": str(path[-1]) if path else "", "pointer": "", "message": message}
+    if item["type"] == "inconsistent":
+        path += context["field"].split(".")
+    elif item["type"] == "extra_forbidden":
+        path.pop()  # the unknown name itself was typed by somebody
+        message = f"Unknown field; there are {', '.join(_fields(model, path))}"
+    elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):
+        message = "This has to be a JSON object"
+    return {"pointer": pointer(path), "message": message}
+
+
+def _fields(model: type[BaseModel] | None, path: Sequence[str | int]) -> list[str]:
+    """Names that an object at that place in a body may have."""
+    current: Any = model
+    for step in path:
+        field = getattr(current, "model_fields", {}).get(step)
+        current = field.annotation if field is not None else None
+    return list(getattr(current, "model_fields", {}))

@@ -1,0 +1,50 @@
+"""HTTP: each route reads the request, calls one service and answers."""
+
+from collections.abc import Callable, Coroutine
+from typing import Any
+
+from fastapi import APIRouter, Request, Response
+from fastapi.routing import APIRoute
+
+from backend import strict_json
+from backend.models import Problem
+from backend.problems import ProblemError
+
+API = "/api/v1"
+
+
+class StrictRequest(Request):
+    """A request whose JSON is read strictly."""
+
+    async def json(self) -> Any:
+        """The body's value; anything doubtful is a problem."""
+        try:
+            return strict_json.parse(await self.body())
+        except strict_json.StrictJSONError as error:
+            message = error.message
+            raise ProblemError(
+                error.status, message, kind="strict-json", errors=[{"pointer": "", "message": message}]
+            ) from None
+
+
+class StrictRoute(APIRoute):
+    """A route that reads its body with `StrictRequest`, and only as JSON."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """The framework's handler, given a stricter request."""
+        handler = super().get_route_handler()
+        takes_body = self.body_field is not None
+
+        async def strict(request: Request) -> Response:
+            kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+            if takes_body and kind != "application/json":
+                raise ProblemError(415, "The body has to be JSON, with the header Content-Type: application/json.")
+            return await handler(StrictRequest(request.scope, request.receive))
+
+        return strict
+
+
+def router(tag: str, *statuses: int) -> APIRouter:
+    """A router of the API whose routes may answer with these problems."""
+    responses: dict[int | str, dict[str, Any]] = {status: {"model": Problem} for status in (*statuses, 500)}
+    return APIRouter(prefix=API, tags=[tag], route_class=StrictRoute, responses=responses)

@@ -1,0 +1,56 @@
+"""What routes need from the application, and how they answer."""
+
+import asyncio
+from collections.abc import Coroutine
+from typing import Annotated, Any, TypeVar
+
+import orjson
+from fastapi import Depends, Request, Response
+from starlette.requests import ClientDisconnect
+
+from backend.runs import Runs
+
+T = TypeVar("T")
+
+IMMUTABLE = "public, max-age=31536000, immutable"
+
+
+def _runs(request: Request) -> Runs:
+    service: Runs = request.app.state.runs
+    return service
+
+
+def _client(request: Request) -> str:
+    return request.client.host if request.client else ""
+
+
+RunsService = Annotated[Runs, Depends(_runs)]
+Client = Annotated[str, Depends(_client)]
+
+
+def json_answer(content: Any, headers: dict[str, str] | None = None) -> Response:
+    """JSON as orjson writes it; its shape is the route's `response_model`."""
+    return Response(orjson.dumps(content), headers=headers, media_type="application/json")
+
+
+async def unless_gone(request: Request, work: Coroutine[Any, Any, T]) -> T:
+    """The result of `work`, which is called off when the client goes away first.
+
+    Raises:
+        ClientDisconnect: It went away.
+    """
+    task = asyncio.ensure_future(work)
+    gone = asyncio.ensure_future(_disconnected(request))
+    try:
+        await asyncio.wait({task, gone}, return_when=asyncio.FIRST_COMPLETED)
+        if not task.done():
+            raise ClientDisconnect
+        return task.result()
+    finally:
+        task.cancel()
+        gone.cancel()
+
+
+async def _disconnected(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass

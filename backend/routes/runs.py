@@ -1,0 +1,138 @@
+"""Runs: create, read, drag, time histories, figures."""
+
+from typing import Annotated, Any, Literal
+
+from fastapi import Path, Query, Request, Response
+
+from backend import models
+from backend.digest import RUN_ID_LENGTH
+from backend.problems import ProblemError
+from backend.routes import router
+from backend.routes.deps import IMMUTABLE, Client, RunsService, json_answer, unless_gone
+from backend.runs import Histories
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+runs = router("runs", 404, 422, 503)
+computing = router("runs", 400, 413, 415, 422, 429, 503)
+
+RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
+Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
+MEDIA_TYPES = {
+    "json": "application/json",
+    "csv": "text/csv; charset=utf-8; header=present",
+    "parquet": "application/vnd.apache.parquet",
+}
+
+
+@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun)
+async def create_run(body: models.RunRequest, service: RunsService, client: Client) -> Response:
+    """Run what is not stored yet; the answer comes after the commit."""
+    return json_answer(await service.create(body.scenario, body.strategies, client))
+
+
+@computing.post("/live", operation_id="live", response_model=models.LiveRun)
+async def live(body: models.LiveRequest, request: Request, service: RunsService, client: Client) -> Response:
+    """Figures and decimated time histories while somebody drags; nothing is stored."""
+    work = service.live(body.scenario, body.strategies, body.points, body.signals, client)
+    return json_answer(await unless_gone(request, work))
+
+
+@runs.get(
+    "/runs/{id}", operation_id="getRun", response_model=models.Run, responses={304: {"description": "Not changed"}}
+)
+async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:
+    """A stored run; it never changes."""
+    answer = await service.get(run_id)
+    tag = f'W/"{run_id}"'  # weak: the body may be compressed
+    headers = {"ETag": tag, "Cache-Control": IMMUTABLE}
+    if _matches(request.headers.get("if-none-match", ""), tag):
+        return Response(status_code=304, headers=headers)
+    return json_answer(answer, headers)
+
+
+@runs.get(
+    "/runs/{id}/series",
+    operation_id="getSeries",
+    response_model=models.Series | models.SeriesOfSeveral,
+    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, 410: {"model": models.Problem}},
+)
+async def get_series(
+    run_id: RunId,
+    service: RunsService,
+    client: Client,
+    strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
+    signals: Annotated[str | None, Query(description="Keys with commas; omitted is all")] = None,
+    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format")] = "json",
+    points: Annotated[
+        int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")
+    ] = None,
+    encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
+) -> Response:
+    """Time histories in SI units; time and position always come along."""
+    asked = Histories(
+        strategies=_names("strategy", strategy, STRATEGIES),
+        signals=_names("signals", signals, SIGNALS),
+        points=points,
+        file_format=file_format,
+        encoding=encoding,
+    )
+    content = await service.series(run_id, asked, client)
+    headers = {"Cache-Control": "public, max-age=3600"}
+    if file_format != "json":
+        headers["Content-Disposition"] = f'attachment; filename="ridelab-{run_id}.{file_format}"'
+    return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
+
+
+@runs.get(
+    "/runs/{id}/figures",
+    operation_id="getRunFigures",
+    response_model=models.Figures,
+    responses={410: {"model": models.Problem}},
+)
+async def get_run_figures(
+    run_id: RunId,
+    service: RunsService,
+    client: Client,
+    x: Axis = "position",
+) -> Response:
+    """Every figure with this run's data."""
+    return json_answer(await service.figures(run_id, None, x, client))
+
+
+@runs.get(
+    "/runs/{id}/figures/{name}",
+    operation_id="getRunFigure",
+    response_model=dict[str, Any],
+    responses={410: {"model": models.Problem}},
+)
+async def get_run_figure(
+    run_id: RunId,
+    name: str,
+    service: RunsService,
+    client: Client,
+    x: Axis = "position",
+) -> Response:
+    """One figure with this run's data."""
+    return json_answer(await service.figures(run_id, name, x, client))
+
+
+def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str] | None:
+    """The names in a comma-separated parameter; None where it was omitted.
+
+    Raises:
+        ProblemError: 422, one of them is unknown.
+    """
+    if text is None:
+        return None
+    names = [name.strip() for name in text.split(",")]
+    if not set(names) <= set(known):
+        message = f"Unknown name; there are {', '.join(known)}"
+        raise ProblemError(422, message, errors=[{"parameter": parameter, "pointer": "", "message": message}])
+    return names
+
+
+def _matches(if_none_match: str, tag: str) -> bool:
+    """Weak comparison (RFC 9110, 13.1.2)."""
+    offered = {item.strip().removeprefix("W/") for item in if_none_match.split(",")}
+    return "*" in offered or tag.removeprefix("W/") in offered

@@ -1,0 +1,83 @@
+"""The built frontend and the API's documentation page, from local files only."""
+
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+
+from fastapi import APIRouter, FastAPI
+from fastapi.responses import FileResponse, HTMLResponse, Response
+from starlette.staticfiles import StaticFiles
+
+from backend.problems import ProblemError
+from backend.routes.deps import IMMUTABLE
+
+DOCS_PAGE = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Ridelab API</title>
+<link rel="stylesheet" href="/docs-assets/swagger-ui.css">
+</head>
+<body>
+<div id="swagger-ui"><p>The OpenAPI description is at <a href="/openapi.json">/openapi.json</a>.</p></div>
+<script src="/docs-assets/swagger-ui-bundle.js"></script>
+<script src="/docs.js"></script>
+</body>
+</html>
+"""
+
+# A file of its own: the content security policy allows no inline script.
+DOCS_SCRIPT = """SwaggerUIBundle({
+  url: "/openapi.json",
+  dom_id: "#swagger-ui",
+  deepLinking: true,
+  validatorUrl: null,
+  presets: [SwaggerUIBundle.presets.apis, SwaggerUIBundle.SwaggerUIStandalonePreset],
+});
+"""
+
+
+class HashedFiles(StaticFiles):
+    """Files whose names hold their content's hash: a browser may keep them for ever."""
+
+    def file_response(self, *args: object, **kwargs: object) -> Response:
+        """The framework's response, immutable."""
+        response: Response = super().file_response(*args, **kwargs)  # type: ignore[arg-type]
+        response.headers["Cache-Control"] = IMMUTABLE
+        return response
+
+
+def add_site(app: FastAPI, dist: Path) -> None:
+    """Serve the frontend in `dist` at `/` and `/r/{id}`, and the documentation at `/docs`."""
+    site = APIRouter(include_in_schema=False)
+
+    async def page() -> Response:
+        index = dist / "index.html"
+        if not index.is_file():
+            raise ProblemError(503, "The dashboard is not built: make setup builds it. The API answers.")
+        return FileResponse(index, headers={"Cache-Control": "no-cache"})
+
+    for path in ("/", "/r/{id}"):
+        site.add_api_route(path, page, methods=["GET"])
+
+    @site.get("/docs")
+    async def docs() -> Response:
+        return HTMLResponse(DOCS_PAGE, headers={"Cache-Control": "no-cache"})
+
+    @site.get("/docs.js")
+    async def docs_script() -> Response:
+        return Response(DOCS_SCRIPT, headers={"Cache-Control": "no-cache"}, media_type="text/javascript")
+
+    for file in sorted(dist.glob("*.*")):
+        if file.name != "index.html":
+            site.add_api_route(f"/{file.name}", _file(file), methods=["GET"])
+    app.include_router(site)
+    app.mount("/assets", HashedFiles(directory=dist / "assets", check_dir=False))
+    app.mount("/docs-assets", StaticFiles(directory=dist / "docs-assets", check_dir=False))
+
+
+def _file(path: Path) -> Callable[[], Awaitable[Response]]:
+    async def serve() -> Response:
+        return FileResponse(path, headers={"Cache-Control": "no-cache"})
+
+    return serve
