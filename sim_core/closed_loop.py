@@ -57,7 +57,8 @@ class ClosedLoop:
                 block = min(2 * block, _LONGEST_BLOCK)
                 if k < stop:
                     wanted = self._controller.step(k, stage, state[:STATES], previous)
-                    previous = previous + np.clip(wanted - previous, -self._most_change, self._most_change)
+                    change = np.clip(wanted - previous, -self._most_change, self._most_change)
+                    previous = np.where(change == wanted - previous, wanted, previous + change)
                     states[k], commands[k] = state, previous
                     state = plant.A @ state + plant.B @ previous + self._forcing[k]
                     limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
@@ -99,8 +100,8 @@ class ClosedLoop:
         n = self._plant.size
         now = z[:-1]
         measured = now if n == STATES else np.hstack([now[:, :STATES], now[:, n:]])
-        # `not <=` rather than `>`: a NaN must not pass.
-        broken = ~(np.abs(measured @ law.checks.T + offsets) <= law.bounds).all(axis=1)
+        # `not <=` rather than `>`: a NaN must not pass. The margin keeps rounding from passing a limit.
+        broken = ~(np.abs(measured @ law.checks.T + offsets) <= law.bounds * (1 - 1e-9)).all(axis=1)
         if np.isfinite(self._most_change):
             broken |= (np.abs(z[1:, n:] - now[:, n:]) > self._most_change).any(axis=1)
         return int(broken.argmax()) if broken.any() else len(now)

@@ -17,7 +17,7 @@ SETS = "OSMLV"  # very low, medium-low, medium, medium-high, very high
 RULES = ("OMLVV", "OMLVV", "OSMLL", "OSMML", "OSSMM")
 SPEED_ERROR_MAX = 30.0  # universe [0, 30] km/h
 DISTANCE_MAX = 80.0  # universe [0, 80] m
-_ERROR_STEPS, _DISTANCE_STEPS, _TORQUE_STEPS = 60, 80, 200
+_ERROR_STEPS, _DISTANCE_STEPS, _TORQUE_STEPS = 120, 160, 100
 
 
 def even_triangles(universe: FloatArray) -> FloatArray:
@@ -46,7 +46,7 @@ class TorqueSurface:
 
 @lru_cache(maxsize=1)
 def torque_surface() -> TorqueSurface:
-    """Table 1 evaluated on a grid of 0.5 km/h × 1 m."""
+    """Table 1 evaluated on a grid of 0.25 km/h × 0.5 m."""
     error = even_triangles(np.linspace(0, SPEED_ERROR_MAX, _ERROR_STEPS + 1))
     distance = even_triangles(np.linspace(0, DISTANCE_MAX, _DISTANCE_STEPS + 1))
     torque_universe = np.linspace(0, 1, _TORQUE_STEPS + 1)

@@ -1,0 +1,43 @@
+"""What a run will cost, told from the scenario alone, so that a service can refuse it before starting."""
+
+from sim_core.longitudinal import CONTROL_STEP, KMH, TARGET_BAND
+from sim_core.scenario import Scenario
+from sim_core.simulation import fine_step
+from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy
+
+# Seconds of one core, rounded up from `make bench`; coefficients of a worst case, not of a typical run.
+_START = 0.005
+_PER_PLAN_STEP = 3e-6
+_PER_FINE_STEP = 4e-7
+_PER_PREDICTED_NUMBER = 1e-9  # control step × checked row × preview column
+_PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves; grows with the square of the moves
+_SHARE_OF_QPS = 0.3  # of the control steps in which a limit may bind
+
+
+def duration(scenario: Scenario, name: str) -> float:
+    """Longest time the strategy can take from x = 0 to the road's end [s]."""
+    speed, road = scenario.speed, scenario.road
+    initial = speed.initial_speed_kmh * KMH
+    if strategy(name).speed is SpeedPolicy.CONSTANT:
+        return road.length / initial
+    slowest = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
+    detection = max(0.0, road.bump.start - speed.detection_distance)
+    return detection / initial + (road.length - detection) / slowest
+
+
+def estimate(scenario: Scenario, name: str) -> float:
+    """Upper estimate of one strategy's cost [s of one core].
+
+    Raises:
+        UnknownNameError: No such strategy.
+    """
+    chosen, mpc, time = strategy(name), scenario.mpc, duration(scenario, name)
+    cost = _START + time / fine_step(scenario) * _PER_FINE_STEP
+    if chosen.speed is SpeedPolicy.PLANNED:
+        cost += time / CONTROL_STEP * _PER_PLAN_STEP
+    if chosen.suspension in (SuspensionPolicy.MPC_BY_ROAD, SuspensionPolicy.MPC_BY_STAGE):
+        steps = time / mpc.sample_time
+        rows, columns = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
+        qp = _PER_QP[mpc.solver] * max(1.0, mpc.control_horizon / 20) ** 2 * max(1.0, mpc.prediction_horizon / 30)
+        cost += steps * (rows * columns * _PER_PREDICTED_NUMBER + _SHARE_OF_QPS * qp)
+    return cost
