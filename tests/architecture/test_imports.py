@@ -7,7 +7,18 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 
 # Everything pyproject.toml names that the core has no business with.
-WEB = ("fastapi", "starlette", "uvicorn", "sqlalchemy", "alembic", "plotly", "orjson", "pebble", "pyarrow", "distributed")
+WEB = (
+    "fastapi",
+    "starlette",
+    "uvicorn",
+    "sqlalchemy",
+    "alembic",
+    "plotly",
+    "orjson",
+    "pebble",
+    "pyarrow",
+    "distributed",
+)
 
 WITHOUT_WEB = """
 import importlib.abc, importlib.util, pkgutil, sys
@@ -38,7 +49,11 @@ print(simulate(preset("paper"), "lv").travel_time)
 def test_import_contracts_hold() -> None:
     """The contracts are in pyproject.toml; lint-imports says which chain breaks one."""
     run = subprocess.run(
-        [str(Path(sys.executable).parent / "lint-imports"), "--no-cache"], cwd=ROOT, capture_output=True, text=True, check=False
+        [str(Path(sys.executable).parent / "lint-imports"), "--no-cache"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert run.returncode == 0, run.stdout + run.stderr
 
@@ -46,7 +61,11 @@ def test_import_contracts_hold() -> None:
 def test_core_runs_with_no_web_package_installed() -> None:
     blocked = (*WEB, "backend")
     run = subprocess.run(
-        [sys.executable, "-c", WITHOUT_WEB.format(blocked=blocked)], cwd=ROOT, capture_output=True, text=True, check=False
+        [sys.executable, "-c", WITHOUT_WEB.format(blocked=blocked)],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert run.returncode == 0, run.stderr
     assert float(run.stdout) > 0

@@ -49,7 +49,9 @@ def test_locks_have_a_hash_for_everything_and_no_address(name: str) -> None:
 
 def test_development_lock_holds_the_same_versions_as_the_runtime_lock() -> None:
     def versions(name: str) -> set[str]:
-        return {line.split()[0] for line in (ROOT / name).read_text().splitlines() if re.match(r"[A-Za-z0-9].*==", line)}
+        return {
+            line.split()[0] for line in (ROOT / name).read_text().splitlines() if re.match(r"[A-Za-z0-9].*==", line)
+        }
 
     assert versions("requirements.lock") <= versions("requirements-dev.lock")
 

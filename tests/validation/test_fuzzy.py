@@ -38,9 +38,23 @@ def direct() -> control.ControlSystemSimulation:
 @pytest.mark.filterwarnings("ignore:Passing more than 2 positional:DeprecationWarning:skfuzzy")
 @pytest.mark.parametrize(
     ("error", "distance"),
-    [(0, 0), (30, 0), (30, 80), (0, 80), (15, 40), (27.5, 80), (27.5, 60), (3.3, 11.1), (9.9, 71.3), (22.2, 33.3), (7.5, 20)],
+    [
+        (0, 0),
+        (30, 0),
+        (30, 80),
+        (0, 80),
+        (15, 40),
+        (27.5, 80),
+        (27.5, 60),
+        (3.3, 11.1),
+        (9.9, 71.3),
+        (22.2, 33.3),
+        (7.5, 20),
+    ],
 )
-def test_surface_equals_the_direct_evaluation(direct: control.ControlSystemSimulation, error: float, distance: float) -> None:
+def test_surface_equals_the_direct_evaluation(
+    direct: control.ControlSystemSimulation, error: float, distance: float
+) -> None:
     """Within 0.3 % of the universe: the surface's grid is 0.25 km/h x 0.5 m, its torque step 1/200."""
     direct.input["error"] = error
     direct.input["distance"] = distance

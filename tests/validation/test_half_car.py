@@ -86,7 +86,11 @@ def test_forces_push_body_up_and_wheel_down() -> None:
 def test_one_exact_step_equals_an_adaptive_solver(car: Vehicle) -> None:
     """Force, road velocity and deceleration held for 10 ms; Radau-free DOP853 at 1e-12 is the judge, 1e-8 relative."""
     model, step = half_car(car), discrete(car, 0.01)
-    x, u, w = np.array([0.05, -0.03, 0.01, 0.02, 0.5, -0.3, 1, -1]), np.array([800.0, -1500]), np.array([1.2, -0.7, 3.0])
+    x, u, w = (
+        np.array([0.05, -0.03, 0.01, 0.02, 0.5, -0.3, 1, -1]),
+        np.array([800.0, -1500]),
+        np.array([1.2, -0.7, 3.0]),
+    )
     forcing = model.B @ u + model.E @ w
     reference = solve_ivp(lambda _, y: model.A @ y + forcing, (0, 0.01), x, "DOP853", rtol=1e-12, atol=1e-14).y[:, -1]
     np.testing.assert_allclose(step.A @ x + step.B @ u + step.E @ w, reference, atol=1e-8 * np.abs(reference).max())

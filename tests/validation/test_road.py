@@ -52,7 +52,10 @@ def test_density_passes_the_class_means_at_the_reference_frequency() -> None:
 
 def test_deviation_over_many_roads_is_the_integral_of_the_density() -> None:
     """Var z = Gd n0² π / (2 n00); 400 independent starts give 3.5 % on the deviation, 3 of those allowed."""
-    heights = [profile(Road(seed=seed, length=20, bump=FLAT.model_copy(update={"width": 1.0}))).height(np.zeros(1))[0] for seed in range(400)]
+    heights = [
+        profile(Road(seed=seed, length=20, bump=FLAT.model_copy(update={"width": 1.0}))).height(np.zeros(1))[0]
+        for seed in range(400)
+    ]
     expected = np.sqrt(64e-6 * 0.01 * np.pi / (2 * 0.011))
     assert np.std(heights) == pytest.approx(expected, rel=0.11)
     assert abs(np.mean(heights)) < 4 * expected / np.sqrt(400)
