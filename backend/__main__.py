@@ -42,7 +42,8 @@ def main(arguments: list[str] | None = None) -> int:
 def _listen(host: str, port: int) -> socket.socket:
     """A bound socket: taken before anything else starts, so that a port in use is said at once."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    listener = socket.socket(family)
+    # IPPROTO_TCP, or asyncio does not recognise TCP, leaves Nagle's algorithm on, and each answer takes 40 ms more.
+    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     listener.bind((host, port))
     return listener

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 import plotly.graph_objects as go
 
-from backend.series import ROWS, SeriesArray, packed
+from backend.series import ROWS, packed
+from backend.worker import Outcome
 from sim_core.signals import REFERENCES, SIGNALS, STAGES
 from sim_core.strategies import STRATEGIES
 
@@ -88,18 +89,17 @@ def templates() -> dict[str, Any]:
     return {name: _template(panel) for name, panel in PANELS.items()}
 
 
-def filled(
-    name: str, members: Mapping[str, SeriesArray], summaries: Mapping[str, Mapping[str, Any]], axis: str
-) -> dict[str, Any]:
+def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> dict[str, Any]:
     """One figure with a run's data, its stages shaded and its reference lines drawn.
 
     Args:
         name: A key of `PANELS`.
-        members: strategy -> series, shape (signals, samples).
-        summaries: strategy -> `StrategyResult.summary()`.
+        outcomes: By strategy; those without series are left out.
         axis: `position` or `time`, for x.
     """
     panel, template = PANELS[name], templates()[name]
+    members = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
+    summaries = {name: outcomes[name].summary for name in members}
     scale = np.float32(panel.shown[1])
     traces = [
         {

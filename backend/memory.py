@@ -13,16 +13,20 @@ class Memory:
         self._size = 0
         self._items: OrderedDict[str, Outcome] = OrderedDict()
 
-    def get(self, key: str) -> Outcome | None:
-        """The result of that key, now the most recently used."""
+    def get(self, key: str, points: int | None) -> Outcome | None:
+        """The result of that key if it has series of so many points (None: any do), now the most recently used."""
         outcome = self._items.get(key)
-        if outcome is not None:
-            self._items.move_to_end(key)
+        if outcome is None or points not in (None, outcome.points):
+            return None
+        self._items.move_to_end(key)
         return outcome
 
     def put(self, key: str, outcome: Outcome) -> None:
-        """Keep a result; one that is larger than everything allowed is not kept."""
-        if key in self._items or outcome.size > self._limit:
+        """Keep a result in place of another of that key; one larger than all that is allowed is not kept."""
+        replaced = self._items.pop(key, None)
+        if replaced is not None:
+            self._size -= replaced.size
+        if outcome.size > self._limit:
             return
         self._items[key] = outcome
         self._size += outcome.size

@@ -13,6 +13,8 @@ from backend.store import Store, StoredResult
 from backend.worker import Outcome
 from sim_core.scenario import Scenario
 
+Flight = asyncio.Task[dict[str, Outcome]]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
@@ -30,58 +32,67 @@ class Results:
         self._workers = workers
         self._memory = memory
         self._admission = admission
-        self._flights: dict[str, asyncio.Task[dict[str, Outcome]]] = {}
-        self._waiting: Counter[asyncio.Task[dict[str, Outcome]]] = Counter()
+        self._flights: dict[tuple[str, int | None], Flight] = {}
+        self._waiting: Counter[Flight] = Counter()
 
     async def get(
-        self, scenario: Scenario, names: Sequence[str], client: str, *, with_series: bool
+        self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None
     ) -> dict[str, Found]:
-        """Each strategy's result: from memory, from the store (unless its series are wanted), or computed."""
+        """Each strategy's result, with about `points` samples of its time histories or (None) without them.
+
+        Without them the store may have it; with them only memory or a worker.
+        """
         keys = {name: digest.result_key(scenario, name) for name in names}
         found: dict[str, Found] = {}
-        if not with_series:
-            unknown = [key for key in keys.values() if self._memory.get(key) is None]
+        if points is None:
+            unknown = [key for key in keys.values() if self._memory.get(key, None) is None]
             kept = await self._store.call(self._store.load_results, unknown) if unknown else {}
-            found = {
-                name: Found(outcome=_from_store(kept[key]), cached=True) for name, key in keys.items() if key in kept
-            }
+            found = {name: _from_store(kept[key]) for name, key in keys.items() if key in kept}
         for name, key in keys.items():
-            remembered = self._memory.get(key)
+            remembered = self._memory.get(key, points)
             if remembered is not None and name not in found:
                 found[name] = Found(outcome=remembered, cached=True)
         missing = {name: key for name, key in keys.items() if name not in found}
         if missing:
             with self._admission.computing(client, scenario, missing):
-                found |= await self._compute(scenario, missing)
+                found |= await self._compute(scenario, missing, points)
         return {name: found[name] for name in names}
 
-    async def _compute(self, scenario: Scenario, missing: Mapping[str, str]) -> dict[str, Found]:
+    async def _compute(self, scenario: Scenario, missing: Mapping[str, str], points: int | None) -> dict[str, Found]:
         """Join what is under way already; the rest goes to one worker, so that shared work is done once."""
-        fresh = {name: key for name, key in missing.items() if key not in self._flights}
+        flights = {name: flight for name, key in missing.items() if (flight := self._flight(key, points))}
+        joined = set(flights)
+        fresh = {name: key for name, key in missing.items() if name not in joined}
         if fresh:
-            task = asyncio.create_task(self._fly(scenario, fresh))
-            self._flights |= dict.fromkeys(fresh.values(), task)
-        flights = {name: self._flights[key] for name, key in missing.items()}
-        self._waiting.update(set(flights.values()))
+            task = asyncio.create_task(self._fly(scenario, fresh, points))
+            self._flights |= {(key, points): task for key in fresh.values()}
+            flights |= dict.fromkeys(fresh, task)
+        waiting = set(flights.values())
+        self._waiting.update(waiting)
         try:
-            landed = {task: await asyncio.shield(task) for task in set(flights.values())}
+            landed = {task: await asyncio.shield(task) for task in waiting}
         finally:
-            self._leave(set(flights.values()))
-        return {name: Found(outcome=landed[task][name], cached=name not in fresh) for name, task in flights.items()}
+            self._leave(waiting)
+        return {name: Found(outcome=landed[task][name], cached=name in joined) for name, task in flights.items()}
 
-    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str]) -> dict[str, Outcome]:
+    def _flight(self, key: str, points: int | None) -> Flight | None:
+        """The computation under way that will have it."""
+        if points is not None:
+            return self._flights.get((key, points))
+        return next((flight for (result, _), flight in self._flights.items() if result == key), None)
+
+    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], points: int | None) -> dict[str, Outcome]:
         this = asyncio.current_task()
         try:
-            outcomes = await self._workers.call(worker.run, scenario, list(fresh))
-            for name, key in fresh.items():
-                self._memory.put(key, outcomes[name])
+            outcomes = await self._workers.call(worker.run, scenario, list(fresh), points)
+            if points is not None:
+                for name, key in fresh.items():
+                    self._memory.put(key, outcomes[name])
             return outcomes
         finally:
-            for key in fresh.values():
-                if self._flights.get(key) is this:
-                    del self._flights[key]
+            self._flights = {key: flight for key, flight in self._flights.items() if flight is not this}
 
-    def _leave(self, flights: Iterable[asyncio.Task[dict[str, Outcome]]]) -> None:
+    def _leave(self, flights: Iterable[Flight]) -> None:
         """One request less waits for these; a flight nobody waits for any more is called off."""
         for task in flights:
             self._waiting[task] -= 1
@@ -93,5 +104,6 @@ class Results:
                 task.cancel()
 
 
-def _from_store(item: StoredResult) -> Outcome:
-    return Outcome(status=item.status, summary=item.summary, compute_ms=item.compute_ms, series=None)
+def _from_store(item: StoredResult) -> Found:
+    outcome = Outcome(status=item.status, summary=item.summary, compute_ms=item.compute_ms)
+    return Found(outcome=outcome, cached=True)

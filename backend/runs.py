@@ -1,35 +1,22 @@
 """Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend import digest, figures, series
+from backend import digest, exports, figures, series
 from backend.admission import Admission
 from backend.compute import Workers
 from backend.problems import ProblemError
 from backend.results import Results
 from backend.store import Store, StoredResult, StoredRun
-from backend.worker import Outcome, SeriesArray
+from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.strategies import STRATEGIES
 
 FIGURE_POINTS = 2000
-INLINE_VALUES = 60_000  # up to so many numbers are rendered at once (about 2 ms), more in a worker
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Histories:
-    """Which time histories are asked for, and how; None is all."""
-
-    strategies: Sequence[str] | None
-    signals: Sequence[str] | None
-    points: int | None
-    file_format: Literal["json", "csv", "parquet"]
-    encoding: Literal["list", "base64"]
 
 
 class Runs:
@@ -57,7 +44,7 @@ class Runs:
         stored = await self._store.call(self._store.load_run, run_id)
         if stored is not None:
             return run_answer(stored, cached=dict.fromkeys(names, True))
-        found = await self._results.get(scenario, names, client, with_series=False)
+        found = await self._results.get(scenario, names, client, points=None)
         outcomes = [_to_store(scenario, name, found[name].outcome) for name in names]
         saved = await self._store.call(
             self._store.save_run,
@@ -83,13 +70,13 @@ class Runs:
         """Figures and decimated time histories of that scenario, as `LiveRun`; nothing is stored."""
         names = ordered(strategies)
         self._admission.check(scenario, names)
-        found = await self._results.get(scenario, names, client, with_series=True)
+        found = await self._results.get(scenario, names, client, points=points)
         keys = series.chosen(signals)
         entries = {}
         for name, item in found.items():
             entry = entry_answer(item.outcome, cached=item.cached)
             if item.outcome.series is not None:
-                entry["series"] = series.as_json(_decimated(item.outcome, points), keys, "base64")
+                entry["series"] = series.as_json(item.outcome.series, keys, "base64")
             entries[name] = entry
         return {
             "core_version": CORE_VERSION,
@@ -97,21 +84,47 @@ class Runs:
             "strategies": entries,
         }
 
-    async def series(self, run_id: str, asked: Histories, client: str) -> bytes:
+    async def series(
+        self,
+        run_id: str,
+        client: str,
+        *,
+        strategies: Sequence[str] | None,
+        signals: Sequence[str] | None,
+        points: int | None,
+        file_format: Literal["json", "csv", "parquet"],
+        encoding: Literal["list", "base64"],
+    ) -> bytes:
         """Time histories of a stored run in one of the formats.
+
+        Args:
+            run_id: The run.
+            client: Who asks.
+            strategies: Which of the run's; None where it has one.
+            signals: Which; None is all.
+            points: About how many samples; None is all.
+            file_format: The format.
+            encoding: How JSON holds numbers.
 
         Raises:
             ProblemError: 404, 410 or 422.
         """
-        stored, outcomes = await self._histories(run_id, asked.strategies, client)
-        members = {name: _decimated(outcome, asked.points) for name, outcome in outcomes.items()}
-        keys = series.chosen(asked.signals)
-        if asked.file_format == "csv":
-            return await self._render(members, series.render_csv, members, keys)
-        if asked.file_format == "parquet":
-            provenance = {"ridelab.run": stored.id, "ridelab.core_version": stored.core_version}
-            return await self._render(members, series.render_parquet, members, keys, provenance)
-        return await self._render(members, series.render_json, members, keys, asked.encoding, stored.core_version)
+        stored = await self._stored(run_id)
+        scenario, succeeded = _repeatable(stored)
+        names = succeeded if strategies is None else ordered(strategies)
+        if not set(names) <= set(succeeded) or (strategies is None and len(names) != 1):
+            message = f"This run has time histories of {', '.join(succeeded) or 'no strategy'}; name some of them"
+            raise ProblemError(422, message, errors=[{"parameter": "strategy", "pointer": "", "message": message}])
+        export = exports.Export(
+            strategies=names,
+            signals=series.chosen(signals),
+            points=points,
+            file_format=file_format,
+            encoding=encoding,
+            provenance={"run": stored.id, "core_version": stored.core_version},
+        )
+        with self._admission.computing(client, scenario, names):
+            return await self._workers.call(exports.render, scenario, export)
 
     async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> dict[str, Any]:
         """One figure of a stored run, or all of them by name, with data.
@@ -121,47 +134,18 @@ class Runs:
         """
         if name is not None and name not in figures.PANELS:
             raise ProblemError(404, f"There is no such figure; there are {', '.join(figures.PANELS)}.")
-        _, outcomes = await self._histories(run_id, None, client)
-        members = {strategy: _decimated(outcome, FIGURE_POINTS) for strategy, outcome in outcomes.items()}
-        summaries = {strategy: outcome.summary for strategy, outcome in outcomes.items()}
+        scenario, succeeded = _repeatable(await self._stored(run_id))
+        found = await self._results.get(scenario, succeeded, client, points=FIGURE_POINTS)
+        outcomes = {strategy: item.outcome for strategy, item in found.items()}
         if name is not None:
-            return figures.filled(name, members, summaries, axis)
-        return {"figures": {each: figures.filled(each, members, summaries, axis) for each in figures.PANELS}}
+            return figures.filled(name, outcomes, axis)
+        return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
 
     async def _stored(self, run_id: str) -> StoredRun:
         stored = await self._store.call(self._store.load_run, run_id)
         if stored is None:
             raise ProblemError(404, "There is no run of this id.")
         return stored
-
-    async def _histories(
-        self, run_id: str, strategies: Sequence[str] | None, client: str
-    ) -> tuple[StoredRun, dict[str, Outcome]]:
-        """A stored run and the results, with series, of those of its strategies (None: all that did not fail)."""
-        stored = await self._stored(run_id)
-        if stored.core_version != CORE_VERSION:
-            raise ProblemError(
-                410,
-                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: "
-                "its time histories cannot be made again. Its figures and metrics stay; post its scenario to run it "
-                "on this version.",
-                kind="other-core-version",
-            )
-        succeeded = [item.strategy for item in stored.results if item.status == "ok"]
-        names = succeeded if strategies is None else list(strategies)
-        if not names or not set(names) <= set(succeeded):
-            message = f"This run has time histories of {', '.join(succeeded) or 'no strategy'}"
-            raise ProblemError(422, message, errors=[{"parameter": "strategy", "pointer": "", "message": message}])
-        scenario = Scenario.model_validate(stored.scenario)
-        found = await self._results.get(scenario, ordered(names), client, with_series=True)
-        return stored, {name: found[name].outcome for name in ordered(names)}
-
-    async def _render(
-        self, members: Mapping[str, SeriesArray], function: Callable[..., bytes], *arguments: Any
-    ) -> bytes:
-        if sum(array.size for array in members.values()) <= INLINE_VALUES:
-            return function(*arguments)
-        return await self._workers.call(function, *arguments)
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:
@@ -189,10 +173,20 @@ def run_answer(stored: StoredRun, *, cached: Mapping[str, bool] | None = None) -
     }
 
 
-def _decimated(outcome: Outcome, points: int | None) -> SeriesArray:
-    if outcome.series is None:
-        raise RuntimeError("A result without time histories was asked for them")
-    return series.decimate(outcome.series, points, [stage["start_time"] for stage in outcome.summary["stages"][1:]])
+def _repeatable(stored: StoredRun) -> tuple[Scenario, list[str]]:
+    """The scenario, and those strategies whose time histories can be made again just as they were.
+
+    Raises:
+        ProblemError: 410, another core version computed the run.
+    """
+    if stored.core_version != CORE_VERSION:
+        raise ProblemError(
+            410,
+            f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
+            "histories cannot be made again. Its metrics stay; post its scenario to run it on this version.",
+            kind="other-core-version",
+        )
+    return Scenario.model_validate(stored.scenario), [item.strategy for item in stored.results if item.status == "ok"]
 
 
 def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:

@@ -1,20 +1,17 @@
-"""Time histories in the forms they leave the service: decimated, JSON, CSV, Parquet.
+"""Time histories: packed into one array, decimated, and in JSON.
 
 A series array has shape (signals, samples), float32, rows in the catalogue's order (`sim_core.signals.SIGNALS`).
 """
 
 import base64
-import io
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
-import orjson
-import pyarrow as pa
 from numpy.typing import NDArray
-from pyarrow import csv, parquet
 
+from sim_core.result import StrategyResult
 from sim_core.signals import SIGNALS
 
 SeriesArray = NDArray[np.float32]
@@ -26,6 +23,14 @@ def chosen(signals: Iterable[str] | None) -> list[str]:
     """The signals asked for in the catalogue's order, always with time and position; None is all."""
     wanted = set(SIGNALS if signals is None else signals) | set(ALWAYS)
     return [key for key in SIGNALS if key in wanted]
+
+
+def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
+    """A result's time histories as one array; about `points` samples, or all."""
+    array = np.empty((len(SIGNALS), len(result.series["time"])), dtype=np.float32)
+    for key, row in ROWS.items():
+        array[row] = result.series[key]
+    return decimate(array, points, [span.start_time for span in result.stages[1:]])
 
 
 def decimate(series: SeriesArray, points: int | None, breaks: Sequence[float] = ()) -> SeriesArray:
@@ -79,48 +84,3 @@ def as_json(series: SeriesArray, signals: Iterable[str], encoding: str) -> dict[
     if encoding == "base64":
         return {key: packed(series[ROWS[key]]) for key in signals}
     return {key: series[ROWS[key]] for key in signals}
-
-
-def column_name(key: str) -> str:
-    """A table's column: `body_acceleration [m/s^2]`."""
-    return f"{key} [{SIGNALS[key].unit}]"
-
-
-def _table(members: Mapping[str, SeriesArray], signals: Sequence[str]) -> pa.Table:
-    """One row a sample; a first column names the strategy where there are several."""
-    columns = {}
-    if len(members) > 1:
-        lengths = [series.shape[1] for series in members.values()]
-        columns["strategy"] = pa.array(np.repeat(list(members), lengths))
-    for key in signals:
-        columns[column_name(key)] = pa.array(np.concatenate([series[ROWS[key]] for series in members.values()]))
-    return pa.table(columns)
-
-
-def render_csv(members: Mapping[str, SeriesArray], signals: Sequence[str]) -> bytes:
-    """A table with units in its header and nothing else, as spreadsheets read it."""
-    sink = io.BytesIO()
-    csv.write_csv(_table(members, signals), sink, csv.WriteOptions(quoting_header="none"))
-    return sink.getvalue()
-
-
-def render_parquet(members: Mapping[str, SeriesArray], signals: Sequence[str], provenance: Mapping[str, str]) -> bytes:
-    """The same table as Parquet; units are field metadata, the provenance is the file's."""
-    table = _table(members, signals)
-    units = {column_name(key): {"signal": key, "unit": SIGNALS[key].unit} for key in signals}
-    fields = [field.with_metadata(units.get(field.name, {})) for field in table.schema]
-    sink = io.BytesIO()
-    parquet.write_table(table.cast(pa.schema(fields, metadata=dict(provenance))), sink, compression="zstd")
-    return sink.getvalue()
-
-
-def render_json(members: Mapping[str, SeriesArray], signals: Sequence[str], encoding: str, core_version: str) -> bytes:
-    """`{strategy, series}` of one strategy, `{strategies}` of several, with the units beside."""
-    bodies = {name: as_json(series, signals, encoding) for name, series in members.items()}
-    if len(bodies) == 1:
-        ((name, body),) = bodies.items()
-        content: dict[str, Any] = {"strategy": name, "series": body}
-    else:
-        content = {"strategies": bodies}
-    units = {key: SIGNALS[key].unit for key in signals}
-    return orjson.dumps({"core_version": core_version, "units": units, **content}, option=orjson.OPT_SERIALIZE_NUMPY)

@@ -1,4 +1,4 @@
-"""What runs inside a worker process: simulations, and the heavy forms of their time histories.
+"""What runs inside a worker process: simulations and their decimated time histories.
 
 Nothing of the web is imported here, so that a worker starts quickly and stays small.
 """
@@ -11,18 +11,13 @@ from dataclasses import dataclass
 from multiprocessing import parent_process
 from typing import Any
 
-import numpy as np
 import orjson
-from numpy.typing import NDArray
 
+from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError
-from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.signals import SIGNALS
 from sim_core.simulation import simulate
 from sim_core.strategies import STRATEGIES
-
-SeriesArray = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,13 +27,15 @@ class Outcome:
     Attributes:
         summary: `StrategyResult.summary()` as plain JSON values, or `{"reason": …}` where the core refused.
         compute_ms: The worker's own time [ms]; work shared between strategies is counted at the first.
-        series: float32, shape (len(SIGNALS), samples), rows in the catalogue's order; None where it failed.
+        points: About how many samples `series` has; None where none were asked for.
+        series: See `backend.series`; None where none were asked for, or where it failed.
     """
 
     status: str
     summary: dict[str, Any]
     compute_ms: float
-    series: SeriesArray | None
+    points: int | None = None
+    series: SeriesArray | None = None
 
     @property
     def size(self) -> int:
@@ -64,29 +61,29 @@ def warm_up() -> None:
         simulate(Scenario(), strategy)
 
 
-def run(scenario: Scenario, strategies: Sequence[str]) -> dict[str, Outcome]:
-    """Simulate the strategies one after the other, so that what they share is worked out once."""
-    return {strategy: _run_one(scenario, strategy) for strategy in strategies}
+def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, Outcome]:
+    """Simulate the strategies one after the other, so that what they share is worked out once.
+
+    Args:
+        scenario: What to drive.
+        strategies: Ids.
+        points: About how many samples of each time history to return; None is no series at all.
+    """
+    return {strategy: _run_one(scenario, strategy, points) for strategy in strategies}
 
 
-def _run_one(scenario: Scenario, strategy: str) -> Outcome:
+def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     begin = time.perf_counter()
-    status, series = "ok", None
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
-        status, summary = "failed", {"reason": error.message}
-    else:
-        summary = orjson.loads(orjson.dumps(result.summary(), option=orjson.OPT_SERIALIZE_NUMPY, default=dict))
-        series = pack(result)
-    return Outcome(
-        status=status, summary=summary, compute_ms=round(1000 * (time.perf_counter() - begin), 2), series=series
-    )
+        elapsed = _elapsed_ms(begin)
+        return Outcome(status="failed", summary={"reason": error.message}, compute_ms=elapsed, points=points)
+    summary = orjson.loads(orjson.dumps(result.summary(), option=orjson.OPT_SERIALIZE_NUMPY, default=dict))
+    elapsed = _elapsed_ms(begin)
+    series = None if points is None else pack(result, points)
+    return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
 
 
-def pack(result: StrategyResult) -> SeriesArray:
-    """The time histories as one float32 array, rows in the catalogue's order."""
-    packed = np.empty((len(SIGNALS), len(result.series["time"])), dtype=np.float32)
-    for row, key in enumerate(SIGNALS):
-        packed[row] = result.series[key]
-    return packed
+def _elapsed_ms(begin: float) -> float:
+    return round(1000 * (time.perf_counter() - begin), 2)

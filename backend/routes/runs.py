@@ -9,7 +9,6 @@ from backend.digest import RUN_ID_LENGTH
 from backend.problems import ProblemError
 from backend.routes import router
 from backend.routes.deps import IMMUTABLE, Client, RunsService, json_answer, unless_gone
-from backend.runs import Histories
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -70,14 +69,15 @@ async def get_series(
     encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
 ) -> Response:
     """Time histories in SI units; time and position always come along."""
-    asked = Histories(
+    content = await service.series(
+        run_id,
+        client,
         strategies=_names("strategy", strategy, STRATEGIES),
         signals=_names("signals", signals, SIGNALS),
         points=points,
         file_format=file_format,
         encoding=encoding,
     )
-    content = await service.series(run_id, asked, client)
     headers = {"Cache-Control": "public, max-age=3600"}
     if file_format != "json":
         headers["Content-Disposition"] = f'attachment; filename="ridelab-{run_id}.{file_format}"'
