@@ -100,7 +100,9 @@ def _print_margins(seeds: int, preview: str) -> None:
     print("\nPeak on the bump against the passive car")
     for name in STRATEGIES:
         if name != "passive":
-            changes = [change(means[name]["bump", "peak", s], means["passive"]["bump", "peak", s]) for s in PAPER_SIGNALS]
+            changes = [
+                change(means[name]["bump", "peak", s], means["passive"]["bump", "peak", s]) for s in PAPER_SIGNALS
+            ]
             better = "all better" if max(changes) < 0 else "NOT all better"
             print(f"{STRATEGIES[name].label:26}" + "".join(f"{value:>+9.1f} %" for value in changes) + f"  {better}")
 

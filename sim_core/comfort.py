@@ -38,7 +38,8 @@ def wk_gain(frequency: FloatArray) -> FloatArray:
 @lru_cache(maxsize=32)
 def _sections(step: float) -> FloatArray:
     zeros, poles, gain = wk_zpk()
-    return np.asarray(zpk2sos(*bilinear_zpk(zeros, poles, gain, 1 / step)))
+    z, p, k = bilinear_zpk(zeros, poles, gain, 1 / step)
+    return np.asarray(zpk2sos(z, p, float(k)))  # type: ignore[arg-type]  # the stubs know no complex roots
 
 
 def weighted(acceleration: FloatArray, step: float) -> FloatArray:

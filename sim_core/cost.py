@@ -26,7 +26,7 @@ _NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 @lru_cache(maxsize=256)
 def passive_rms(vehicle: Vehicle, speed: float) -> tuple[float, float, float, float]:
-    """σ of body and pitch acceleration [m/s^2, rad/s^2] and tyre loads [N] of the passive car on class B at a speed [m/s].
+    """σ of body and pitch acceleration [m/s^2, rad/s^2] and both tyre loads [N], passive on class B at a speed [m/s].
 
     Stationary and exact: the road filter joins the state, the rear input is the front's, L/v later, and the
     covariance is P + M + M' with P from both inputs alone and M = e^{Aτ} X for what they share

@@ -159,7 +159,7 @@ def _planned(stretch: Stretch) -> Drive:
         v += h * (push - chain.resistance(middle) - chain.deceleration(pressure_middle, middle))
         pressure = demand + (pressure - demand) * keep
     table = np.array(rows).T
-    time = stretch.detection / stretch.initial_speed + h * np.arange(table.shape[1])
+    time = stretch.detection / stretch.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
     return Drive(
         initial_speed=stretch.initial_speed,
         time=time,

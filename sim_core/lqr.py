@@ -11,7 +11,6 @@ from sim_core.errors import RidelabError
 from sim_core.half_car import FORCES, STATES, discrete
 from sim_core.result import FloatArray
 
-
 _DOUBLINGS = 60
 
 
@@ -36,7 +35,7 @@ def regulator(terms: CostTerms) -> Regulator:
     x, u = slice(0, STATES), slice(STATES, STATES + FORCES)
     Q, R, N = S[x, x], S[u, u], S[x, u]
     P = riccati(A, B, Q, R, N)
-    K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
+    K = np.asarray(np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + N.T), dtype=np.float64)
     if not np.isfinite(K).all() or np.abs(np.linalg.eigvals(A - B @ K)).max() >= 1:
         raise RidelabError("No stabilising controller was found for these weights and this vehicle")
     return Regulator(K=K, P=P)

@@ -80,7 +80,7 @@ def _prediction(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) 
 
 
 def _move_penalty(moves: int, weight: float) -> tuple[FloatArray, FloatArray]:
-    """Penalty on force changes: y'D'D y·weight and its coupling to the previous force, in kN (2 Nc, 2 Nc), (2 Nc, 2)."""
+    """Penalty on force changes in kN: y'D'D y·weight (2 Nc, 2 Nc), its coupling to the previous force (2 Nc, 2)."""
     D = np.eye(FORCES * moves) - np.eye(FORCES * moves, k=-FORCES)
     first = np.eye(FORCES * moves, FORCES)
     scaled = weight * KILO**2

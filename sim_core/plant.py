@@ -44,7 +44,7 @@ class Plant:
         return len(self.A)
 
     def record(self, states: FloatArray, commands: FloatArray, disturbance: FloatArray) -> FloatArray:
-        """Outputs on the fine grid (RECORDED, steps · fine), from states (steps, n) and commands (steps, 2) per step."""
+        """Outputs on the fine grid (RECORDED, steps · fine) from states (steps, n) and commands (steps, 2)."""
         rows, used = [], 0
         for lift in self.lifts:
             width = DISTURBANCES * lift.fine

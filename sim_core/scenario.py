@@ -167,8 +167,8 @@ class Bump(Part):
     shape: BumpShape = Field(
         "cosine",
         title="Shape",
-        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, trapezoid "
-        "straight ones, each a quarter of the width.",
+        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
+        "trapezoid straight ones, each a quarter of the width.",
     )
     height: float = quantity(
         0.1, "m", "Height", "Crest height; 0 is no bump, negative a pothole.", soft=(-0.15, 0.2), ge=-1, le=1
@@ -345,7 +345,8 @@ class Mpc(Part):
     preview: Preview = Field(
         "lookahead",
         title="Preview",
-        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the sensors see (lookahead).",
+        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the "
+        "sensors see (lookahead).",
     )
     deflection_limit: float = quantity(
         0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1

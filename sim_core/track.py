@@ -57,7 +57,7 @@ def track(road: Road, wheelbase: float, drive: Drive, step: float, longest_fine_
     fine = ceil(step / longest_fine_step - 1e-9)
     h = step / fine
 
-    fine_time = h * np.arange(-before * fine, (steps - before) * fine + 1)
+    fine_time = h * np.arange(-before * fine, (steps - before) * fine + 1, dtype=np.float64)
     position, speed = drive.at(fine_time)
     front, rear = surface.height(position), surface.height(position - wheelbase)
     braking = drive.sample(drive.braking, fine_time[:-1] + h / 2)
@@ -76,7 +76,7 @@ def track(road: Road, wheelbase: float, drive: Drive, step: float, longest_fine_
     for values in series.values():
         values.flags.writeable = False
     return Track(
-        time=step * np.arange(-before, steps - before + 1),
+        time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
         fine=fine,
         position=position[:-1:fine],
         disturbance=held.reshape(steps, fine * DISTURBANCES),

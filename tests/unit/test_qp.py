@@ -1,0 +1,93 @@
+"""The QP solvers: no answer counts without its optimality residuals, and failures are counted, never hidden."""
+
+import numpy as np
+import pytest
+
+from sim_core import mpc as mpc_module
+from sim_core.qp import SOLVERS, TOLERANCE, QpShape, QpSolver, residual
+from sim_core.result import FloatArray
+from sim_core.scenario import Bump, Mpc, Road, Scenario
+from sim_core.simulation import simulate
+
+
+def _random_shape(rng: np.random.Generator) -> tuple[QpShape, FloatArray, FloatArray]:
+    n, m = 6, 9
+    root = rng.normal(size=(n, n))
+    shape = QpShape(
+        H=root @ root.T + 0.1 * np.eye(n), A=rng.normal(size=(m, n)), low=np.full(n, -1.0), high=np.full(n, 1.0)
+    )
+    return shape, rng.normal(size=n) * 5, rng.uniform(0.1, 1, size=m)  # y = 0 is feasible
+
+
+@pytest.mark.parametrize("name", SOLVERS)
+def test_solvers_agree_and_their_multipliers_prove_it(name: str) -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(30):
+        shape, f, b = _random_shape(rng)
+        answers = {key: solver(shape).solve(f, b) for key, solver in SOLVERS.items()}
+        assert answers[name] is not None
+        for other in answers.values():
+            assert other == pytest.approx(answers[name], abs=1e-7)
+
+
+def test_a_workspace_gives_the_same_answer_again_after_others() -> None:
+    rng = np.random.default_rng(5)
+    shape, f, b = _random_shape(rng)
+    for kind in SOLVERS.values():
+        used = kind(shape)
+        first = used.solve(f, b)
+        for _ in range(5):
+            used.solve(rng.normal(size=len(f)) * 5, b)
+        assert used.solve(f, b) == pytest.approx(first, abs=1e-9)
+
+
+def test_residual_sees_every_kind_of_wrong_answer() -> None:
+    shape = QpShape(H=np.eye(2), A=np.array([[1.0, 1.0]]), low=np.full(2, -1.0), high=np.full(2, 1.0))
+    f, b = np.array([-3.0, 0.0]), np.array([10.0])
+    right, force = np.array([1.0, 0.0]), np.array([2.0, 0.0, 0.0])
+    assert residual(shape, f, b, right, force) <= TOLERANCE
+    assert residual(shape, f, b, right, np.zeros(3)) > TOLERANCE  # not stationary
+    assert residual(shape, f, b, np.array([3.0, 0.0]), np.zeros(3)) > TOLERANCE  # outside the box
+    assert residual(shape, f, np.array([0.5]), right, force) > TOLERANCE  # breaks the row
+    assert residual(shape, f, b, np.array([0.0, 0.0]), np.array([3.0, 0.0, 0.0])) > TOLERANCE  # gap
+    assert not residual(shape, f, b, np.array([np.nan, 0.0]), force) <= TOLERANCE
+
+
+def test_infeasible_and_broken_problems_give_none() -> None:
+    shape = QpShape(H=np.eye(2), A=np.array([[1.0, 1.0]]), low=np.full(2, -1.0), high=np.full(2, 1.0))
+    for kind in SOLVERS.values():
+        assert kind(shape).solve(np.zeros(2), np.array([-9.0])) is None
+        assert kind(shape).solve(np.array([np.nan, 0.0]), np.array([1.0])) is None
+        solver = kind(shape)  # and the workspace is usable afterwards
+        assert solver.solve(np.zeros(2), np.array([-9.0])) is None
+        assert solver.solve(np.array([-0.5, 0.0]), np.array([1.0])) == pytest.approx([0.5, 0.0], abs=1e-7)
+
+
+class _Refusing(QpSolver):
+    def _attempt(self, f: FloatArray, b: FloatArray) -> None:
+        return None
+
+
+HARD = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(deflection_limit=0.05, force_limit=2500))
+
+
+def test_the_other_solver_steps_in_and_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    normal = simulate(HARD, "lv")
+    monkeypatch.setitem(mpc_module.SOLVERS, "daqp", _Refusing)
+    fallen = simulate(HARD, "lv")
+    assert normal.events["qp_fallbacks"] == 0
+    assert normal.events["qp_solves"] > 10
+    assert fallen.events["qp_fallbacks"] == fallen.events["qp_solves"]
+    assert fallen.events["qp_failures"] == 0
+    assert fallen.series["front_force"] == pytest.approx(normal.series["front_force"], abs=0.1)
+
+
+def test_when_no_solver_answers_the_last_force_is_held_and_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in list(mpc_module.SOLVERS):
+        monkeypatch.setitem(mpc_module.SOLVERS, name, _Refusing)
+    result = simulate(HARD, "lv")
+    assert result.events["qp_failures"] == result.events["qp_solves"]
+    assert result.events["qp_failures"] > 0
+    for name in ("front_force", "rear_force"):
+        assert np.isfinite(result.series[name]).all()
+        assert np.abs(result.series[name]).max() <= HARD.mpc.force_limit

@@ -1,0 +1,101 @@
+"""The scenario: strict about names, types and numbers, and its schema says everything a form needs."""
+
+import json
+from typing import Any
+
+import pytest
+from pydantic import ValidationError
+
+from sim_core.presets import PRESETS
+from sim_core.scenario import Scenario
+
+
+def _nested(path: str, value: Any) -> dict[str, Any]:
+    for key in reversed(path.split(".")):
+        value = {key: value}
+    return value
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "location"),
+    [
+        ("vehicle.body_mass", "1270", ("vehicle", "body_mass")),
+        ("vehicle.body_mass", True, ("vehicle", "body_mass")),
+        ("vehicle.body_mass", float("nan"), ("vehicle", "body_mass")),
+        ("vehicle.body_mass", float("inf"), ("vehicle", "body_mass")),
+        ("vehicle.body_mass", 0, ("vehicle", "body_mass")),
+        ("vehicle.colour", 1, ("vehicle", "colour")),
+        ("road.bump.shape", "dragon", ("road", "bump", "shape")),
+        ("road.seed", 1.5, ("road", "seed")),
+        ("road.seed", -1, ("road", "seed")),
+        ("mpc.stage_weights.cruise", [0, 0, 0], ("mpc", "stage_weights", "cruise")),
+        ("mpc.stage_weights.cruise", [1, 1], ("mpc", "stage_weights", "cruise", 2)),
+        ("mpc.stage_weights.cruise", [1, "1", 1], ("mpc", "stage_weights", "cruise", 1)),
+        ("mpc.stage_weights.cruise", [-1, 1, 1], ("mpc", "stage_weights", "cruise", 0)),
+        ("lqr.weights", [0, 0, 0], ("lqr", "weights")),
+        ("actuator.bandwidth", 0, ("actuator", "bandwidth")),
+    ],
+)
+def test_bad_values_are_refused_at_their_field(path: str, value: Any, location: tuple[str | int, ...]) -> None:
+    with pytest.raises(ValidationError) as caught:
+        Scenario.model_validate(_nested(path, value))
+    assert location in [error["loc"] for error in caught.value.errors()]
+    assert "input_value" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("given", "field"),
+    [
+        ({"mpc": {"prediction_horizon": 10}}, "mpc.control_horizon"),
+        ({"road": {"length": 103}}, "road.bump.start"),
+        ({"road": {"bump": {"shape": "circular", "height": 0.6, "width": 1}}}, "road.bump.height"),
+    ],
+)
+def test_fields_that_do_not_fit_together_name_the_field(given: dict[str, Any], field: str) -> None:
+    with pytest.raises(ValidationError) as caught:
+        Scenario.model_validate(given)
+    assert [error["ctx"]["field"] for error in caught.value.errors()] == [field]
+
+
+def test_omitted_parts_take_the_papers_values_and_round_trip() -> None:
+    scenario = Scenario.model_validate({"road": {"bump": {"height": 0.12}}})
+    assert scenario.road.bump.width == 4
+    assert scenario.mpc.stage_weights.bump == (1, 1, 6)
+    again = Scenario.model_validate_json(scenario.model_dump_json())
+    assert again == scenario
+    assert hash(again) == hash(scenario)
+
+
+def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_within_them() -> None:
+    definitions = Scenario.model_json_schema()["$defs"]
+    seen = 0
+    for definition in definitions.values():
+        for name, field in definition.get("properties", {}).items():
+            assert field.get("title") or "$ref" in field, name
+            choices = field.get("anyOf", [field])
+            number = next((choice for choice in choices if choice.get("type") in ("number", "integer")), None)
+            if number is None:
+                continue
+            seen += 1
+            low = number.get("minimum", number.get("exclusiveMinimum"))
+            soft_low, soft_high = field["soft_range"]
+            assert field["unit"], name
+            assert low <= soft_low < soft_high <= number["maximum"], name
+            assert field["description"].endswith("."), name
+            default = field["default"]
+            assert default is None or low <= default <= number["maximum"], name
+    assert seen > 40
+
+
+def test_presets_are_valid_and_the_papers_comes_first() -> None:
+    assert next(iter(PRESETS)) == "paper"
+    assert PRESETS["paper"].scenario == Scenario()
+    for preset in PRESETS.values():
+        assert Scenario.model_validate(json.loads(preset.scenario.model_dump_json())) == preset.scenario
+
+
+def test_half_car_preset_is_half_the_papers_masses() -> None:
+    whole, half = Scenario().vehicle, PRESETS["half_car_consistent"].scenario.vehicle
+    assert 2 * half.total_mass == pytest.approx(whole.total_mass)
+    assert 2 * half.pitch_inertia == whole.pitch_inertia
+    assert half.front_spring == whole.front_spring

@@ -1,0 +1,85 @@
+"""`python -m sim_core`, the margins' rule, and the estimate of a run's cost."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from sim_core.__main__ import main
+from sim_core.margins import PAPER_MARGINS, Means, change, margins
+from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed
+from sim_core.signals import PAPER_SIGNALS
+from sim_core.simulation import simulate
+from sim_core.strategies import STRATEGIES
+from sim_core.workload import duration, estimate
+
+
+def test_table_of_the_paper_preset(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 0
+    printed = capsys.readouterr().out
+    for strategy in STRATEGIES.values():
+        assert strategy.label in printed
+    peak = simulate(Scenario(), "passive").metrics["bump"]["body_acceleration"]["peak"]
+    assert f"{peak:.4g}" in printed
+
+
+def test_scenario_file_and_errors(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "scenario.json"
+    file.write_text(json.dumps({"road": {"roughness": 0, "length": 112}}), encoding="utf-8")
+    assert main(["run", "--scenario", str(file), "--baseline", "lv"]) == 0
+    assert "changes against LV control" in capsys.readouterr().out
+    file.write_text('{"road": {"length": -1}}', encoding="utf-8")
+    assert main(["run", "--scenario", str(file)]) == 2
+    assert "road.length" in capsys.readouterr().err
+    assert main(["run", "--preset", "moon"]) == 2
+    assert main(["run", "--baseline", "moon"]) == 2
+    assert main(["run", "--scenario", str(tmp_path / "none.json")]) == 2
+    assert main(["margins", "--seeds", "0"]) == 2
+
+
+def test_margins_command_says_which_cells_are_reached(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["margins", "--seeds", "1", "--preview", "none"]) == 0
+    printed = capsys.readouterr().out
+    assert "of 8 cells reached" in printed
+    assert "points" in printed  # without preview some are not, and it says by how much
+
+
+def test_margin_rule() -> None:
+    cells = [(window, statistic, signal) for window, statistic in PAPER_MARGINS for signal in PAPER_SIGNALS]
+    lv = dict.fromkeys(cells, 1.0)
+    lqr = dict.fromkeys(cells, 1.2)
+    means: Means = {"lv": lv, "lqr": lqr}
+    reached = {(cell.window, cell.signal): cell.reached for cell in margins(means)}
+    assert reached["rough_road", "body_acceleration"]  # 20 >= 10.9
+    assert not reached["rough_road", "pitch_acceleration"]  # 20 < 23.9
+    assert reached["bump", "body_acceleration"]  # 20 >= 19.9
+    assert not reached["bump", "front_tyre_load"]  # 20 < 24
+    assert change(1.0, 0.0) != change(1.0, 0.0)  # NaN: nothing to compare with
+
+
+def test_printed_margins_are_the_papers() -> None:
+    tables = Path(__file__).parents[1] / "data" / "paper_tables.json"
+    printed = json.loads(tables.read_text(encoding="utf-8"))["printed_changes"]
+    assert PAPER_MARGINS["rough_road", "rms"] == tuple(printed["table_9 rough_road_rms lqr vs lv"])
+    assert PAPER_MARGINS["bump", "peak"] == tuple(printed["table_10 bump_peak lqr vs lv"])
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+@pytest.mark.parametrize(
+    "scenario",
+    [
+        Scenario(),
+        Scenario(road=Road(length=400), speed=Speed(initial_speed_kmh=20, target_speed_kmh=10)),
+        Scenario(road=Road(bump=Bump(start=10)), speed=Speed(target_speed_kmh=80)),
+    ],
+)
+def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> None:
+    assert simulate(scenario, strategy).travel_time <= duration(scenario, strategy) + 1e-6
+
+
+def test_estimate_grows_with_what_costs() -> None:
+    plain = estimate(Scenario(), "lv")
+    assert estimate(Scenario(road=Road(length=1500)), "lv") > 5 * plain
+    assert estimate(Scenario(mpc=Mpc(prediction_horizon=120)), "lv") > 2 * plain
+    assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 10 * plain
+    assert estimate(Scenario(), "passive") < plain
