@@ -38,7 +38,6 @@ def create_app(settings: Settings) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         lifespan=_lifespan,
-        max_body_size=settings.max_body_bytes,
         middleware=[Middleware(GuardMiddleware), Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1)],
     )
     app.state.settings = settings

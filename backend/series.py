@@ -50,13 +50,13 @@ def decimate(series: SeriesArray, points: int | None, breaks: Sequence[float] = 
     stride = -(-2 * count // points)
     whole = (count - 1) // stride  # complete strides
     nodes = np.arange(whole + 1) * stride
-    inner = series[:, : whole * stride].reshape(len(series), whole, stride)
-    start, end = series[:, nodes[:-1]], series[:, nodes[1:]]
     fraction = np.arange(stride, dtype=np.float32) / np.float32(stride)
-    missed = np.abs(inner - (start[:, :, None] + (end - start)[:, :, None] * fraction))
-    span = np.ptp(series, axis=1)
-    span[span == 0] = 1
-    worst = (missed / span[:, None, None]).max(axis=0).argmax(axis=1)
+    missed = np.zeros((whole, stride), dtype=np.float32)
+    for row in series:  # one at a time: all at once would take several times the series' own memory
+        start, step = row[nodes[:-1], None], np.diff(row[nodes])[:, None]
+        away = np.abs(row[: whole * stride].reshape(whole, stride) - (start + step * fraction))
+        np.maximum(missed, away / (np.ptp(row) or 1), out=missed)
+    worst = missed.argmax(axis=1)
     keep = np.concatenate([nodes, nodes[:-1] + worst, [count - 1], _extremes(series, breaks)])
     return np.take(series, np.unique(keep), axis=1)
 

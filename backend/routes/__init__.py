@@ -14,7 +14,22 @@ API = "/api/v1"
 
 
 class StrictRequest(Request):
-    """A request whose JSON is read strictly."""
+    """A request whose body is bounded and whose JSON is read strictly."""
+
+    async def body(self) -> bytes:
+        """The whole body, or 413 as soon as it is known to be too long, announced or in pieces."""
+        if not hasattr(self, "_body"):
+            limit: int = self.app.state.settings.max_body_bytes
+            announced = self.headers.get("content-length", "")
+            if announced.isdecimal() and int(announced) > limit:
+                raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
+            pieces = bytearray()
+            async for piece in self.stream():
+                pieces += piece
+                if len(pieces) > limit:
+                    raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
+            self._body = bytes(pieces)
+        return self._body
 
     async def json(self) -> Any:
         """The body's value; anything doubtful is a problem."""

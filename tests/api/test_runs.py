@@ -1,0 +1,235 @@
+"""POST and GET of runs: every field of the contract, and what is computed again."""
+
+import itertools
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import pytest
+
+from backend.models import CreatedRun, LiveRun, Run
+from sim_core import __version__
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.simulation import simulate
+from sim_core.strategies import STRATEGIES
+
+heights = itertools.count(1)
+
+
+@pytest.fixture
+def fresh(road: dict[str, Any]) -> dict[str, Any]:
+    """A scenario nobody has run yet."""
+    return {"road": {**road, "bump": {**road["bump"], "height": 0.05 + 1e-5 * next(heights)}}}
+
+
+def plain(result: StrategyResult) -> dict[str, Any]:
+    return dict(result.summary())
+
+
+def test_a_run_has_every_field_of_the_contract(run: dict[str, Any], road: dict[str, Any]) -> None:
+    assert set(run) == {"id", "core_version", "scenario", "strategies"}
+    assert run["core_version"] == __version__
+    assert len(run["id"]) == 22
+    assert run["scenario"]["vehicle"]["body_mass"] == 1270
+    assert run["scenario"]["road"]["bump"]["start"] == road["bump"]["start"]
+    assert run["scenario"]["mpc"]["stage_weights"]["cruise"] == [8, 1, 1]
+    assert list(run["strategies"]) == ["lv", "lqr", "passive"], "in the catalogue's order, whatever was asked"
+    for entry in run["strategies"].values():
+        assert entry["status"] == "ok"
+        assert entry["cached"] is False
+        assert entry["compute_ms"] > 0
+        assert set(entry["metrics"]) == set(WINDOWS)
+        for window in entry["metrics"].values():
+            assert set(window) == set(METRIC_SIGNALS)
+            assert all(set(statistics) == set(STATISTICS) for statistics in window.values())
+        assert set(entry["comfort"]) == set(COMFORT)
+        assert set(entry["events"]) == set(EVENTS)
+        assert set(entry["reference"]) == set(REFERENCES)
+        assert [stage["stage"] for stage in entry["stages"]]
+        assert entry["travel_time"] > 0
+        assert entry["arrival_speed_kmh"] > 0
+    CreatedRun.model_validate(run)
+
+
+def test_the_numbers_are_the_cores(run: dict[str, Any]) -> None:
+    scenario = Scenario.model_validate(run["scenario"])
+    for strategy in ("lv", "passive"):
+        expected = plain(simulate(scenario, strategy))
+        for window, signal, statistic in itertools.product(WINDOWS, METRIC_SIGNALS, STATISTICS):
+            assert run["strategies"][strategy]["metrics"][window][signal][statistic] == pytest.approx(
+                expected["metrics"][window][signal][statistic], rel=1e-9, abs=1e-12
+            )
+        assert run["strategies"][strategy]["travel_time"] == pytest.approx(expected["travel_time"], rel=1e-12)
+
+
+def test_the_papers_scenario_runs_with_every_strategy(service: Any) -> None:
+    answer = service.run(list(STRATEGIES)).json()
+    assert Scenario.model_validate(answer["scenario"]) == Scenario()
+    assert {name: entry["status"] for name, entry in answer["strategies"].items()} == dict.fromkeys(STRATEGIES, "ok")
+    assert answer["strategies"]["lv"]["events"]["target_reached"] is True
+    assert answer["strategies"]["passive"]["events"]["target_reached"] is None
+
+
+def test_the_same_request_again_is_stored(service: Any, run: dict[str, Any]) -> None:
+    again = service.run(["lv", "lqr", "passive"], run["scenario"]).json()
+    assert again["id"] == run["id"]
+    for name, entry in again["strategies"].items():
+        assert entry["cached"] is True
+        assert {**entry, "cached": False} == run["strategies"][name]
+
+
+def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict[str, Any]) -> None:
+    response = client.get(f"/api/v1/runs/{run['id']}")
+    assert response.status_code == 200
+    assert "immutable" in response.headers["cache-control"]
+    expected = {name: {k: v for k, v in entry.items() if k != "cached"} for name, entry in run["strategies"].items()}
+    assert response.json() == {**run, "strategies": expected}
+    Run.model_validate(response.json())
+    tag = response.headers["etag"]
+    for header in (tag, tag.removeprefix("W/"), f'"other", {tag}', "*"):
+        cached = client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": header})
+        assert cached.status_code == 304
+        assert cached.content == b""
+        assert cached.headers["etag"] == tag
+    assert client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
+
+
+def test_unknown_runs_are_404(client: Any) -> None:
+    for path in ("", "/series", "/figures", "/figures/speed"):
+        assert client.get(f"/api/v1/runs/AAAAAAAAAAAAAAAAAAAAAA{path}").status_code == 404
+
+
+def test_a_whole_number_is_the_same_run_with_and_without_a_point(service: Any, client: Any) -> None:
+    bodies = [
+        f'{{"strategies": ["passive"], "scenario": {{"speed": {{"initial_speed_kmh": {number}}}}}}}'
+        for number in ("51", "51.0", "5.1e1")
+    ]
+    headers = {"Content-Type": "application/json"}
+    answers = [client.post("/api/v1/runs", content=body, headers=headers).json() for body in bodies]
+    assert len({answer["id"] for answer in answers}) == 1
+    assert [answer["strategies"]["passive"]["cached"] for answer in answers] == [False, True, True]
+
+
+def test_editing_a_weight_computes_only_what_reads_it(service: Any, run: dict[str, Any]) -> None:
+    scenario = {**run["scenario"], "mpc": {**run["scenario"]["mpc"], "stage_weights": {"cruise": [7, 1, 1]}}}
+    edited = service.run(["lv", "lqr", "passive"], scenario).json()
+    assert edited["id"] != run["id"]
+    assert {name: entry["cached"] for name, entry in edited["strategies"].items()} == {
+        "lv": False,
+        "lqr": True,
+        "passive": True,
+    }
+    assert edited["strategies"]["passive"] == {**run["strategies"]["passive"], "cached": True}
+
+
+def test_equal_requests_at_once_are_computed_once(
+    service: Any, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workers, calls = service.app.state.workers, []
+    original = workers.call
+
+    async def counted(function: Any, *arguments: Any) -> Any:
+        calls.append(arguments)
+        return await original(function, *arguments)
+
+    monkeypatch.setattr(workers, "call", counted)
+    with ThreadPoolExecutor(6) as threads:
+        answers = list(threads.map(lambda _: service.run(["lv", "passive"], fresh).json(), range(6)))
+    assert len(calls) == 1, "and both strategies in one task"
+    assert len({answer["id"] for answer in answers}) == 1
+    uncached = [answer for answer in answers if not answer["strategies"]["lv"]["cached"]]
+    assert len(uncached) == 1
+    assert len({answer["strategies"]["lv"]["compute_ms"] for answer in answers}) == 1
+
+
+def test_strategies_named_twice_count_once(service: Any, fresh: dict[str, Any]) -> None:
+    once = service.run(["passive"], fresh).json()
+    assert service.run(["passive", "passive"], fresh).json()["id"] == once["id"]
+
+
+def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh: dict[str, Any]) -> None:
+    first = service.live(["lv", "passive"], fresh)
+    assert first.status_code == 200
+    answer = first.json()
+    LiveRun.model_validate(answer)
+    assert set(answer) == {"core_version", "scenario", "strategies"}
+    for entry in answer["strategies"].values():
+        assert entry["cached"] is False
+        assert list(entry["series"]) == list(SIGNALS)
+    assert all(entry["cached"] for entry in service.live(["lv", "passive"], fresh).json()["strategies"].values())
+    posted = service.run(["lv", "passive"], fresh).json()
+    assert all(entry["cached"] for entry in posted["strategies"].values()), "what a drag computed is stored as it is"
+    for name, entry in posted["strategies"].items():
+        assert entry["metrics"] == answer["strategies"][name]["metrics"]
+        assert entry["compute_ms"] == answer["strategies"][name]["compute_ms"]
+
+
+def test_a_live_run_is_no_stored_run(service: Any, client: Any, fresh: dict[str, Any]) -> None:
+    from backend.digest import run_id
+
+    answer = service.live(["passive"], fresh).json()
+    assert (
+        client.get(f"/api/v1/runs/{run_id(Scenario.model_validate(answer['scenario']), ['passive'])}").status_code
+        == 404
+    )
+
+
+def test_live_takes_points_and_signals(service: Any, run: dict[str, Any]) -> None:
+    entry = service.live(["passive"], run["scenario"], points=50, signals=["speed"]).json()["strategies"]["passive"]
+    assert list(entry["series"]) == ["time", "position", "speed"]
+    fewer = len(entry["series"]["time"]["bdata"])
+    entry = service.live(["passive"], run["scenario"], points=2000).json()["strategies"]["passive"]
+    assert len(entry["series"]["time"]["bdata"]) > fewer
+
+
+def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A failure is a deterministic result like any other: stored, with its reason, beside those that succeeded."""
+    from backend.worker import Outcome
+
+    workers = service.app.state.workers
+    original = workers.call
+
+    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None) -> Any:
+        outcomes = await original(function, scenario, names, points)
+        outcomes["lqr"] = Outcome(status="failed", summary={"reason": "no controller"}, compute_ms=1.0, points=points)
+        return outcomes
+
+    monkeypatch.setattr(workers, "call", refused)
+    scenario = {"road": {"length": 131.9}}
+    answer = service.run(["lqr", "passive"], scenario).json()
+    monkeypatch.undo()
+    CreatedRun.model_validate(answer)
+    assert answer["strategies"]["lqr"] == {
+        "status": "failed",
+        "cached": False,
+        "compute_ms": 1.0,
+        "reason": "no controller",
+    }
+    assert answer["strategies"]["passive"]["status"] == "ok"
+    stored = service.client.get(f"/api/v1/runs/{answer['id']}").json()
+    assert stored["strategies"]["lqr"]["reason"] == "no controller"
+    series = service.client.get(f"/api/v1/runs/{answer['id']}/series?points=20").json()
+    assert series["strategy"] == "passive", "the only one with time histories"
+    assert set(service.client.get(f"/api/v1/runs/{answer['id']}/figures").json()["figures"])
+
+
+def test_a_run_of_another_core_version_keeps_its_metrics_only(service: Any, run: dict[str, Any]) -> None:
+    from dataclasses import replace
+
+    store = service.app.state.runs._store
+    stored = store.load_run(run["id"])
+    store.save_run(
+        run_id="other-core-version-run",
+        core_version="0.0.1",
+        schema_version=1,
+        scenario=stored.scenario,
+        outcomes=[replace(item, key=f"other-{item.key}"[:43]) for item in stored.results],
+    )
+    answer = service.client.get("/api/v1/runs/other-core-version-run")
+    assert answer.json()["core_version"] == "0.0.1"
+    for path in ("series?strategy=lv", "figures", "figures/speed"):
+        gone = service.client.get(f"/api/v1/runs/other-core-version-run/{path}")
+        assert gone.status_code == 410
+        assert "0.0.1" in gone.json()["detail"]
+        assert __version__ in gone.json()["detail"]
