@@ -1,5 +1,7 @@
 """Bump shapes and a high-accuracy solution of the passive car crossing one on a smooth road."""
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
@@ -57,7 +59,7 @@ def crossing(car: Vehicle, bump: Bump, speed: float, settle: float = 1.5, step: 
         return np.array([bump_height(bump, x), bump_height(bump, x - wheelbase)])
 
     times, outputs, state = [], [], np.zeros(8)
-    for begin, end in zip(ends[:-1], ends[1:], strict=True):
+    for begin, end in pairwise(ends):
         if end - begin < 1e-12:
             continue
         read = np.linspace(begin, end, max(2, int(np.ceil((end - begin) / step))))

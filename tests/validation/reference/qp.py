@@ -27,9 +27,12 @@ def solve(H: Array, g: Array, A: Array, b: Array, iterations: int = 60) -> Solut
         dual = H @ x + g + A.T @ multiplier
         primal = A @ x + slack - b
         gap = slack @ multiplier / len(b)
-        if residual(H, g, A, b, x, multiplier) < 1e-9:
+        if residual(H, g, A, b, x, multiplier) < 1e-12:
             break
-        factor = cho_factor(H + A.T @ ((multiplier / slack)[:, None] * A))
+        try:
+            factor = cho_factor(H + A.T @ ((multiplier / slack)[:, None] * A))
+        except np.linalg.LinAlgError:  # as far as rounding lets the barrier go
+            break
 
         def step(
             target: Array, factor=factor, dual=dual, primal=primal, slack=slack, multiplier=multiplier

@@ -14,29 +14,36 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Interval:
-    """Linear maps over one interval from w = (x, u, z_start, z_end, a): state at time s and OUTPUTS at s.
+    """Linear maps over one interval from w = (x, u, z_start, z_end, a, command): state, force and OUTPUTS at time s.
 
-    The force and the deceleration are held, the road height is linear. x: 8, u: 2, z: 2 + 2, a: 1; w: 15.
+    Command and deceleration are held, the road height is linear. x: 8, u: 2, z: 2 + 2, a: 1, command: 2; w: 17, or
+    15 without an actuator lag: then u is held and nothing is commanded.
     """
 
-    state: Array  # (8, 15)
-    output: Array  # (6, 15)
+    state: Array  # (8, 15 or 17)
+    force: Array  # (2, 15 or 17)
+    output: Array  # (6, 15 or 17)
 
 
-def interval(model: StateSpace, length: float, at: float) -> Interval:
-    """The maps at time `at` within an interval of `length` [s], by one matrix exponential of the augmented system."""
-    # Augmented state (x, u, z, ż, a) with u̇ = 0, z̈ = 0, ȧ = 0.
-    n = 8 + 2 + 2 + 2 + 1
+def interval(model: StateSpace, length: float, at: float, corner: float = 0.0) -> Interval:
+    """The maps at time `at` within an interval of `length` [s], by one matrix exponential of the augmented system.
+
+    corner: of the actuator's lag u̇ = corner (command − u) [rad/s]; 0 for an ideal actuator.
+    """
+    # Augmented state (x, u, z, ż, a, command) with z̈ = 0, ȧ = 0.
+    n = 8 + 2 + 2 + 2 + 1 + (2 if corner else 0)
     generator = np.zeros((n, n))
     generator[:8, :8], generator[:8, 8:10], generator[:8, 10:12] = model.A, model.B, model.E
     generator[:8, 14] = model.D
     generator[10:12, 12:14] = np.eye(2)
+    if corner:
+        generator[8:10, 8:10], generator[8:10, 15:17] = -corner * np.eye(2), corner * np.eye(2)
     to_slope = np.eye(n)
     to_slope[12:14] = 0
     to_slope[12:14, 10:12], to_slope[12:14, 12:14] = -np.eye(2) / length, np.eye(2) / length
     evolved = expm(generator * at) @ to_slope
-    read = np.hstack([model.C, model.F, model.G, np.zeros((6, 2)), model.H[:, None]])
-    return Interval(state=evolved[:8], output=read @ evolved)
+    read = np.hstack([model.C, model.F, model.G, np.zeros((6, 2)), model.H[:, None], np.zeros((6, n - 15))])
+    return Interval(state=evolved[:8], force=evolved[8:10], output=read @ evolved)
 
 
 def weights(car: Vehicle, q: tuple[float, float, float], travel: float, limit: float, speed: float) -> Array:

@@ -1,0 +1,131 @@
+"""Figure templates and filled figures."""
+
+import base64
+from typing import Any
+
+import httpx
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+
+from backend.figures import PANELS, STYLES, templates
+from backend.models import Figures
+from sim_core.signals import REFERENCES, SIGNALS
+from sim_core.strategies import STRATEGIES
+
+
+def luminance(colour: str) -> float:
+    """Relative luminance (WCAG 2.2)."""
+    channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one: str, other: str) -> float:
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+# Linear RGB as seen without one kind of cone (Viénot, Brettel and Mollon 1999, for full dichromacy).
+DEFICIENCIES = {
+    "protan": [[0.11238, 0.88762, 0], [0.11238, 0.88762, 0], [0.00401, -0.00401, 1]],
+    "deutan": [[0.29275, 0.70725, 0], [0.29275, 0.70725, 0], [-0.02234, 0.02234, 1]],
+}
+
+
+def seen(colour: str, kind: str) -> np.ndarray:
+    """The colour as seen, in sRGB 0 to 1."""
+    channels = np.array([int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)])
+    linear = np.where(channels <= 0.04045, channels / 12.92, ((channels + 0.055) / 1.055) ** 2.4)
+    mapped = np.clip(np.array(DEFICIENCIES[kind]) @ linear, 0, 1)
+    return np.where(mapped <= 0.0031308, 12.92 * mapped, 1.055 * mapped ** (1 / 2.4) - 0.055)
+
+
+def test_colours_are_legible_on_both_themes_and_dashes_differ() -> None:
+    assert list(STYLES) == list(STRATEGIES)
+    for style in STYLES.values():
+        assert contrast(style.colour, "#ffffff") >= 3
+        assert contrast(style.colour, "#1a1b1e") >= 3
+    assert len({style.dash for style in STYLES.values()}) == len(STYLES)
+
+
+@pytest.mark.parametrize("kind", DEFICIENCIES)
+def test_colours_differ_with_any_colour_vision(kind: str) -> None:
+    """0.15 apart in sRGB is plainly two colours for lines; the dash is there besides."""
+    colours = [seen(style.colour, kind) for style in STYLES.values()]
+    distances = [np.linalg.norm(a - b) for i, a in enumerate(colours) for b in colours[i + 1 :]]
+    assert min(distances) > 0.15
+
+
+def test_templates_name_what_fills_them(client: httpx.Client) -> None:
+    answer = client.get("/api/v1/figures").json()
+    Figures.model_validate(answer)
+    assert list(answer["figures"]) == list(PANELS)
+    for name, figure in answer["figures"].items():
+        go.Figure(figure)  # plotly itself accepts it
+        assert [trace["meta"]["strategy"] for trace in figure["data"]] == list(STRATEGIES)
+        meta = figure["layout"]["meta"]
+        assert {trace["meta"]["signal"] for trace in figure["data"]} == {meta["signal"]} <= set(SIGNALS)
+        assert all("x" not in trace and "y" not in trace for trace in figure["data"])
+        assert set(meta["reference"]) == set(meta["reference_factors"]) <= set(REFERENCES)
+        assert meta["title"]
+        assert meta["unit"] in figure["layout"]["yaxis"]["title"]["text"], name
+        assert meta["scale"] > 0
+
+
+def test_shown_units_are_the_si_unit_times_the_scale() -> None:
+    scales = {name: (figure["layout"]["meta"]["unit"], figure["layout"]["meta"]["scale"]) for name, figure in templates().items()}
+    assert scales["speed"] == ("km/h", 3.6)
+    assert scales["brake_pressure"] == ("MPa", 1e-6)
+    assert scales["front_deflection"] == ("mm", 1000)
+    assert scales["front_tyre_load"] == ("kN", 0.001)
+    assert scales["body_acceleration"] == ("m/s²", 1)
+
+
+def numbers(packed: dict[str, str]) -> np.ndarray:
+    return np.frombuffer(base64.b64decode(packed["bdata"]), dtype="<f4")
+
+
+@pytest.mark.parametrize("axis", ["position", "time"])
+def test_filled_figures_hold_the_runs_data(client: httpx.Client, run: dict[str, Any], axis: str) -> None:
+    answer = client.get(f"/api/v1/runs/{run['id']}/figures", params={"x": axis}).json()["figures"]
+    assert list(answer) == list(PANELS)
+    series = client.get(f"/api/v1/runs/{run['id']}/series?strategy=lv,lqr,passive&points=2000&encoding=base64").json()
+    for name, figure in answer.items():
+        go.Figure(figure)
+        assert [trace["meta"]["strategy"] for trace in figure["data"]] == ["lv", "lqr", "passive"]
+        scale = figure["layout"]["meta"]["scale"]
+        for trace in figure["data"]:
+            source = series["strategies"][trace["meta"]["strategy"]]
+            np.testing.assert_array_equal(numbers(trace["x"]), numbers(source[axis]))
+            expected = numbers(source[trace["meta"]["signal"]]) * np.float32(scale)
+            np.testing.assert_allclose(numbers(trace["y"]), expected, rtol=1e-6)
+        assert axis == "time" or "Distance" in figure["layout"]["xaxis"]["title"]["text"]
+        single = client.get(f"/api/v1/runs/{run['id']}/figures/{name}", params={"x": axis})
+        assert single.json() == figure
+
+
+def test_filled_figures_shade_the_stages_and_draw_the_references(client: httpx.Client, run: dict[str, Any]) -> None:
+    entry = run["strategies"]["lv"]
+    figures = client.get(f"/api/v1/runs/{run['id']}/figures").json()["figures"]
+    bump = next(stage for stage in entry["stages"] if stage["stage"] == "bump")
+    shaded = {shape["name"]: (shape["x0"], shape["x1"]) for shape in figures["speed"]["layout"]["shapes"]}
+    assert shaded["Bump"] == (bump["start_position"], bump["end_position"])
+    assert "Brake" in shaded
+    assert "Cruise" not in shaded
+
+    def lines(name: str) -> set[float]:
+        return {round(shape["y0"], 6) for shape in figures[name]["layout"]["shapes"] if shape["yref"] == "y"}
+
+    limit = entry["reference"]["deflection_limit"] * 1000
+    assert lines("front_deflection") == {round(-limit, 6), round(limit, 6)}
+    assert lines("front_tyre_load") == {round(-entry["reference"]["front_static_load"] / 1000, 6)}
+    target = entry["reference"]["target_speed"] * 3.6
+    assert round(target, 6) in lines("speed")
+    assert lines("body_acceleration") == set()
+
+
+def test_an_unknown_figure_is_404_and_names_those_there_are(client: httpx.Client, run: dict[str, Any]) -> None:
+    response = client.get(f"/api/v1/runs/{run['id']}/figures/nothing")
+    assert response.status_code == 404
+    assert "pitch_acceleration" in response.json()["detail"]

@@ -1,0 +1,200 @@
+"""OpenAPI, its page, and the answers that describe the core."""
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.app import create_app
+from backend.models import Catalogue, PresetAnswer, StrategyAnswer
+from backend.settings import Settings
+from sim_core.presets import PRESETS
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+OPERATIONS = {
+    "createRun": ("post", "/api/v1/runs"),
+    "getRun": ("get", "/api/v1/runs/{id}"),
+    "getSeries": ("get", "/api/v1/runs/{id}/series"),
+    "getRunFigures": ("get", "/api/v1/runs/{id}/figures"),
+    "getRunFigure": ("get", "/api/v1/runs/{id}/figures/{name}"),
+    "live": ("post", "/api/v1/live"),
+    "getSchema": ("get", "/api/v1/schema"),
+    "getPresets": ("get", "/api/v1/presets"),
+    "getStrategies": ("get", "/api/v1/strategies"),
+    "getCatalogue": ("get", "/api/v1/catalogue"),
+    "getFigures": ("get", "/api/v1/figures"),
+    "getHealth": ("get", "/healthz"),
+    "getReadiness": ("get", "/readyz"),
+}
+
+
+@pytest.fixture(scope="module")
+def description(client: httpx.Client) -> dict[str, Any]:
+    response = client.get("/openapi.json")
+    assert response.status_code == 200
+    content: dict[str, Any] = response.json()
+    return content
+
+
+def nodes(value: Any) -> Iterator[dict[str, Any]]:
+    if isinstance(value, dict):
+        yield value
+        for item in value.values():
+            yield from nodes(item)
+    elif isinstance(value, list):
+        for item in value:
+            yield from nodes(item)
+
+
+def test_operations_have_clean_names(description: dict[str, Any]) -> None:
+    assert description["openapi"].startswith("3.1")
+    found = {
+        operation["operationId"]: (method, path)
+        for path, operations in description["paths"].items()
+        for method, operation in operations.items()
+    }
+    assert found == OPERATIONS
+    for _, operations in description["paths"].items():
+        for operation in operations.values():
+            assert operation["description"]
+
+
+def test_every_reference_leads_somewhere(description: dict[str, Any]) -> None:
+    references = [node["$ref"] for node in nodes(description) if isinstance(node.get("$ref"), str)]
+    assert references
+    for reference in references:
+        target: Any = description
+        for step in reference.removeprefix("#/").split("/"):
+            target = target[step]
+
+
+def test_errors_are_described_as_problems(description: dict[str, Any]) -> None:
+    for operations in description["paths"].values():
+        for operation in operations.values():
+            for status, answer in operation["responses"].items():
+                if status.startswith(("4", "5")) and "Readiness" not in json.dumps(answer):
+                    assert set(answer["content"]) == {"application/problem+json"}, (operation["operationId"], status)
+    statuses = set(description["paths"]["/api/v1/runs"]["post"]["responses"])
+    assert {"200", "400", "413", "415", "422", "429", "503"} <= statuses
+    assert "HTTPValidationError" not in description["components"]["schemas"]
+
+
+def test_answers_are_described_precisely(description: dict[str, Any]) -> None:
+    schemas = description["components"]["schemas"]
+    answer = description["paths"]["/api/v1/runs"]["post"]["responses"]["200"]["content"]["application/json"]["schema"]
+    assert answer == {"$ref": "#/components/schemas/CreatedRun"}
+    for name in ("CreatedRun", "Run", "LiveRun", "StrategyResult", "LiveResult", "Problem", "Catalogue"):
+        assert set(schemas[name]["required"]) == set(schemas[name]["properties"]), name
+    assert "vehicle" in schemas["Scenario"]["properties"]
+    assert schemas["RunRequest"]["properties"]["strategies"]["items"]["enum"] == list(STRATEGIES)
+
+
+def test_nothing_leads_outside(client: httpx.Client, description: dict[str, Any]) -> None:
+    page = client.get("/docs")
+    assert page.status_code == 200
+    sources = re.findall(r'(?:src|href)="([^"]*)"', page.text)
+    assert sources
+    assert all(source.startswith("/") and not source.startswith("//") for source in sources)
+    assert "<script>" not in page.text, "the content security policy would block it"
+    assert "://" not in page.text
+    assert "://" not in client.get("/docs.js").text
+    assert "://" not in json.dumps(description["servers"] if "servers" in description else "")
+
+
+@pytest.fixture
+def built(tmp_path: Path) -> Path:
+    """A built frontend, as far as the service cares."""
+    for name, text in {
+        "index.html": "<!doctype html><title>Ridelab</title>",
+        "favicon.svg": "<svg/>",
+        "assets/index-abc123.js": "export {}",
+        "docs-assets/swagger-ui-bundle.js": "var SwaggerUIBundle",
+    }.items():
+        path = tmp_path / "dist" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return tmp_path / "dist"
+
+
+async def get(settings: Settings, path: str) -> httpx.Response:
+    """The answer of an application that was not started: pages need neither store nor workers."""
+    transport = httpx.ASGITransport(app=create_app(settings))
+    async with httpx.AsyncClient(transport=transport, base_url="http://ridelab") as client:
+        return await client.get(path)
+
+
+@pytest.mark.anyio
+async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
+    settings = Settings(frontend_dir=built)
+    for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA"):
+        page = await get(settings, path)
+        assert page.status_code == 200
+        assert page.headers["content-type"].startswith("text/html")
+        assert page.headers["cache-control"] == "no-cache"
+        assert "Ridelab" in page.text
+    hashed = await get(settings, "/assets/index-abc123.js")
+    assert "immutable" in hashed.headers["cache-control"]
+    assert hashed.headers["content-type"].startswith("text/javascript")
+    assert (await get(settings, "/favicon.svg")).headers["content-type"] == "image/svg+xml"
+    assert (await get(settings, "/docs-assets/swagger-ui-bundle.js")).status_code == 200
+    for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s"):
+        assert (await get(settings, path)).status_code == 404
+
+
+@pytest.mark.anyio
+async def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
+    page = await get(Settings(frontend_dir=tmp_path), "/")
+    assert page.status_code == 503
+    assert "make setup" in page.json()["detail"]
+
+
+@pytest.fixture
+def anyio_backend() -> str:
+    return "asyncio"
+
+
+def test_the_schema_is_the_scenarios_own(client: httpx.Client) -> None:
+    schema = client.get("/api/v1/schema").json()
+    assert schema.pop("schema_version") == SCHEMA_VERSION
+    assert schema == json.loads(json.dumps(Scenario.model_json_schema()))
+
+
+def test_presets_are_complete_and_the_papers_first(client: httpx.Client) -> None:
+    presets = [PresetAnswer.model_validate(item) for item in client.get("/api/v1/presets").json()]
+    assert [item.id for item in presets] == list(PRESETS)
+    assert presets[0].id == "paper"
+    for item in presets:
+        assert item.scenario == PRESETS[item.id].scenario
+
+
+def test_strategies_tell_what_they_read_and_how_they_look(client: httpx.Client) -> None:
+    strategies = [StrategyAnswer.model_validate(item) for item in client.get("/api/v1/strategies").json()]
+    assert [item.id for item in strategies] == list(STRATEGIES)
+    for item in strategies:
+        assert tuple(item.reads) == STRATEGIES[item.id].reads
+        assert re.fullmatch("#[0-9A-F]{6}", item.colour)
+
+
+def test_the_catalogue_is_the_cores(client: httpx.Client) -> None:
+    catalogue = Catalogue.model_validate(client.get("/api/v1/catalogue").json())
+    assert [(item.key, item.unit) for item in catalogue.signals] == [(key, item.unit) for key, item in SIGNALS.items()]
+    assert len(catalogue.paper_signals) == 4
+    assert {item.key for item in catalogue.run_figures} == {"travel_time", "arrival_speed_kmh"}
+
+
+def test_health(client: httpx.Client) -> None:
+    assert client.get("/healthz").json() == {"status": "ok"}
+    assert client.get("/readyz").json() == {"status": "ready", "store": True, "workers": True}
+
+
+def test_large_answers_are_compressed(client: httpx.Client) -> None:
+    assert client.get("/api/v1/schema").headers["content-encoding"] == "gzip"
+    assert "content-encoding" not in client.get("/healthz").headers
+    plain = client.get("/api/v1/schema", headers={"Accept-Encoding": "identity"})
+    assert "content-encoding" not in plain.headers

@@ -1,0 +1,174 @@
+"""Every error is a problem with the security headers, and the service goes on."""
+
+import socket
+from typing import Any
+
+import httpx
+import pytest
+from sqlalchemy.exc import OperationalError
+
+from backend.admission import Admission
+from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
+from backend.models import Problem
+from backend.problems import ProblemError, pointer
+from backend.security import HEADERS
+from sim_core.errors import RidelabError
+from sim_core.scenario import Mpc, Scenario
+from sim_core.workload import estimate
+
+HARD = {"mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100}}
+
+
+def check(response: httpx.Response, status: int, kind: str | None = None) -> Problem:
+    assert response.status_code == status, response.text
+    assert response.headers["content-type"] == "application/problem+json"
+    for name, value in HEADERS.items():
+        assert response.headers[name] == value
+    assert response.headers["cache-control"] == "no-store"
+    problem = Problem.model_validate(response.json())
+    assert problem.status == status
+    assert problem.title
+    assert problem.detail
+    assert problem.type == (f"urn:problem-type:ridelab:{kind}" if kind else "about:blank")
+    return problem
+
+
+def test_unknown_addresses_are_404(client: httpx.Client) -> None:
+    for path in ("/nowhere", "/api/v1", "/api/v1/nothing", "/api/v2/runs", "/assets/none.js", "/docs-assets/none.js"):
+        check(client.get(path), 404)
+    check(client.post("/api/v1/nothing", json={}), 404)
+
+
+def test_a_wrong_method_is_405_and_says_which_are_right(client: httpx.Client) -> None:
+    assert check_allow(client.delete("/api/v1/runs")) == {"POST"}
+    assert check_allow(client.post("/api/v1/schema")) == {"GET"}
+
+
+def check_allow(response: httpx.Response) -> set[str]:
+    check(response, 405)
+    return {method.strip() for method in response.headers["allow"].split(",")}
+
+
+@pytest.mark.parametrize("path", ["/healthz", "/readyz", "/api/v1/schema", "/docs"])
+def test_head_is_get_without_the_body(client: httpx.Client, path: str) -> None:
+    got, head = client.get(path), client.head(path)
+    assert head.status_code == got.status_code == 200
+    assert head.content == b""
+    assert head.headers["content-type"] == got.headers["content-type"]
+
+
+def test_security_headers_are_on_every_good_answer(client: httpx.Client) -> None:
+    for path in ("/healthz", "/readyz", "/api/v1/schema", "/docs", "/openapi.json"):
+        response = client.get(path)
+        for name, value in HEADERS.items():
+            assert response.headers[name] == value
+    policy = HEADERS["Content-Security-Policy"]
+    assert "unsafe-eval" not in policy
+    assert "script-src 'self';" in policy
+
+
+@pytest.mark.parametrize(
+    ("error", "status", "kind", "retry"),
+    [
+        (RuntimeError("secret detail"), 500, None, False),
+        (OperationalError("secret statement", {}, Exception()), 503, "store-unavailable", True),
+        (WorkerLostError(), 503, "worker-lost", True),
+        (WorkersBusyError(), 503, "full", True),
+        (WorkerTimeoutError(), 503, "timeout", False),
+        (RidelabError("Out of reach", field="road.length"), 422, "refused", False),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_what_goes_wrong_inside_tells_nothing_of_the_inside(
+    service: Any, monkeypatch: pytest.MonkeyPatch, error: Exception, status: int, kind: str | None, retry: bool
+) -> None:
+    async def fail(*_: Any) -> None:
+        raise error
+
+    monkeypatch.setattr(service.app.state.runs, "create", fail)
+    response = service.run(["passive"])
+    problem = check(response, status, kind)
+    assert "secret" not in response.text
+    assert ("retry-after" in response.headers) is retry
+    if status == 422:
+        assert [place.pointer for place in problem.errors] == ["/scenario/road/length"]
+    monkeypatch.undo()
+    assert service.run(["passive"]).status_code == 200
+
+
+def test_a_scenario_that_costs_too_much_is_refused_with_limit_and_estimate(service: Any) -> None:
+    scenario = Scenario.model_validate(HARD)
+    cost = sum(estimate(scenario, strategy) for strategy in ("lv", "suspension_only"))
+    for send in (service.run, service.live):
+        problem = check(send(["lv", "suspension_only"], HARD), 422, "cost-limit")
+        assert f"{service.app.state.settings.max_request_cost:g}" in problem.detail
+        assert f"{cost:.3g}" in problem.detail
+        assert [place.pointer for place in problem.errors] == ["/scenario"]
+
+
+def admission(**limits: Any) -> Admission:
+    return Admission(**{"max_request_cost": 30, "max_queued_cost": 120, "max_client_requests": 64, **limits})
+
+
+def test_one_client_with_too_many_open_requests_gets_429() -> None:
+    gate = admission(max_client_requests=2)
+    with gate.computing("a", Scenario(), ["passive"]), gate.computing("a", Scenario(), ["passive"]):
+        with pytest.raises(ProblemError) as refused, gate.computing("a", Scenario(), ["passive"]):
+            pass
+        assert refused.value.status_code == 429
+        assert refused.value.headers == {"Retry-After": "2"}
+        with gate.computing("b", Scenario(), ["passive"]):
+            pass
+    with gate.computing("a", Scenario(), ["passive"]):
+        pass
+
+
+def test_a_full_service_answers_503_and_takes_one_big_request_alone() -> None:
+    big = Scenario(mpc=Mpc(sample_time=0.002))
+    gate = admission(max_queued_cost=estimate(big, "lv") / 2)
+    with gate.computing("a", big, ["lv"]):
+        with pytest.raises(ProblemError) as refused, gate.computing("b", Scenario(), ["passive"]):
+            pass
+        assert refused.value.status_code == 503
+        assert refused.value.headers == {"Retry-After": "2"}
+    with gate.computing("b", Scenario(), ["passive"]):
+        pass
+
+
+def test_the_places_of_a_full_service_come_free_after_an_error() -> None:
+    gate = admission(max_client_requests=1)
+    with pytest.raises(ValueError, match="inside"), gate.computing("a", Scenario(), ["passive"]):
+        raise ValueError("inside")
+    with gate.computing("a", Scenario(), ["passive"]):
+        pass
+
+
+def test_a_json_pointer_is_escaped() -> None:
+    assert pointer(["a/b", "c~d", 0]) == "/a~1b/c~0d/0"
+
+
+def test_a_client_that_goes_away_calls_its_live_request_off(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Somebody drags on: the computation of the old position, still waiting, is not made any more."""
+    import asyncio
+    import threading
+
+    waiting, called_off = threading.Event(), threading.Event()
+
+    async def never(*_: Any) -> Any:
+        waiting.set()
+        try:
+            await asyncio.sleep(30)
+        except asyncio.CancelledError:
+            called_off.set()
+            raise
+
+    monkeypatch.setattr(service.app.state.workers, "call", never)
+    body = b'{"strategies": ["passive"], "scenario": {"road": {"length": 133.3}}}'
+    address = (service.client.base_url.host, service.client.base_url.port)
+    with socket.create_connection(address) as connection:
+        head = f"POST /api/v1/live HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: {len(body)}"
+        connection.sendall(head.encode() + b"\r\n\r\n" + body)
+        assert waiting.wait(10)
+    assert called_off.wait(10)
+    monkeypatch.undo()
+    assert service.live(["passive"], {"road": {"length": 133.3}}).status_code == 200

@@ -1,0 +1,177 @@
+"""Time histories: one content in every format, peaks kept however few the points."""
+
+import base64
+import csv
+import io
+from typing import Any
+
+import httpx
+import numpy as np
+import pyarrow.parquet as parquet
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from backend.models import Series, SeriesOfSeveral
+from backend.series import decimate
+from sim_core.signals import METRIC_SIGNALS, SIGNALS
+
+HEADER = [f"{key} [{quantity.unit}]" for key, quantity in SIGNALS.items()]
+
+
+@pytest.fixture(scope="module")
+def address(run: dict[str, Any]) -> str:
+    return f"/api/v1/runs/{run['id']}/series"
+
+
+def unpack(packed: dict[str, str]) -> np.ndarray:
+    assert packed["dtype"] == "f4"
+    return np.frombuffer(base64.b64decode(packed["bdata"]), dtype="<f4")
+
+
+def table(client: httpx.Client, address: str, **query: Any) -> tuple[list[str], list[list[str]]]:
+    response = client.get(address, params={"format": "csv", **query})
+    assert response.status_code == 200, response.text
+    assert response.headers["content-type"].startswith("text/csv")
+    assert ".csv" in response.headers["content-disposition"]
+    header, *rows = csv.reader(io.StringIO(response.text))
+    return header, rows
+
+
+def test_json_csv_and_parquet_hold_the_same_numbers(client: httpx.Client, address: str) -> None:
+    answer = client.get(address, params={"strategy": "lv"}).json()
+    Series.model_validate(answer)
+    assert answer["strategy"] == "lv"
+    assert list(answer["series"]) == list(SIGNALS)
+    assert answer["units"] == {key: quantity.unit for key, quantity in SIGNALS.items()}
+    numbers = np.array([answer["series"][key] for key in SIGNALS], dtype=np.float32)
+    assert numbers.shape[1] > 5000, "the full resolution"
+    assert np.all(np.diff(numbers[0].astype(float)) > 0)
+
+    header, rows = table(client, address, strategy="lv")
+    assert header == HEADER
+    np.testing.assert_array_equal(np.array(rows, dtype=np.float32).T, numbers)
+
+    response = client.get(address, params={"strategy": "lv", "format": "parquet"})
+    assert response.headers["content-type"] == "application/vnd.apache.parquet"
+    stored = parquet.read_table(io.BytesIO(response.content))
+    assert stored.column_names == HEADER
+    np.testing.assert_array_equal(np.array([column.to_numpy() for column in stored.columns]), numbers)
+    assert stored.schema.field("speed [m/s]").metadata == {b"signal": b"speed", b"unit": b"m/s"}
+
+    answer = client.get(address, params={"strategy": "lv", "encoding": "base64"}).json()
+    np.testing.assert_array_equal(np.array([unpack(answer["series"][key]) for key in SIGNALS]), numbers)
+
+
+def test_parquet_keeps_its_provenance(client: httpx.Client, address: str, run: dict[str, Any]) -> None:
+    content = client.get(address, params={"strategy": "lv", "format": "parquet"}).content
+    metadata = parquet.read_schema(io.BytesIO(content)).metadata
+    assert metadata[b"ridelab.run"].decode() == run["id"]
+    assert metadata[b"ridelab.core_version"].decode() == run["core_version"]
+
+
+def test_chosen_signals_come_with_time_and_position(client: httpx.Client, address: str) -> None:
+    answer = client.get(address, params={"strategy": "lv", "signals": "rear_force,speed"}).json()
+    assert list(answer["series"]) == ["time", "position", "speed", "rear_force"]
+    assert table(client, address, strategy="lv", signals="speed")[0] == ["time [s]", "position [m]", "speed [m/s]"]
+
+
+def test_several_strategies_come_side_by_side_and_in_one_table(client: httpx.Client, address: str) -> None:
+    query = {"strategy": "passive,lv", "points": 100}
+    answer = client.get(address, params=query).json()
+    SeriesOfSeveral.model_validate(answer)
+    assert set(answer) == {"core_version", "units", "strategies"}
+    assert list(answer["strategies"]) == ["lv", "passive"]
+    header, rows = table(client, address, **query)
+    assert header == ["strategy", *HEADER]
+    for name in ("lv", "passive"):
+        mine = np.array([row[1:] for row in rows if row[0] == name], dtype=np.float32).T
+        expected = np.array([answer["strategies"][name][key] for key in SIGNALS], dtype=np.float32)
+        np.testing.assert_array_equal(mine, expected)
+
+
+def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, client: httpx.Client, address: str) -> None:
+    single = service.run(["passive"], {"road": {"length": 132.1}}).json()
+    assert client.get(f"/api/v1/runs/{single['id']}/series?points=50").json()["strategy"] == "passive"
+    refused = client.get(address)
+    assert refused.status_code == 422
+    assert refused.json()["errors"][0]["parameter"] == "strategy"
+    assert "lqr" in refused.json()["detail"]
+
+
+@pytest.mark.parametrize(
+    ("query", "parameter"),
+    [
+        ({"strategy": "lv,teleport"}, "strategy"),
+        ({"strategy": "speed_only"}, "strategy"),
+        ({"strategy": ""}, "strategy"),
+        ({"strategy": "lv", "signals": "speed,colour"}, "signals"),
+        ({"strategy": "lv", "points": "1"}, "points"),
+        ({"strategy": "lv", "points": "many"}, "points"),
+        ({"strategy": "lv", "points": "1000000"}, "points"),
+        ({"strategy": "lv", "format": "xls"}, "format"),
+        ({"strategy": "lv", "encoding": "hex"}, "encoding"),
+    ],
+)
+def test_a_bad_query_names_its_parameter(
+    client: httpx.Client, address: str, query: dict[str, str], parameter: str
+) -> None:
+    response = client.get(address, params=query)
+    assert response.status_code == 422
+    assert [error["parameter"] for error in response.json()["errors"]] == [parameter]
+
+
+@pytest.mark.parametrize("points", [100, 800])
+def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[str, Any], points: int) -> None:
+    """Each window's peak of each signal is still in the few points, as the metrics print it (float32: 1e-6)."""
+    for strategy, entry in run["strategies"].items():
+        query = {"strategy": strategy, "points": points, "encoding": "base64"}
+        series = {key: unpack(value) for key, value in client.get(address, params=query).json()["series"].items()}
+        assert len(series["time"]) < points + 150
+        assert len({len(values) for values in series.values()}) == 1
+        for signal in METRIC_SIGNALS:
+            assert np.abs(series[signal]).max() == pytest.approx(
+                entry["metrics"]["whole"][signal]["peak"], rel=2e-6, abs=1e-9
+            )
+            bump = next(stage for stage in entry["stages"] if stage["stage"] == "bump")
+            inside = (series["time"] >= bump["start_time"] - 1e-3) & (series["time"] <= bump["end_time"] + 1e-3)
+            assert np.abs(series[signal][inside]).max() >= entry["metrics"]["bump"][signal]["peak"] * (1 - 2e-6)
+
+
+def test_live_series_are_those_of_the_stored_run(service: Any, client: httpx.Client, address: str) -> None:
+    scenario = client.get(address.removesuffix("/series")).json()["scenario"]
+    live = service.live(["lv"], scenario, points=300).json()["strategies"]["lv"]["series"]
+    stored = client.get(address, params={"strategy": "lv", "points": 300, "encoding": "base64"}).json()["series"]
+    assert live == stored
+
+
+@given(
+    arrays.arrays(np.float32, st.tuples(st.integers(1, 4), st.integers(2, 400)), elements=st.floats(-1e6, 1e6, width=32)),
+    st.integers(2, 200),
+    st.lists(st.floats(0, 400), max_size=3),
+)
+def test_decimation_keeps_ends_and_extremes(rows: np.ndarray, points: int, breaks: list[float]) -> None:
+    time = np.arange(rows.shape[1], dtype=np.float32)
+    series = np.vstack([time, rows])
+    few = decimate(series, points, breaks)
+    assert few.shape[1] <= max(2, min(series.shape[1], points + 4 + 2 * len(series) * (len(breaks) + 1)))
+    assert np.all(np.diff(few[0]) > 0)
+    kept = few[0].astype(int)
+    np.testing.assert_array_equal(few, series[:, kept])
+    assert (kept[0], kept[-1]) == (0, series.shape[1] - 1)
+    np.testing.assert_array_equal(few.max(axis=1), series.max(axis=1))
+    np.testing.assert_array_equal(few.min(axis=1), series.min(axis=1))
+
+
+def test_decimation_follows_the_curve_better_than_every_nth_sample() -> None:
+    time = np.linspace(0, 10, 10_000, dtype=np.float32)
+    curve = np.sin(2 * np.pi * 1.3 * time) + np.where(np.abs(time - 5.01) < 0.01, 1, 0)
+    series = np.vstack([time, curve]).astype(np.float32)
+
+    def error(indices: np.ndarray) -> float:
+        return float(np.abs(np.interp(time, time[indices], series[1][indices]) - series[1]).max())
+
+    few = decimate(series, 200)
+    mine = np.searchsorted(time, few[0])
+    assert error(mine) < error(np.arange(0, 10_000, 10_000 // few.shape[1])) / 2
