@@ -53,7 +53,7 @@ def track(road: Road, wheelbase: float, drive: Drive, step: float, longest_fine_
     """Sample a drive (control step and longest fine step in s, wheelbase in m)."""
     surface, duration = profile(road), drive.time_at(road.length)
     before = run_in_steps(drive.initial_speed, step)
-    steps = before + ceil(duration / step - 1e-9)
+    steps = before + int(duration / step + 1e-6) + 1  # the last one begins at the road's end or before it
     fine = ceil(step / longest_fine_step - 1e-9)
     h = step / fine
 

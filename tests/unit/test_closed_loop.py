@@ -82,3 +82,16 @@ def test_order_of_runs_does_not_matter() -> None:
         simulate(HARD, strategy)
         simulate(PAPER, strategy)
     assert simulate(PAPER, "lv").summary() == before
+
+
+@pytest.mark.parametrize("strategy", ["lv", "passive"])
+@pytest.mark.parametrize("length", [150.0, 149.99, 112.0, 150.0 / 1.0001])
+def test_every_signal_has_a_sample_at_every_time_up_to_the_end(strategy: str, length: float) -> None:
+    result = simulate(Scenario(road=Road(length=length)), strategy)
+    count = len(result.series["time"])
+    assert {name: len(values) for name, values in result.series.items()} == dict.fromkeys(result.series, count)
+    assert result.series["time"][0] == 0.0
+    assert result.series["position"][0] == pytest.approx(0.0, abs=1e-9)
+    assert length - 0.02 < result.series["position"][-1] <= length + 1e-6
+    assert result.series["time"][-1] <= result.travel_time + 1e-6
+    assert result.stages[-1].end_time == pytest.approx(result.travel_time)
