@@ -36,8 +36,9 @@ def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
 def decimate(series: SeriesArray, points: int | None, breaks: Sequence[float] = ()) -> SeriesArray:
     """About `points` samples of a series, the same ones for all signals, with every peak kept.
 
-    Half of the samples lie evenly; between two of them goes the sample that a straight line misses most (relative to
-    its signal's range). Added is each signal's largest and smallest value between two `breaks`.
+    Half of the samples lie evenly. The other half are those that straight lines between these miss most (relative
+    to the signal's range), at most one in each half of a gap, so that a spike gets its flanks. Added is each
+    signal's largest and smallest value between two `breaks`.
 
     Args:
         series: Shape (signals, samples), its first row the time [s].
@@ -47,17 +48,19 @@ def decimate(series: SeriesArray, points: int | None, breaks: Sequence[float] = 
     count = series.shape[1]
     if points is None or points >= count:
         return series
-    stride = -(-2 * count // points)
-    whole = (count - 1) // stride  # complete strides
-    nodes = np.arange(whole + 1) * stride
+    half = -(-count // points)
+    stride, gaps = 2 * half, (count - 1) // (2 * half)
+    nodes = np.arange(gaps + 1) * stride
     fraction = np.arange(stride, dtype=np.float32) / np.float32(stride)
-    missed = np.zeros((whole, stride), dtype=np.float32)
+    missed = np.zeros((gaps, stride), dtype=np.float32)
     for row in series:  # one at a time: all at once would take several times the series' own memory
         start, step = row[nodes[:-1], None], np.diff(row[nodes])[:, None]
-        away = np.abs(row[: whole * stride].reshape(whole, stride) - (start + step * fraction))
+        away = np.abs(row[: gaps * stride].reshape(gaps, stride) - (start + step * fraction))
         np.maximum(missed, away / (np.ptp(row) or 1), out=missed)
-    worst = missed.argmax(axis=1)
-    keep = np.concatenate([nodes, nodes[:-1] + worst, [count - 1], _extremes(series, breaks)])
+    halves = missed.reshape(2 * gaps, half)
+    worst = np.arange(2 * gaps) * half + halves.argmax(axis=1)
+    most_missed = worst[np.argsort(halves.max(axis=1))[gaps:]]
+    keep = np.concatenate([nodes, most_missed, [count - 1], _extremes(series, breaks)])
     return np.take(series, np.unique(keep), axis=1)
 
 

@@ -21,7 +21,7 @@ class StrictRequest(Request):
         if not hasattr(self, "_body"):
             limit: int = self.app.state.settings.max_body_bytes
             announced = self.headers.get("content-length", "")
-            if announced.isdecimal() and int(announced) > limit:
+            if announced.isdecimal() and (len(announced) > 12 or int(announced) > limit):
                 raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
             pieces = bytearray()
             async for piece in self.stream():
