@@ -1,0 +1,131 @@
+/** Every HTTP call of the page. */
+
+import { connection } from "./connection";
+import { decodeSeries } from "./decode";
+import { ApiProblem, Unreachable, isAbort, readProblem } from "./problem";
+import type {
+  Catalogue,
+  EncodedSeries,
+  FigureTemplate,
+  JsonObject,
+  LiveAnswer,
+  Preset,
+  Run,
+  Scenario,
+  SeriesByStrategy,
+  Strategy,
+  StrategyId,
+} from "./types";
+
+const BASE = "/api/v1";
+
+async function request(path: string, init: RequestInit): Promise<unknown> {
+  let response: Response;
+  try {
+    response = await fetch(path, init);
+  } catch (error) {
+    if (isAbort(error)) throw error;
+    connection.lost("down");
+    throw new Unreachable();
+  }
+  const text = await readText(response);
+  const body = parse(text);
+  if (!response.ok) {
+    const problem = readProblem(response.status, body, response.headers.get("retry-after"));
+    if (problem.status === 502 || problem.status === 504) connection.lost("down");
+    else if (problem.status === 503 || problem.status === 429) connection.lost("busy");
+    throw problem;
+  }
+  if (body === undefined) throw new ApiProblem(502, "The server's answer could not be read", []);
+  connection.ok();
+  return body;
+}
+
+async function readText(response: Response): Promise<string> {
+  try {
+    return await response.text();
+  } catch (error) {
+    if (isAbort(error)) throw error;
+    connection.lost("down");
+    throw new Unreachable();
+  }
+}
+
+function parse(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+// The one place where an answer gets its type: the contract is the backend's, checked there against its OpenAPI.
+async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
+  return (await request(BASE + path, signal ? { signal } : {})) as T;
+}
+
+async function post<T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> {
+  const init: RequestInit = {
+    method: "POST",
+    headers: { "content-type": "application/json" },
+    body: JSON.stringify(body),
+    ...(signal ? { signal } : {}),
+  };
+  return (await request(BASE + path, init)) as T;
+}
+
+export interface LiveWish {
+  readonly scenario: Scenario;
+  readonly strategies: readonly StrategyId[];
+  readonly signals: readonly string[];
+  readonly points: number;
+}
+
+interface SeriesAnswer {
+  readonly strategy?: StrategyId;
+  readonly series?: EncodedSeries;
+  readonly strategies?: Readonly<Record<StrategyId, EncodedSeries>>;
+}
+
+export const api = {
+  schema: (signal?: AbortSignal) => get<JsonObject>("/schema", signal),
+  presets: (signal?: AbortSignal) => get<readonly Preset[]>("/presets", signal),
+  strategies: (signal?: AbortSignal) => get<readonly Strategy[]>("/strategies", signal),
+  catalogue: (signal?: AbortSignal) => get<Catalogue>("/catalogue", signal),
+  figures: async (signal?: AbortSignal) =>
+    (await get<{ readonly figures: Readonly<Record<string, FigureTemplate>> }>("/figures", signal)).figures,
+
+  createRun: (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal) =>
+    post<Run>("/runs", { scenario, strategies }, signal),
+  run: (id: string, signal?: AbortSignal) => get<Run>(`/runs/${encodeURIComponent(id)}`, signal),
+
+  live: (wish: LiveWish, signal?: AbortSignal) => post<LiveAnswer>("/live", wish, signal),
+
+  series: async (
+    id: string,
+    strategies: readonly StrategyId[],
+    points: number,
+    signal?: AbortSignal,
+  ): Promise<SeriesByStrategy> => {
+    const query = new URLSearchParams({ strategy: strategies.join(","), points: String(points), encoding: "base64" });
+    const answer = await get<SeriesAnswer>(`/runs/${encodeURIComponent(id)}/series?${query}`, signal);
+    const encoded = answer.strategies ?? (answer.strategy && answer.series ? { [answer.strategy]: answer.series } : {});
+    return Object.fromEntries(Object.entries(encoded).map(([name, series]) => [name, decodeSeries(series)]));
+  },
+
+  seriesAddress: (id: string, strategy: StrategyId, format: "csv" | "parquet") =>
+    `${BASE}/runs/${encodeURIComponent(id)}/series?${new URLSearchParams({ strategy, format })}`,
+};
+
+export type Readiness = "ready" | "starting" | "down";
+
+/** Asks whether the server can work; never throws. */
+export async function probe(signal: AbortSignal): Promise<Readiness> {
+  try {
+    const response = await fetch("/readyz", { signal, cache: "no-store" });
+    if (response.ok) return "ready";
+    return response.status === 503 ? "starting" : "down";
+  } catch {
+    return "down";
+  }
+}

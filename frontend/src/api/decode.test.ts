@@ -1,0 +1,25 @@
+import { describe, expect, it } from "vitest";
+import { decodeArray, decodeSeries } from "./decode";
+
+const encode = (array: Float32Array | Float64Array) =>
+  btoa(String.fromCharCode(...new Uint8Array(array.buffer, array.byteOffset, array.byteLength)));
+
+describe("typed arrays", () => {
+  it("come back bit by bit from float32", () => {
+    const values = new Float32Array([0, -1.5, 3.25e-7, 8582.5]);
+    expect(decodeArray({ dtype: "f4", bdata: encode(values) })).toEqual(values);
+  });
+
+  it("are narrowed from float64", () => {
+    expect(decodeArray({ dtype: "f8", bdata: encode(new Float64Array([0.5, -2])) })).toEqual(new Float32Array([0.5, -2]));
+  });
+
+  it("refuse a type nobody agreed on", () => {
+    expect(() => decodeArray({ dtype: "i2", bdata: "" })).toThrow("i2");
+  });
+
+  it("are decoded signal by signal", () => {
+    const one = new Float32Array([1]);
+    expect(decodeSeries({ time: { dtype: "f4", bdata: encode(one) } })).toEqual({ time: one });
+  });
+});

@@ -1,0 +1,2265 @@
+// Generated from the backend's OpenAPI by `npm run api`; do not edit.
+
+export interface paths {
+    "/api/v1/catalogue": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Catalogue
+         * @description Signals, windows, statistics, stages, comfort, events, references: keys, labels and units.
+         */
+        get: operations["getCatalogue"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/figures": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Figures
+         * @description Figure templates in the order of display: layout, and a trace without data for each strategy.
+         */
+        get: operations["getFigures"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/live": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Live
+         * @description Figures and decimated time histories while somebody drags; nothing is stored.
+         */
+        post: operations["live"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/presets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Presets
+         * @description Named scenarios; the paper's first.
+         */
+        get: operations["getPresets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/runs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Run
+         * @description Run what is not stored yet; the answer comes after the commit.
+         */
+        post: operations["createRun"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/runs/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Run
+         * @description A stored run; it never changes.
+         */
+        get: operations["getRun"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/runs/{id}/figures": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Run Figures
+         * @description Every figure with this run's data.
+         */
+        get: operations["getRunFigures"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/runs/{id}/figures/{name}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Run Figure
+         * @description One figure with this run's data.
+         */
+        get: operations["getRunFigure"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/runs/{id}/series": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Series
+         * @description Time histories in SI units; time and position always come along.
+         */
+        get: operations["getSeries"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/schema": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Schema
+         * @description JSON Schema of the scenario: title, description, unit, default, hard limits and soft_range of each field.
+         */
+        get: operations["getSchema"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/strategies": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Strategies
+         * @description Every strategy: what it does, what it reads, how it is drawn.
+         */
+        get: operations["getStrategies"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/healthz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Healthz
+         * @description The process answers.
+         */
+        get: operations["getHealth"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/readyz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Readyz
+         * @description The store answers and a warm worker is there.
+         */
+        get: operations["getReadiness"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+}
+export type webhooks = Record<string, never>;
+export interface components {
+    schemas: {
+        /**
+         * Actuator
+         * @description Suspension actuators; ideal by default, as in the paper.
+         */
+        Actuator: {
+            /**
+             * Bandwidth
+             * @description First-order lag between command and force, typically 10 Hz; none is ideal.
+             */
+            bandwidth?: number | null;
+            /**
+             * Force rate limit
+             * @description Greatest change of the commanded force; none is unlimited.
+             */
+            rate_limit?: number | null;
+        };
+        /**
+         * Brake
+         * @description Brake chain and driving resistances (Eq. 4-6); the paper gives no values: typical ones, ours.
+         */
+        Brake: {
+            /**
+             * Brakes
+             * @description How many share the torque; one per axle of the half-car.
+             * @default 2
+             */
+            brakes: number;
+            /**
+             * Drag area
+             * @description Air drag coefficient times frontal area, c_d A.
+             * @default 0.65
+             */
+            drag_area: number;
+            /**
+             * Effective disc radius
+             * @description Friction radius r_b.
+             * @default 0.13
+             */
+            effective_radius: number;
+            /**
+             * Pad friction
+             * @description Coefficient µ; brake factor k = 2 µ.
+             * @default 0.38
+             */
+            friction_coefficient: number;
+            /**
+             * Greatest deceleration
+             * @description Top of the fuzzy controller's torque universe.
+             * @default 4
+             */
+            maximum_deceleration: number;
+            /**
+             * Piston area
+             * @description Contact area A of one brake.
+             * @default 0.0025
+             */
+            piston_area: number;
+            /**
+             * Pressure lag
+             * @description Time constant of the line pressure.
+             * @default 0.1
+             */
+            pressure_lag: number;
+            /**
+             * Rolling resistance
+             * @description Coefficient f_r.
+             * @default 0.012
+             */
+            rolling_resistance: number;
+            /**
+             * Threshold speed
+             * @description Sliding speed v_d of the smoothed friction.
+             * @default 0.1
+             */
+            threshold_speed: number;
+            /**
+             * Wheel radius
+             * @description Rolling radius.
+             * @default 0.3
+             */
+            wheel_radius: number;
+        };
+        /**
+         * Bump
+         * @description The obstacle, added to the roughness (Eq. 2-3).
+         */
+        Bump: {
+            /**
+             * Height
+             * @description Crest height; 0 is no bump, negative a pothole.
+             * @default 0.1
+             */
+            height: number;
+            /**
+             * Shape
+             * @description cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, trapezoid straight ones, each a quarter of the width.
+             * @default cosine
+             * @enum {string}
+             */
+            shape: "cosine" | "half_sine" | "circular" | "flat_top" | "trapezoid";
+            /**
+             * Position
+             * @description Where the front axle meets it.
+             * @default 100
+             */
+            start: number;
+            /**
+             * Width
+             * @description Length along the road.
+             * @default 4
+             */
+            width: number;
+        };
+        /**
+         * CachedFailure
+         * @description The same, with where it came from.
+         */
+        CachedFailure: {
+            /** Cached */
+            cached: boolean;
+            /** Compute Ms */
+            compute_ms: number;
+            /** Reason */
+            reason: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "failed";
+        };
+        /**
+         * CachedResult
+         * @description The same, with where it came from.
+         */
+        CachedResult: {
+            /**
+             * Arrival Speed Kmh
+             * @description [km/h]
+             */
+            arrival_speed_kmh: number;
+            /**
+             * Cached
+             * @description Taken from store or memory, or from an equal request under way: not computed for this one
+             */
+            cached: boolean;
+            /**
+             * Comfort
+             * @description Catalogue: comfort
+             */
+            comfort: {
+                [key: string]: number;
+            };
+            /**
+             * Compute Ms
+             * @description The worker's own time [ms]; work shared between strategies counts once
+             */
+            compute_ms: number;
+            /**
+             * Events
+             * @description Catalogue: events
+             */
+            events: {
+                [key: string]: boolean | number | null;
+            };
+            /**
+             * Metrics
+             * @description By window (catalogue: windows)
+             */
+            metrics: {
+                [key: string]: {
+                    [key: string]: components["schemas"]["Statistics"];
+                };
+            };
+            /**
+             * Reference
+             * @description Lines a plot draws; catalogue: references
+             */
+            reference: {
+                [key: string]: number | null;
+            };
+            /** Stages */
+            stages: components["schemas"]["Stage"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "ok";
+            /**
+             * Travel Time
+             * @description [s]
+             */
+            travel_time: number;
+        };
+        /**
+         * Catalogue
+         * @description Everything that has a name and a unit.
+         */
+        Catalogue: {
+            /** Comfort */
+            comfort: components["schemas"]["QuantityAnswer"][];
+            /** Events */
+            events: components["schemas"]["QuantityAnswer"][];
+            /** Metric Signals */
+            metric_signals: string[];
+            /** Paper Signals */
+            paper_signals: string[];
+            /** References */
+            references: components["schemas"]["QuantityAnswer"][];
+            /** Run Figures */
+            run_figures: components["schemas"]["QuantityAnswer"][];
+            /** Signals */
+            signals: components["schemas"]["QuantityAnswer"][];
+            /** Stages */
+            stages: components["schemas"]["QuantityAnswer"][];
+            /** Statistics */
+            statistics: components["schemas"]["QuantityAnswer"][];
+            /** Windows */
+            windows: components["schemas"]["QuantityAnswer"][];
+        };
+        /**
+         * CreatedRun
+         * @description A run as the request that made it sees it.
+         */
+        CreatedRun: {
+            /** Core Version */
+            core_version: string;
+            /** Id */
+            id: string;
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Strategies
+             * @description By strategy
+             */
+            strategies: {
+                [key: string]: components["schemas"]["CachedResult"] | components["schemas"]["CachedFailure"];
+            };
+        };
+        /**
+         * Figures
+         * @description Plotly figures by name, in the order of display.
+         */
+        Figures: {
+            /** Figures */
+            figures: {
+                [key: string]: {
+                    [key: string]: unknown;
+                };
+            };
+        };
+        /**
+         * Health
+         * @description Liveness.
+         */
+        Health: {
+            /**
+             * Status
+             * @constant
+             */
+            status: "ok";
+        };
+        /**
+         * LiveRequest
+         * @description What to run while somebody drags: nothing is stored, the time histories come along.
+         */
+        LiveRequest: {
+            /**
+             * Points
+             * @description About how many samples; peaks survive.
+             * @default 800
+             */
+            points: number;
+            /**
+             * @default {
+             *       "vehicle": {
+             *         "body_mass": 1270,
+             *         "cg_height": 0.54,
+             *         "cg_to_front": 1.015,
+             *         "cg_to_rear": 1.895,
+             *         "front_damping": 6000,
+             *         "front_spring": 27000,
+             *         "front_tyre_stiffness": 268000,
+             *         "front_wheel_mass": 66.3,
+             *         "pitch_inertia": 1536.7,
+             *         "rear_damping": 6000,
+             *         "rear_spring": 30000,
+             *         "rear_tyre_stiffness": 268000,
+             *         "rear_wheel_mass": 66.3
+             *       },
+             *       "road": {
+             *         "bump": {
+             *           "height": 0.1,
+             *           "shape": "cosine",
+             *           "start": 100,
+             *           "width": 4
+             *         },
+             *         "length": 150,
+             *         "roughness": 0.000064,
+             *         "seed": 1
+             *       },
+             *       "speed": {
+             *         "controller": "guarded",
+             *         "detection_distance": 80,
+             *         "initial_speed_kmh": 50,
+             *         "target_speed_kmh": 22.5
+             *       },
+             *       "brake": {
+             *         "brakes": 2,
+             *         "drag_area": 0.65,
+             *         "effective_radius": 0.13,
+             *         "friction_coefficient": 0.38,
+             *         "maximum_deceleration": 4,
+             *         "piston_area": 0.0025,
+             *         "pressure_lag": 0.1,
+             *         "rolling_resistance": 0.012,
+             *         "threshold_speed": 0.1,
+             *         "wheel_radius": 0.3
+             *       },
+             *       "actuator": {},
+             *       "mpc": {
+             *         "control_horizon": 20,
+             *         "deflection_limit": 0.08,
+             *         "deflection_weight": 3,
+             *         "force_change_weight": 1e-10,
+             *         "force_limit": 5000,
+             *         "force_weight": 1e-9,
+             *         "prediction_horizon": 30,
+             *         "preview": "lookahead",
+             *         "road_weights": {
+             *           "bump": [
+             *             3,
+             *             1,
+             *             6
+             *           ],
+             *           "rough": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         },
+             *         "sample_time": 0.01,
+             *         "solver": "daqp",
+             *         "stage_weights": {
+             *           "brake": [
+             *             2,
+             *             6,
+             *             1
+             *           ],
+             *           "bump": [
+             *             1,
+             *             1,
+             *             6
+             *           ],
+             *           "cruise": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         }
+             *       },
+             *       "lqr": {
+             *         "deflection_weight": 3,
+             *         "weights": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       }
+             *     }
+             */
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Signals
+             * @description Time and position always come; none is all.
+             */
+            signals?: ("time" | "position" | "speed" | "front_road" | "rear_road" | "brake_pressure" | "brake_deceleration" | "body_acceleration" | "pitch_acceleration" | "front_tyre_load" | "rear_tyre_load" | "front_deflection" | "rear_deflection" | "front_force" | "rear_force")[] | null;
+            /** Strategies */
+            strategies: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+        };
+        /**
+         * LiveResult
+         * @description Figures and decimated time histories.
+         */
+        LiveResult: {
+            /**
+             * Arrival Speed Kmh
+             * @description [km/h]
+             */
+            arrival_speed_kmh: number;
+            /**
+             * Cached
+             * @description Taken from store or memory, or from an equal request under way: not computed for this one
+             */
+            cached: boolean;
+            /**
+             * Comfort
+             * @description Catalogue: comfort
+             */
+            comfort: {
+                [key: string]: number;
+            };
+            /**
+             * Compute Ms
+             * @description The worker's own time [ms]; work shared between strategies counts once
+             */
+            compute_ms: number;
+            /**
+             * Events
+             * @description Catalogue: events
+             */
+            events: {
+                [key: string]: boolean | number | null;
+            };
+            /**
+             * Metrics
+             * @description By window (catalogue: windows)
+             */
+            metrics: {
+                [key: string]: {
+                    [key: string]: components["schemas"]["Statistics"];
+                };
+            };
+            /**
+             * Reference
+             * @description Lines a plot draws; catalogue: references
+             */
+            reference: {
+                [key: string]: number | null;
+            };
+            /**
+             * Series
+             * @description The same samples for every signal; SI units
+             */
+            series: {
+                [key: string]: components["schemas"]["TypedArray"];
+            };
+            /** Stages */
+            stages: components["schemas"]["Stage"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "ok";
+            /**
+             * Travel Time
+             * @description [s]
+             */
+            travel_time: number;
+        };
+        /**
+         * LiveRun
+         * @description A run that is not stored.
+         */
+        LiveRun: {
+            /** Core Version */
+            core_version: string;
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Strategies
+             * @description By strategy
+             */
+            strategies: {
+                [key: string]: components["schemas"]["LiveResult"] | components["schemas"]["CachedFailure"];
+            };
+        };
+        /**
+         * Lqr
+         * @description Linear quadratic regulator (section 4.2.2: equal weights).
+         */
+        Lqr: {
+            /**
+             * Travel weight
+             * @description q4 (ours); 0 is the paper's literal cost.
+             * @default 3
+             */
+            deflection_weight: number;
+            /**
+             * Weights
+             * @description Equal, as in the paper.
+             * @default [
+             *       1,
+             *       1,
+             *       1
+             *     ]
+             */
+            weights: [
+                number,
+                number,
+                number
+            ];
+        };
+        /**
+         * Mpc
+         * @description Model predictive suspension control (Eq. 8-15, section 3.2.2).
+         */
+        Mpc: {
+            /**
+             * Control horizon
+             * @description Nc, moves; at most Np.
+             * @default 20
+             */
+            control_horizon: number;
+            /**
+             * Travel limit
+             * @description Suspension deflection limit, soft (ours).
+             * @default 0.08
+             */
+            deflection_limit: number;
+            /**
+             * Travel weight
+             * @description q4 (ours); 0 is the paper's literal cost.
+             * @default 3
+             */
+            deflection_weight: number;
+            /**
+             * Force change weight
+             * @description On the moves of the force (ours).
+             * @default 1e-10
+             */
+            force_change_weight: number;
+            /**
+             * Force limit
+             * @description Actuator limit, hard (ours); LQR has it too.
+             * @default 5000
+             */
+            force_limit: number;
+            /**
+             * Force weight
+             * @description R, keeps the cost strictly convex (ours).
+             * @default 1e-9
+             */
+            force_weight: number;
+            /**
+             * Prediction horizon
+             * @description Np, in steps.
+             * @default 30
+             */
+            prediction_horizon: number;
+            /**
+             * Preview
+             * @description What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the sensors see (lookahead).
+             * @default lookahead
+             * @enum {string}
+             */
+            preview: "none" | "wheelbase" | "lookahead";
+            /**
+             * Single suspension control's weights per road
+             * @default {
+             *       "rough": [
+             *         8,
+             *         1,
+             *         1
+             *       ],
+             *       "bump": [
+             *         3,
+             *         1,
+             *         6
+             *       ]
+             *     }
+             */
+            road_weights: components["schemas"]["RoadWeights"];
+            /**
+             * Sample time
+             * @description Control interval Ts (ours).
+             * @default 0.01
+             */
+            sample_time: number;
+            /**
+             * QP solver
+             * @description Used where a limit binds; the other is the fallback.
+             * @default daqp
+             * @enum {string}
+             */
+            solver: "daqp" | "osqp";
+            /**
+             * LV weights per driving stage
+             * @default {
+             *       "cruise": [
+             *         8,
+             *         1,
+             *         1
+             *       ],
+             *       "brake": [
+             *         2,
+             *         6,
+             *         1
+             *       ],
+             *       "bump": [
+             *         1,
+             *         1,
+             *         6
+             *       ]
+             *     }
+             */
+            stage_weights: components["schemas"]["StageWeights"];
+        };
+        /**
+         * PresetAnswer
+         * @description A named scenario.
+         */
+        PresetAnswer: {
+            /** Description */
+            description: string;
+            /** Id */
+            id: string;
+            /** Label */
+            label: string;
+            scenario: components["schemas"]["Scenario"];
+        };
+        /**
+         * Problem
+         * @description RFC 9457.
+         */
+        Problem: {
+            /** Detail */
+            detail: string;
+            /** Errors */
+            errors: components["schemas"]["ProblemPlace"][];
+            /** Status */
+            status: number;
+            /** Title */
+            title: string;
+            /** Type */
+            type: string;
+        };
+        /**
+         * ProblemPlace
+         * @description One value that cannot be used: a JSON pointer into the body, or a query parameter's name.
+         */
+        ProblemPlace: {
+            /** Message */
+            message: string;
+            /** Parameter */
+            parameter: string | null;
+            /** Pointer */
+            pointer: string;
+        };
+        /**
+         * QuantityAnswer
+         * @description One named quantity; unit `1` for none.
+         */
+        QuantityAnswer: {
+            /** Description */
+            description: string;
+            /** Key */
+            key: string;
+            /** Label */
+            label: string;
+            /** Symbol */
+            symbol: string;
+            /** Unit */
+            unit: string;
+        };
+        /**
+         * Readiness
+         * @description Readiness, part by part.
+         */
+        Readiness: {
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "ready" | "starting";
+            /** Store */
+            store: boolean;
+            /** Workers */
+            workers: boolean;
+        };
+        /**
+         * Road
+         * @description Rough road made in space by ISO 8608, with one bump (section 2.1).
+         */
+        Road: {
+            /**
+             * @default {
+             *       "shape": "cosine",
+             *       "height": 0.1,
+             *       "width": 4,
+             *       "start": 100
+             *     }
+             */
+            bump: components["schemas"]["Bump"];
+            /**
+             * Length
+             * @description The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle.
+             * @default 150
+             */
+            length: number;
+            /**
+             * Roughness
+             * @description Displacement PSD Gd(n0) at n0 = 0.1 1/m; class means A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.
+             * @default 0.000064
+             */
+            roughness: number;
+            /**
+             * Seed
+             * @description Same seed, same road.
+             * @default 1
+             */
+            seed: number;
+        };
+        /**
+         * RoadWeights
+         * @description Single suspension control's weights per road (Table 3).
+         */
+        RoadWeights: {
+            /**
+             * Bump
+             * @description Bumpy pavement.
+             * @default [
+             *       3,
+             *       1,
+             *       6
+             *     ]
+             */
+            bump: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Rough road
+             * @description Class B pavement.
+             * @default [
+             *       8,
+             *       1,
+             *       1
+             *     ]
+             */
+            rough: [
+                number,
+                number,
+                number
+            ];
+        };
+        /**
+         * Run
+         * @description A stored run; it never changes.
+         */
+        Run: {
+            /** Core Version */
+            core_version: string;
+            /** Id */
+            id: string;
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Strategies
+             * @description By strategy
+             */
+            strategies: {
+                [key: string]: components["schemas"]["StrategyResult"] | components["schemas"]["StrategyFailure"];
+            };
+        };
+        /**
+         * RunRequest
+         * @description What to run; an omitted part of the scenario takes the paper's default.
+         */
+        RunRequest: {
+            /**
+             * @default {
+             *       "vehicle": {
+             *         "body_mass": 1270,
+             *         "cg_height": 0.54,
+             *         "cg_to_front": 1.015,
+             *         "cg_to_rear": 1.895,
+             *         "front_damping": 6000,
+             *         "front_spring": 27000,
+             *         "front_tyre_stiffness": 268000,
+             *         "front_wheel_mass": 66.3,
+             *         "pitch_inertia": 1536.7,
+             *         "rear_damping": 6000,
+             *         "rear_spring": 30000,
+             *         "rear_tyre_stiffness": 268000,
+             *         "rear_wheel_mass": 66.3
+             *       },
+             *       "road": {
+             *         "bump": {
+             *           "height": 0.1,
+             *           "shape": "cosine",
+             *           "start": 100,
+             *           "width": 4
+             *         },
+             *         "length": 150,
+             *         "roughness": 0.000064,
+             *         "seed": 1
+             *       },
+             *       "speed": {
+             *         "controller": "guarded",
+             *         "detection_distance": 80,
+             *         "initial_speed_kmh": 50,
+             *         "target_speed_kmh": 22.5
+             *       },
+             *       "brake": {
+             *         "brakes": 2,
+             *         "drag_area": 0.65,
+             *         "effective_radius": 0.13,
+             *         "friction_coefficient": 0.38,
+             *         "maximum_deceleration": 4,
+             *         "piston_area": 0.0025,
+             *         "pressure_lag": 0.1,
+             *         "rolling_resistance": 0.012,
+             *         "threshold_speed": 0.1,
+             *         "wheel_radius": 0.3
+             *       },
+             *       "actuator": {},
+             *       "mpc": {
+             *         "control_horizon": 20,
+             *         "deflection_limit": 0.08,
+             *         "deflection_weight": 3,
+             *         "force_change_weight": 1e-10,
+             *         "force_limit": 5000,
+             *         "force_weight": 1e-9,
+             *         "prediction_horizon": 30,
+             *         "preview": "lookahead",
+             *         "road_weights": {
+             *           "bump": [
+             *             3,
+             *             1,
+             *             6
+             *           ],
+             *           "rough": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         },
+             *         "sample_time": 0.01,
+             *         "solver": "daqp",
+             *         "stage_weights": {
+             *           "brake": [
+             *             2,
+             *             6,
+             *             1
+             *           ],
+             *           "bump": [
+             *             1,
+             *             1,
+             *             6
+             *           ],
+             *           "cruise": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         }
+             *       },
+             *       "lqr": {
+             *         "deflection_weight": 3,
+             *         "weights": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       }
+             *     }
+             */
+            scenario: components["schemas"]["Scenario"];
+            /** Strategies */
+            strategies: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+        };
+        /**
+         * Scenario
+         * @description Everything a run depends on; an omitted part or field takes the paper's default.
+         */
+        Scenario: {
+            /** @default {} */
+            actuator: components["schemas"]["Actuator"];
+            /**
+             * @default {
+             *       "friction_coefficient": 0.38,
+             *       "effective_radius": 0.13,
+             *       "piston_area": 0.0025,
+             *       "brakes": 2,
+             *       "threshold_speed": 0.1,
+             *       "pressure_lag": 0.1,
+             *       "wheel_radius": 0.3,
+             *       "maximum_deceleration": 4,
+             *       "rolling_resistance": 0.012,
+             *       "drag_area": 0.65
+             *     }
+             */
+            brake: components["schemas"]["Brake"];
+            /**
+             * LQR
+             * @default {
+             *       "weights": [
+             *         1,
+             *         1,
+             *         1
+             *       ],
+             *       "deflection_weight": 3
+             *     }
+             */
+            lqr: components["schemas"]["Lqr"];
+            /**
+             * MPC
+             * @default {
+             *       "sample_time": 0.01,
+             *       "prediction_horizon": 30,
+             *       "control_horizon": 20,
+             *       "preview": "lookahead",
+             *       "deflection_limit": 0.08,
+             *       "force_limit": 5000,
+             *       "deflection_weight": 3,
+             *       "force_weight": 1e-9,
+             *       "force_change_weight": 1e-10,
+             *       "solver": "daqp",
+             *       "stage_weights": {
+             *         "brake": [
+             *           2,
+             *           6,
+             *           1
+             *         ],
+             *         "bump": [
+             *           1,
+             *           1,
+             *           6
+             *         ],
+             *         "cruise": [
+             *           8,
+             *           1,
+             *           1
+             *         ]
+             *       },
+             *       "road_weights": {
+             *         "bump": [
+             *           3,
+             *           1,
+             *           6
+             *         ],
+             *         "rough": [
+             *           8,
+             *           1,
+             *           1
+             *         ]
+             *       }
+             *     }
+             */
+            mpc: components["schemas"]["Mpc"];
+            /**
+             * @default {
+             *       "roughness": 0.000064,
+             *       "seed": 1,
+             *       "length": 150,
+             *       "bump": {
+             *         "height": 0.1,
+             *         "shape": "cosine",
+             *         "start": 100,
+             *         "width": 4
+             *       }
+             *     }
+             */
+            road: components["schemas"]["Road"];
+            /**
+             * @default {
+             *       "initial_speed_kmh": 50,
+             *       "target_speed_kmh": 22.5,
+             *       "detection_distance": 80,
+             *       "controller": "guarded"
+             *     }
+             */
+            speed: components["schemas"]["Speed"];
+            /**
+             * @default {
+             *       "body_mass": 1270,
+             *       "pitch_inertia": 1536.7,
+             *       "front_wheel_mass": 66.3,
+             *       "rear_wheel_mass": 66.3,
+             *       "cg_to_front": 1.015,
+             *       "cg_to_rear": 1.895,
+             *       "cg_height": 0.54,
+             *       "front_spring": 27000,
+             *       "rear_spring": 30000,
+             *       "front_damping": 6000,
+             *       "rear_damping": 6000,
+             *       "front_tyre_stiffness": 268000,
+             *       "rear_tyre_stiffness": 268000
+             *     }
+             */
+            vehicle: components["schemas"]["Vehicle"];
+        };
+        /**
+         * Series
+         * @description Time histories of one strategy.
+         */
+        Series: {
+            /** Core Version */
+            core_version: string;
+            /**
+             * Series
+             * @description Lists, or typed arrays with encoding=base64
+             */
+            series: {
+                [key: string]: (number | null)[] | components["schemas"]["TypedArray"];
+            };
+            /** Strategy */
+            strategy: string;
+            /** Units */
+            units: {
+                [key: string]: string;
+            };
+        };
+        /**
+         * SeriesOfSeveral
+         * @description Time histories of several strategies.
+         */
+        SeriesOfSeveral: {
+            /** Core Version */
+            core_version: string;
+            /** Strategies */
+            strategies: {
+                [key: string]: {
+                    [key: string]: (number | null)[] | components["schemas"]["TypedArray"];
+                };
+            };
+            /** Units */
+            units: {
+                [key: string]: string;
+            };
+        };
+        /**
+         * Speed
+         * @description Speeds and when braking begins (section 3.1).
+         */
+        Speed: {
+            /**
+             * Speed controller
+             * @description fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which changes nothing on the paper's scenario.
+             * @default guarded
+             * @enum {string}
+             */
+            controller: "guarded" | "fuzzy";
+            /**
+             * Detection distance
+             * @description How far ahead the bump is seen and braking begins.
+             * @default 80
+             */
+            detection_distance: number;
+            /**
+             * Initial speed
+             * @description Held until the bump is detected.
+             * @default 50
+             */
+            initial_speed_kmh: number;
+            /**
+             * Target speed
+             * @description Aimed at for the bump; the paper's 20 to 25 km/h.
+             * @default 22.5
+             */
+            target_speed_kmh: number;
+        };
+        /**
+         * Stage
+         * @description One driving stage, by the front axle.
+         */
+        Stage: {
+            /**
+             * End Position
+             * @description [m]
+             */
+            end_position: number;
+            /**
+             * End Time
+             * @description [s]
+             */
+            end_time: number;
+            /**
+             * Stage
+             * @enum {string}
+             */
+            stage: "cruise" | "brake" | "bump";
+            /**
+             * Start Position
+             * @description [m]
+             */
+            start_position: number;
+            /**
+             * Start Time
+             * @description [s]
+             */
+            start_time: number;
+        };
+        /**
+         * StageWeights
+         * @description LV control's weights per driving stage (Table 6).
+         */
+        StageWeights: {
+            /**
+             * Brake
+             * @description Braking: pitch first.
+             * @default [
+             *       2,
+             *       6,
+             *       1
+             *     ]
+             */
+            brake: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Bump
+             * @description On the bump: tyre load first.
+             * @default [
+             *       1,
+             *       1,
+             *       6
+             *     ]
+             */
+            bump: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Cruise
+             * @description Uniform speed: comfort first.
+             * @default [
+             *       8,
+             *       1,
+             *       1
+             *     ]
+             */
+            cruise: [
+                number,
+                number,
+                number
+            ];
+        };
+        /**
+         * Statistics
+         * @description One signal in one window.
+         */
+        Statistics: {
+            /** Peak */
+            peak: number;
+            /** Rms */
+            rms: number;
+        };
+        /**
+         * StrategyAnswer
+         * @description A strategy: what it does, which parts of the scenario it reads, how it is drawn.
+         */
+        StrategyAnswer: {
+            /** Colour */
+            colour: string;
+            /** Dash */
+            dash: string;
+            /** Description */
+            description: string;
+            /** Id */
+            id: string;
+            /** Label */
+            label: string;
+            /** Reads */
+            reads: string[];
+        };
+        /**
+         * StrategyFailure
+         * @description A strategy the core refuses for this scenario, and why.
+         */
+        StrategyFailure: {
+            /** Compute Ms */
+            compute_ms: number;
+            /** Reason */
+            reason: string;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "failed";
+        };
+        /**
+         * StrategyResult
+         * @description One strategy's figures over the scenario.
+         */
+        StrategyResult: {
+            /**
+             * Arrival Speed Kmh
+             * @description [km/h]
+             */
+            arrival_speed_kmh: number;
+            /**
+             * Comfort
+             * @description Catalogue: comfort
+             */
+            comfort: {
+                [key: string]: number;
+            };
+            /**
+             * Compute Ms
+             * @description The worker's own time [ms]; work shared between strategies counts once
+             */
+            compute_ms: number;
+            /**
+             * Events
+             * @description Catalogue: events
+             */
+            events: {
+                [key: string]: boolean | number | null;
+            };
+            /**
+             * Metrics
+             * @description By window (catalogue: windows)
+             */
+            metrics: {
+                [key: string]: {
+                    [key: string]: components["schemas"]["Statistics"];
+                };
+            };
+            /**
+             * Reference
+             * @description Lines a plot draws; catalogue: references
+             */
+            reference: {
+                [key: string]: number | null;
+            };
+            /** Stages */
+            stages: components["schemas"]["Stage"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "ok";
+            /**
+             * Travel Time
+             * @description [s]
+             */
+            travel_time: number;
+        };
+        /**
+         * TypedArray
+         * @description Little-endian float32 in base64: plotly's typed-array form.
+         */
+        TypedArray: {
+            /** Bdata */
+            bdata: string;
+            /**
+             * Dtype
+             * @constant
+             */
+            dtype: "f4";
+        };
+        /**
+         * Vehicle
+         * @description Half-car model: body with heave and pitch, front and rear wheel (Table 2).
+         */
+        Vehicle: {
+            /**
+             * Body mass
+             * @description Sprung mass m_b.
+             * @default 1270
+             */
+            body_mass: number;
+            /**
+             * Height of the centre of gravity
+             * @description Arm of the braking force on the body h_cg (ours).
+             * @default 0.54
+             */
+            cg_height: number;
+            /**
+             * Centre of gravity to front axle
+             * @description Distance a.
+             * @default 1.015
+             */
+            cg_to_front: number;
+            /**
+             * Centre of gravity to rear axle
+             * @description Distance b.
+             * @default 1.895
+             */
+            cg_to_rear: number;
+            /**
+             * Front damper
+             * @description Damping C_s1.
+             * @default 6000
+             */
+            front_damping: number;
+            /**
+             * Front spring
+             * @description Suspension stiffness k_s1.
+             * @default 27000
+             */
+            front_spring: number;
+            /**
+             * Front tyre stiffness
+             * @description Vertical stiffness k_u1.
+             * @default 268000
+             */
+            front_tyre_stiffness: number;
+            /**
+             * Front wheel mass
+             * @description Unsprung mass m_w1.
+             * @default 66.3
+             */
+            front_wheel_mass: number;
+            /**
+             * Pitch inertia
+             * @description Body inertia about the pitch axis I_yy.
+             * @default 1536.7
+             */
+            pitch_inertia: number;
+            /**
+             * Rear damper
+             * @description Damping C_s2.
+             * @default 6000
+             */
+            rear_damping: number;
+            /**
+             * Rear spring
+             * @description Suspension stiffness k_s2.
+             * @default 30000
+             */
+            rear_spring: number;
+            /**
+             * Rear tyre stiffness
+             * @description Vertical stiffness k_u2.
+             * @default 268000
+             */
+            rear_tyre_stiffness: number;
+            /**
+             * Rear wheel mass
+             * @description Unsprung mass m_w2.
+             * @default 66.3
+             */
+            rear_wheel_mass: number;
+        };
+    };
+    responses: never;
+    parameters: never;
+    requestBodies: never;
+    headers: never;
+    pathItems: never;
+}
+export type $defs = Record<string, never>;
+export interface operations {
+    getCatalogue: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Catalogue"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getFigures: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Figures"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    live: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LiveRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["LiveRun"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getPresets: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PresetAnswer"][];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    createRun: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["RunRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CreatedRun"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getRun: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Run"];
+                };
+            };
+            /** @description Not changed */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getRunFigures: {
+        parameters: {
+            query?: {
+                /** @description What is on the x axis */
+                x?: "position" | "time";
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Figures"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Gone */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getRunFigure: {
+        parameters: {
+            query?: {
+                /** @description What is on the x axis */
+                x?: "position" | "time";
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        [key: string]: unknown;
+                    };
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Gone */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getSeries: {
+        parameters: {
+            query?: {
+                /** @description Of JSON only */
+                encoding?: "list" | "base64";
+                format?: "json" | "csv" | "parquet";
+                /** @description About how many samples; omitted is all */
+                points?: number | null;
+                /** @description Keys with commas; omitted is all */
+                signals?: string | null;
+                /** @description Ids with commas; may be omitted where the run has one */
+                strategy?: string | null;
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Series"] | components["schemas"]["SeriesOfSeveral"];
+                    "application/vnd.apache.parquet": unknown;
+                    "text/csv": unknown;
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Gone */
+            410: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getSchema: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        [key: string]: unknown;
+                    };
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getStrategies: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["StrategyAnswer"][];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getHealth: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Health"];
+                };
+            };
+        };
+    };
+    getReadiness: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Readiness"];
+                };
+            };
+            /** @description Not yet, or not now */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Readiness"];
+                };
+            };
+        };
+    };
+}

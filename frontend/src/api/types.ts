@@ -1,0 +1,78 @@
+/** The shapes of the HTTP contract that the page uses: names for what the backend's OpenAPI says. */
+
+import type { Series } from "./decode";
+import type { components } from "./schema.gen";
+
+type Schemas = components["schemas"];
+
+type Deep<T> = T extends readonly (infer Item)[]
+  ? readonly Deep<Item>[]
+  : T extends object
+    ? { readonly [Key in keyof T]: Deep<T[Key]> }
+    : T;
+
+export type StrategyId = string;
+export type SignalKey = string;
+
+export type JsonValue = string | number | boolean | null | readonly JsonValue[] | { readonly [key: string]: JsonValue };
+export type JsonObject = Readonly<Record<string, JsonValue>>;
+
+/**
+ * A whole scenario. The form is made from its schema at run time and reaches every field by its path, so the page
+ * treats it as plain JSON; a field added to the core appears here without a change.
+ */
+export type Scenario = JsonObject;
+
+export type Quantity = Deep<Schemas["QuantityAnswer"]>;
+export type Catalogue = Deep<Schemas["Catalogue"]>;
+export type Strategy = Deep<Schemas["StrategyAnswer"]>;
+export type Preset = Deep<Omit<Schemas["PresetAnswer"], "scenario">> & { readonly scenario: Scenario };
+export type StageSpan = Deep<Schemas["Stage"]>;
+
+/** One strategy's figures; `cached` only where the answer is to a request that could have computed it. */
+export type Summary = Deep<Schemas["StrategyResult"]> & { readonly cached?: boolean };
+export type Failure = Deep<Schemas["StrategyFailure"]> & { readonly cached?: boolean };
+
+interface RunBase {
+  readonly core_version: string;
+  readonly scenario: Scenario;
+}
+
+export interface Run extends RunBase {
+  readonly id: string;
+  readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
+}
+
+export interface LiveAnswer extends RunBase {
+  readonly strategies: Readonly<Record<StrategyId, Deep<Schemas["LiveResult"]> | Failure>>;
+}
+
+export type EncodedSeries = Readonly<Record<SignalKey, Deep<Schemas["TypedArray"]>>>;
+export type SeriesByStrategy = Readonly<Record<StrategyId, Series>>;
+
+/** What a figure template says about itself (`layout.meta`, written by backend/figures.py). */
+export interface FigureMeta {
+  readonly title: string;
+  readonly unit: string;
+  /** Factor from SI to `unit`. */
+  readonly scale: number;
+  readonly signal: SignalKey;
+  /** Reference lines: each stands at these multiples of its value. */
+  readonly reference_factors: Readonly<Record<string, readonly number[]>>;
+  readonly reference_labels: Readonly<Record<string, string>>;
+  /** Centre and half width of a band, by reference. */
+  readonly band: readonly string[] | null;
+  /** Titles of the two x axes. */
+  readonly axes: Readonly<Record<string, string>>;
+}
+
+export interface FigureTrace {
+  readonly name?: string;
+  readonly line?: Readonly<Record<string, JsonValue>>;
+  readonly meta: { readonly strategy: StrategyId; readonly signal: SignalKey };
+}
+
+export interface FigureTemplate {
+  readonly data: readonly FigureTrace[];
+  readonly layout: { readonly meta: FigureMeta } & Readonly<Record<string, unknown>>;
+}

@@ -1,0 +1,91 @@
+/** The form: essentials open, the rest in sections. */
+
+import { Accordion, Badge, Button, Text } from "@mantine/core";
+import { memo, useMemo, useState } from "react";
+import { useEdit, useFromScenario, useLab } from "../state/context";
+import classes from "./editor.module.css";
+import { changedPointers, resetMember } from "./diff";
+import { sections, type Section } from "./layout";
+import { Members } from "./Members";
+import type { Pointer } from "./path";
+import type { Group } from "./schema";
+
+export function Editor({ form }: { readonly form: Group }) {
+  const edit = useEdit();
+  const rejected = useLab((state) => state.rejected);
+  const refused = useLab((state) => state.refused);
+  const all = useMemo(() => sections(form), [form]);
+  const [opened, setOpened] = useState(() => all.filter(({ essential }) => essential).map(({ key }) => key as string));
+
+  const wrong = [...Object.keys(rejected), ...Object.keys(refused.fields)] as Pointer[];
+  // A section with an error is open whatever was clicked: an error nobody sees helps nobody.
+  const forced = all.filter((section) => contains(section, wrong)).map(({ key }) => key as string);
+  const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
+
+  return (
+    <div className={classes.editor}>
+      <div className={classes.summary}>
+        <Text size="sm" c="dimmed">
+          {changed === 0 ? "The paper’s scenario" : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
+        </Text>
+        <Button
+          size="compact-xs"
+          variant="subtle"
+          disabled={changed === 0}
+          data-testid="reset-all"
+          onClick={() => {
+            for (const pointer of Object.keys(rejected)) edit.accept(pointer as Pointer);
+            edit.commit(resetMember(edit.newest(), form));
+          }}
+        >
+          Reset all
+        </Button>
+      </div>
+      {refused.general.length > 0 && (
+        <Text className={classes.error} role="alert" px="md" pb="xs">
+          {refused.general.join(". ")}
+        </Text>
+      )}
+      <Accordion
+        multiple
+        chevronPosition="left"
+        variant="default"
+        order={2}
+        value={[...new Set([...opened, ...forced])]}
+        onChange={setOpened}
+        classNames={{ item: classes.item ?? "", control: classes.control ?? "", label: classes.controlLabel ?? "", content: classes.content ?? "" }}
+        transitionDuration={0}
+      >
+        {all.map((section) => (
+          <SectionItem key={section.key} section={section} isOpen={opened.includes(section.key) || forced.includes(section.key)} />
+        ))}
+      </Accordion>
+    </div>
+  );
+}
+
+function contains(section: Section, pointers: readonly Pointer[]): boolean {
+  return pointers.some((pointer) => section.members.some((member) => pointer === member.pointer || pointer.startsWith(`${member.pointer}/`)));
+}
+
+interface ItemProps {
+  readonly section: Section;
+  readonly isOpen: boolean;
+}
+
+const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
+  const changed = useFromScenario((scenario) => section.members.flatMap((member) => changedPointers(scenario, member)).length);
+  return (
+    <Accordion.Item value={section.key}>
+      <Accordion.Control>
+        <span className={classes.sectionTitle}>{section.title}</span>
+        {changed > 0 && (
+          <Badge size="sm" variant="light" className={classes.badge ?? ""}>
+            {changed} changed
+          </Badge>
+        )}
+      </Accordion.Control>
+      <Accordion.Panel>{isOpen && <Members members={section.members} />}</Accordion.Panel>
+    </Accordion.Item>
+  );
+});

@@ -1,0 +1,83 @@
+/** Label, help, mark of a change and error: the same around every field. */
+
+import { ActionIcon, Text, Tooltip } from "@mantine/core";
+import { IconArrowBackUp, IconInfoCircle } from "@tabler/icons-react";
+import type { ReactNode } from "react";
+import classes from "./editor.module.css";
+
+interface Props {
+  readonly id: string;
+  readonly title: string;
+  readonly description: string;
+  readonly changed: boolean;
+  /** The paper's value as text. */
+  readonly standard: string;
+  readonly error: string | undefined;
+  readonly onReset: () => void;
+  /** What stands at the right end of the label's row. */
+  readonly aside?: ReactNode;
+  readonly children?: ReactNode;
+}
+
+export function FieldFrame({ id, title, description, changed, standard, error, onReset, aside, children }: Props) {
+  return (
+    <div className={classes.field} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
+      <div className={classes.row}>
+        <label className={classes.label} htmlFor={id} id={`${id}-label`}>
+          {title}
+        </label>
+        {description !== "" && <Help id={id} title={title} text={description} />}
+        <span className={classes.spacer} />
+        <ResetButton title={title} standard={standard} changed={changed} onReset={onReset} />
+        {aside}
+      </div>
+      {children}
+      <FieldError id={id} error={error} />
+    </div>
+  );
+}
+
+export function Help({ id, title, text }: { readonly id: string; readonly title: string; readonly text: string }) {
+  return (
+    <Tooltip label={text} multiline w={240} withArrow events={{ hover: true, focus: true, touch: true }}>
+      <ActionIcon className={classes.help} variant="transparent" size={18} aria-label={`About ${title}: ${text}`} id={`${id}-help`}>
+        <IconInfoCircle size={14} stroke={1.6} />
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+interface ResetProps {
+  readonly title: string;
+  readonly standard: string;
+  readonly changed: boolean;
+  readonly onReset: () => void;
+}
+
+/** Keeps its place while hidden, so nothing moves when a value first differs from the paper. */
+export function ResetButton({ title, standard, changed, onReset }: ResetProps) {
+  return (
+    <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
+      <ActionIcon
+        className={classes.reset}
+        data-hidden={!changed || undefined}
+        variant="subtle"
+        size={24}
+        aria-label={`Reset ${title} to the paper's ${standard}`}
+        disabled={!changed}
+        onClick={onReset}
+      >
+        <IconArrowBackUp size={15} stroke={1.8} />
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+export function FieldError({ id, error }: { readonly id: string; readonly error: string | undefined }) {
+  if (error === undefined) return null;
+  return (
+    <Text className={classes.error} id={`${id}-error`} role="alert">
+      {error}
+    </Text>
+  );
+}

@@ -1,0 +1,42 @@
+/** Chooses the control for each member of a section. */
+
+import { Text } from "@mantine/core";
+import { memo } from "react";
+import { ChoiceFieldRow } from "./ChoiceFieldRow";
+import classes from "./editor.module.css";
+import { NumberFieldRow } from "./NumberFieldRow";
+import { RoadClassRow } from "./RoadClassRow";
+import type { Member, VectorField } from "./schema";
+import { WeightsMatrix } from "./WeightsMatrix";
+
+const ROUGHNESS = "/road/roughness";
+
+export const Members = memo(function Members({ members }: { readonly members: readonly Member[] }) {
+  const vectors = members.filter((member): member is VectorField => member.kind === "vector");
+  return (
+    <>
+      {vectors.length > 0 && <WeightsMatrix vectors={vectors} />}
+      {members.map((member) => (
+        <MemberControl key={member.pointer} member={member} />
+      ))}
+    </>
+  );
+});
+
+function MemberControl({ member }: { readonly member: Member }) {
+  switch (member.kind) {
+    case "group":
+      return (
+        <div className={classes.subgroup}>
+          <Text className={classes.subtitle}>{member.title}</Text>
+          <Members members={member.members} />
+        </div>
+      );
+    case "choice":
+      return <ChoiceFieldRow field={member} />;
+    case "number":
+      return member.pointer === ROUGHNESS ? <RoadClassRow field={member} /> : <NumberFieldRow field={member} />;
+    case "vector":
+      return null; // together in one table above
+  }
+}

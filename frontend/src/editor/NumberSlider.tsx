@@ -1,0 +1,59 @@
+/** The dragged side of a number: live while it moves, exact once it rests. */
+
+import { Slider } from "@mantine/core";
+import { useEffect, useRef } from "react";
+import { formatWithUnit } from "../units/format";
+import classes from "./editor.module.css";
+import { sliderScale } from "./limits";
+import type { NumberField } from "./schema";
+import type { LeafState } from "./useLeaf";
+
+/** A pause this long ends a change made with the arrow keys, which have no release of their own. */
+const KEY_PAUSE_MS = 350;
+
+interface Props {
+  readonly field: NumberField;
+  readonly leaf: LeafState;
+  readonly label: string;
+}
+
+export function NumberSlider({ field, leaf, label }: Props) {
+  const scale = sliderScale(field);
+  const byKey = useRef(false);
+  const pause = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  useEffect(() => () => clearTimeout(pause.current), []);
+
+  const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
+  const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
+  const standard = typeof field.standard === "number" ? scale.toSlider(field.standard) : null;
+  const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
+  const spoken = typeof leaf.value === "number" ? formatWithUnit(leaf.value, field.unit, 4) : "";
+
+  return (
+    <div onKeyDownCapture={() => (byKey.current = true)} onPointerDownCapture={() => (byKey.current = false)}>
+      <Slider
+        className={classes.slider ?? ""}
+        classNames={{ thumb: classes.thumb ?? "", mark: classes.mark ?? "", bar: classes.bar ?? "" }}
+        size={4}
+        label={null}
+        min={scale.minimum}
+        max={scale.maximum}
+        step={1}
+        precision={0}
+        value={value}
+        thumbLabel={label}
+        thumbValueText={spoken}
+        {...(marked ? { marks: [{ value: standard }], startPointValue: standard } : {})}
+        onChange={(position) => {
+          const next = scale.fromSlider(position);
+          if (next !== leaf.value) leaf.drag(next);
+        }}
+        onChangeEnd={() => {
+          clearTimeout(pause.current);
+          if (byKey.current) pause.current = setTimeout(leaf.release, KEY_PAUSE_MS);
+          else leaf.release();
+        }}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,56 @@
+/** The road's roughness: a class of ISO 8608 by its letter, its number always beside it. */
+
+import { SegmentedControl, Text } from "@mantine/core";
+import { useId } from "react";
+import { formatWithUnit } from "../units/format";
+import classes from "./editor.module.css";
+import { FieldFrame } from "./FieldFrame";
+import { NumberEntry } from "./NumberEntry";
+import { ROAD_CLASSES, exactClass, nearestClass } from "./roadClass";
+import type { NumberField } from "./schema";
+import { useLeaf } from "./useLeaf";
+
+const SMOOTH = "smooth";
+
+function describe(roughness: number): string {
+  if (roughness === 0) return "Smooth road";
+  const exact = exactClass(roughness);
+  const name = exact ? `Class ${exact.letter}` : `Within class ${nearestClass(roughness)?.letter ?? ""}`;
+  return `${name} · Gd = ${inMillionths(roughness)}`;
+}
+
+/** Gd is written as so many 10⁻⁶ m³ in the standard's own tables. */
+function inMillionths(roughness: number): string {
+  return `${Number((roughness * 1e6).toPrecision(6))}×10⁻⁶ m³`;
+}
+
+export function RoadClassRow({ field }: { readonly field: NumberField }) {
+  const id = useId();
+  const leaf = useLeaf(field.pointer, field.standard);
+  const roughness = typeof leaf.value === "number" ? leaf.value : 0;
+  const chosen = roughness === 0 ? SMOOTH : (exactClass(roughness)?.letter ?? "");
+  const options = [{ value: SMOOTH, label: "0" }, ...ROAD_CLASSES.map(({ letter }) => ({ value: letter, label: letter }))];
+  return (
+    <FieldFrame
+      id={id}
+      title={field.title}
+      description={field.description}
+      changed={leaf.changed}
+      standard={typeof field.standard === "number" ? formatWithUnit(field.standard, field.unit) : ""}
+      error={leaf.error}
+      onReset={() => leaf.commit(field.standard)}
+      aside={<NumberEntry id={id} field={field} leaf={leaf} />}
+    >
+      <SegmentedControl
+        fullWidth
+        size="xs"
+        className={classes.classes ?? ""}
+        aria-label="Road class (ISO 8608)"
+        value={chosen}
+        data={options}
+        onChange={(value) => leaf.commit(ROAD_CLASSES.find(({ letter }) => letter === value)?.roughness ?? 0)}
+      />
+      <Text className={classes.note}>{describe(roughness)}</Text>
+    </FieldFrame>
+  );
+}

@@ -1,0 +1,70 @@
+/** Hard limits of typed values, slider steps and slider scales. */
+
+import { formatInput, formatWithUnit, parseInput } from "../units/format";
+import type { NumberField } from "./schema";
+
+export type Reading = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
+
+/** Reads and checks a typed value against the field's own limits; the server checks what involves other fields. */
+export function readTyped(field: NumberField, text: string): Reading {
+  if (text.trim() === "") return { ok: false, message: "Needs a value" };
+  const value = parseInput(text);
+  if (value === null) return { ok: false, message: "Not a number: a point for decimals, nothing for thousands" };
+  if (field.integer && !Number.isInteger(value)) return { ok: false, message: "Must be a whole number" };
+  const low = field.exclusiveMinimum ? value <= field.minimum : value < field.minimum;
+  if (low || value > field.maximum) return { ok: false, message: limitText(field) };
+  return { ok: true, value };
+}
+
+function limitText(field: NumberField): string {
+  const low = formatInput(field.minimum).replace("-", "−");
+  const high = formatWithUnit(field.maximum, field.unit, 6).replace(/(\.\d*?)0+(?=\D|$)/, "$1").replace(/\.(?=\D|$)/, "");
+  if (field.exclusiveMinimum) return `Must be above ${low} and at most ${high}`;
+  return `Must be from ${low} to ${high}`;
+}
+
+/** The largest of 1, 2, 5 × 10ⁿ that is not above `value`. */
+function roundDown(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value) + 1e-9);
+  const digit = [5, 2, 1].find((candidate) => candidate * power <= value * (1 + 1e-9)) ?? 1;
+  return digit * power;
+}
+
+/**
+ * A slider's own scale. It counts steps, so that it moves by 1 whatever the field's size; where the soft range spans
+ * decades, steps are equal ratios.
+ */
+export interface SliderScale {
+  readonly minimum: number;
+  readonly maximum: number;
+  readonly toSlider: (value: number) => number;
+  readonly fromSlider: (position: number) => number;
+}
+
+const DECADES_RATIO = 100;
+const STEPS_PER_DECADE = 20;
+
+export function sliderScale(field: NumberField): SliderScale {
+  const [low, high] = field.soft;
+  if (low > 0 && high / low >= DECADES_RATIO) {
+    const toSlider = (value: number) => Math.log10(Math.max(value, low)) * STEPS_PER_DECADE;
+    const fromSlider = (position: number) => Number((10 ** (position / STEPS_PER_DECADE)).toPrecision(2));
+    return { minimum: toSlider(low), maximum: toSlider(high), toSlider, fromSlider };
+  }
+  const fine = roundDown((high - low) / 100);
+  const step = field.integer ? Math.max(1, fine) : fine;
+  return {
+    minimum: low / step,
+    maximum: high / step,
+    toSlider: (value) => value / step,
+    // Multiples of the step, without the dust of binary fractions.
+    fromSlider: (position) => Number((Math.round(position) * step).toPrecision(10)),
+  };
+}
+
+/** What a nullable field starts with when it is switched on: the middle of its soft range, by ratio, rounded. */
+export function typicalValue(field: NumberField): number {
+  const [low, high] = field.soft;
+  const middle = low > 0 ? Math.sqrt(low * high) : (low + high) / 2;
+  return Number(middle.toPrecision(1));
+}

@@ -1,0 +1,117 @@
+import { describe, expect, it } from "vitest";
+import { changedPointers, leavesOf, resetMember, standardScenario } from "./diff";
+import { fieldFor, placeErrors } from "./errors";
+import { FORM } from "./form.fixture";
+import { readTyped, sliderScale, typicalValue } from "./limits";
+import { getAt, sameValue, setAt, type Pointer } from "./path";
+import type { NumberField } from "./schema";
+
+function numberField(pointer: Pointer): NumberField {
+  const leaf = leavesOf(FORM).find((candidate) => candidate.pointer === pointer);
+  if (leaf?.kind !== "number") throw new Error(`${pointer} is not a number`);
+  return leaf;
+}
+
+const STANDARD = standardScenario(FORM);
+
+describe("the form from the schema", () => {
+  it("reads every leaf in the schema's order", () => {
+    expect(leavesOf(FORM).map(({ pointer }) => pointer)).toEqual([
+      "/road/seed",
+      "/road/bump/shape",
+      "/road/bump/height",
+      "/mpc/lag",
+      "/mpc/force_weight",
+      "/mpc/weights/0",
+      "/mpc/weights/1",
+    ]);
+  });
+
+  it("takes titles, units, limits and defaults from the schema", () => {
+    expect(numberField("/road/bump/height")).toMatchObject({ title: "Height", unit: "m", minimum: -1, maximum: 1, soft: [-0.15, 0.2], standard: 0.1 });
+    expect(numberField("/mpc/weights/1")).toMatchObject({ title: "Pitch", minimum: 0, maximum: 1000, standard: 1 });
+    expect(numberField("/mpc/lag")).toMatchObject({ nullable: true, minimum: 0.5, standard: null });
+    expect(numberField("/road/seed").integer).toBe(true);
+  });
+
+  it("states the paper's scenario", () => {
+    expect(STANDARD).toEqual({
+      road: { seed: 1, bump: { shape: "cosine", height: 0.1 } },
+      mpc: { lag: null, force_weight: 1e-9, weights: [8, 1] },
+    });
+  });
+});
+
+describe("difference from the paper", () => {
+  it("is nothing for the paper's scenario", () => {
+    expect(changedPointers(STANDARD, FORM)).toEqual([]);
+  });
+
+  it("counts the entries of a vector one by one and is undone by a reset", () => {
+    const changed = setAt(setAt(STANDARD, "/mpc/weights/1", 6), "/road/bump/height", 0.12);
+    expect(changedPointers(changed, FORM)).toEqual(["/road/bump/height", "/mpc/weights/1"]);
+    expect(resetMember(changed, FORM)).toEqual(STANDARD);
+  });
+
+  it("changes one value and shares the rest", () => {
+    const changed = setAt(STANDARD, "/road/bump/height", 0.2);
+    expect(getAt(STANDARD, "/road/bump/height")).toBe(0.1);
+    expect(changed.mpc).toBe(STANDARD.mpc);
+    expect(sameValue(changed, STANDARD)).toBe(false);
+    expect(sameValue(setAt(changed, "/road/bump/height", 0.1), STANDARD)).toBe(true);
+  });
+});
+
+describe("errors of the server", () => {
+  it("land at their field, at the vector's first entry, or nowhere", () => {
+    expect(fieldFor(FORM, "/scenario/road/bump/height")).toBe("/road/bump/height");
+    expect(fieldFor(FORM, "/scenario/mpc/weights/1")).toBe("/mpc/weights/1");
+    expect(fieldFor(FORM, "/scenario/mpc/weights")).toBe("/mpc/weights/0");
+    expect(fieldFor(FORM, "/scenario/road/nothing")).toBeNull();
+    expect(fieldFor(FORM, "/strategies")).toBeNull();
+  });
+
+  it("keep what belongs to no field", () => {
+    const placed = placeErrors(
+      FORM,
+      [
+        { pointer: "/scenario/road/seed", message: "a" },
+        { pointer: "/scenario/road/seed", message: "b" },
+        { pointer: "/strategies/0", message: "c" },
+      ],
+      "fallback",
+    );
+    expect(placed).toEqual({ fields: { "/road/seed": "a. b" }, general: ["c"] });
+    expect(placeErrors(FORM, [], "fallback").general).toEqual(["fallback"]);
+  });
+});
+
+describe("typed values", () => {
+  it("are checked against the hard limits", () => {
+    const height = numberField("/road/bump/height");
+    expect(readTyped(height, "0.12")).toEqual({ ok: true, value: 0.12 });
+    expect(readTyped(height, "2")).toEqual({ ok: false, message: "Must be from −1 to 1\u00a0m" });
+    expect(readTyped(height, "high").ok).toBe(false);
+    expect(readTyped(height, " ").ok).toBe(false);
+    expect(readTyped(numberField("/road/seed"), "1.5")).toEqual({ ok: false, message: "Must be a whole number" });
+  });
+});
+
+describe("sliders", () => {
+  it("count steps and give values without binary dust", () => {
+    const scale = sliderScale(numberField("/road/bump/height"));
+    expect(scale.fromSlider(scale.toSlider(0.1))).toBe(0.1);
+    expect(scale.fromSlider(scale.toSlider(0.1) + 1)).toBe(0.102);
+    expect(scale.fromSlider(scale.minimum)).toBe(-0.15);
+  });
+
+  it("go by ratio where the range spans decades", () => {
+    const scale = sliderScale(numberField("/mpc/force_weight"));
+    expect(scale.fromSlider(scale.toSlider(1e-9))).toBe(1e-9);
+    expect(scale.fromSlider((scale.minimum + scale.maximum) / 2)).toBeCloseTo(3.2e-9, 12);
+  });
+
+  it("start a nullable field in the middle of its range", () => {
+    expect(typicalValue(numberField("/mpc/lag"))).toBe(10);
+  });
+});

@@ -1,0 +1,69 @@
+/** All shown plots as one picture. */
+
+import type { FigureTemplate } from "../api/types";
+import { buildFigure, axisUnit, type Palette } from "../plots/figure";
+import { loadPlotly, type PlotFigure } from "../plots/plotly";
+import type { Scene } from "../state/scene";
+
+const WIDTH = 1200;
+const PANEL_HEIGHT = 190;
+const GAP = 0.28; // of a panel, for its title
+const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", zero: "rgba(120, 135, 142, 0.6)" };
+
+/** One figure with a row for each panel over one x axis. */
+export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene): PlotFigure & { readonly height: number } {
+  const templates = Object.values(figures);
+  const row = 1 / templates.length;
+  const built = templates.map((template) =>
+    buildFigure({ template, series: scene.series, summaries: scene.summaries, strategies: scene.ids, axis: scene.axis, range: scene.range, palette: ON_PAPER }),
+  );
+  const name = (letter: "x" | "y", index: number) => (index === 0 ? letter : `${letter}${index + 1}`);
+  const axes: Record<string, unknown> = {};
+  built.forEach(({ layout }, index) => {
+    const top = 1 - index * row;
+    const suffix = index === 0 ? "" : String(index + 1);
+    axes[`xaxis${suffix}`] = { ...layout.xaxis, anchor: name("y", index) };
+    axes[`yaxis${suffix}`] = { ...layout.yaxis, anchor: name("x", index), domain: [top - row * (1 - GAP), top - row * 0.12] };
+  });
+  const data = built.flatMap((figure, index) =>
+    figure.data.map((trace) => ({ ...trace, xaxis: name("x", index), yaxis: name("y", index), showlegend: index === 0 })),
+  );
+  const shapes = built.flatMap(({ layout }, index) =>
+    layout.shapes.map((shape) => ({
+      ...shape,
+      xref: shape.xref === "paper" ? `${name("x", index)} domain` : name("x", index),
+      yref: shape.yref === "paper" ? `${name("y", index)} domain` : name("y", index),
+    })),
+  );
+  const annotations = templates.map(({ layout: { meta } }, index) => ({
+    text: `<b>${meta.title}</b> [${meta.unit}]`,
+    xref: "paper", yref: "paper", x: 0, y: 1 - index * row - row * 0.1, xanchor: "left", yanchor: "bottom",
+    showarrow: false, font: { size: 13, color: ON_PAPER.text },
+  }));
+  return {
+    data,
+    height: PANEL_HEIGHT * templates.length,
+    layout: {
+      ...axes,
+      shapes, annotations,
+      title: { text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]`, font: { size: 15 }, x: 0.03 },
+      font: { family: "Arial, sans-serif", color: ON_PAPER.text },
+      paper_bgcolor: "#ffffff", plot_bgcolor: "#ffffff",
+      margin: { l: 60, r: 20, t: 70, b: 30 },
+      showlegend: true, legend: { orientation: "h", y: 1, yanchor: "bottom", x: 1, xanchor: "right" },
+    },
+  };
+}
+
+export async function plotsImage(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, format: "png" | "svg"): Promise<string> {
+  const plotly = await loadPlotly();
+  const { height, ...figure } = stackFigures(figures, scene);
+  return plotly.toImage(figure, { format, width: WIDTH, height, scale: format === "png" ? 2 : 1 });
+}
+
+export function download(address: string, name: string): void {
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+}

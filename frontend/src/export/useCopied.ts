@@ -1,0 +1,21 @@
+import { useEffect, useRef, useState } from "react";
+import { copyText } from "./clipboard";
+
+const SHOWN_MS = 1600;
+
+/** Copies, and tells for a moment that it has. */
+export function useCopied() {
+  const [copied, setCopied] = useState(false);
+  const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  useEffect(() => () => clearTimeout(timer.current), []);
+  return {
+    copied,
+    copy: (text: string) => {
+      void copyText(text).then((done) => {
+        setCopied(done);
+        clearTimeout(timer.current);
+        timer.current = setTimeout(() => setCopied(false), SHOWN_MS);
+      });
+    },
+  };
+}

@@ -1,0 +1,35 @@
+import { MantineProvider } from "@mantine/core";
+import "@mantine/core/styles.css";
+import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
+import { StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { App } from "./App";
+import "./global.css";
+import { loadPlotly } from "./plots/plotly";
+import { createLab } from "./state/lab";
+import { createRouter } from "./state/router";
+import { theme } from "./theme";
+
+const queries = new QueryClient({
+  // A local server needs no network, and asking again is the connection banner's work.
+  defaultOptions: { queries: { retry: false, networkMode: "always", refetchOnWindowFocus: false } },
+});
+const router = createRouter();
+const lab = createLab(router, queries);
+
+// The first run, the plotting code and the form are fetched at the same time.
+lab.open(router.get());
+router.onTravel(lab.open);
+void loadPlotly();
+
+const root = document.getElementById("root");
+if (!root) throw new Error("index.html has no #root");
+createRoot(root).render(
+  <StrictMode>
+    <QueryClientProvider client={queries}>
+      <MantineProvider theme={theme} defaultColorScheme="auto">
+        <App lab={lab} router={router} />
+      </MantineProvider>
+    </QueryClientProvider>
+  </StrictMode>,
+);

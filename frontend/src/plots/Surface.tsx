@@ -1,0 +1,41 @@
+/** The drawn part of a panel: plotly's graph, and the canvas that follows a moving slider. */
+
+import { useElementSize } from "@mantine/hooks";
+import { useEffect, useRef } from "react";
+import { PanelPainter } from "./painter";
+import type { PanelFigure, Plotly } from "./plotly";
+import classes from "./plots.module.css";
+
+interface Props {
+  readonly plotly: Plotly | null;
+  readonly figure: PanelFigure | null;
+  readonly live: boolean;
+}
+
+export function Surface({ plotly, figure, live }: Props) {
+  const { ref: sizeRef, width, height } = useElementSize<HTMLDivElement>();
+  const host = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const painter = useRef<PanelPainter>(null);
+
+  useEffect(() => {
+    if (!plotly || !host.current || !canvas.current) return undefined;
+    const made = new PanelPainter(plotly, host.current, canvas.current);
+    painter.current = made;
+    return () => {
+      painter.current = null;
+      made.dispose();
+    };
+  }, [plotly]);
+
+  useEffect(() => {
+    if (figure && width > 0) painter.current?.paint(figure, { width, height }, live);
+  }, [plotly, figure, live, width, height]);
+
+  return (
+    <div ref={sizeRef} className={classes.surface}>
+      <div ref={host} className={classes.graph} />
+      <canvas ref={canvas} className={classes.live} aria-hidden />
+    </div>
+  );
+}

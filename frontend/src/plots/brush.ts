@@ -1,0 +1,10 @@
+/** The stretch being drawn with the pointer to zoom into; all panels show it. */
+
+import { createStore } from "../state/store";
+
+export interface Brush {
+  readonly from: number;
+  readonly to: number;
+}
+
+export const brush = createStore<Brush | null>(null);

@@ -1,0 +1,112 @@
+/** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
+
+import type { FigureTemplate, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import type { Axis, Zoom } from "../state/address";
+import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
+import { covering, extent } from "./samples";
+import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
+
+export interface Palette {
+  readonly text: string;
+  readonly grid: string;
+  readonly zero: string;
+}
+
+export interface FigureInput {
+  readonly template: FigureTemplate;
+  readonly series: SeriesByStrategy;
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  /** In the order of drawing. */
+  readonly strategies: readonly StrategyId[];
+  readonly axis: Axis;
+  /** Range of the shared axis. */
+  readonly range: Zoom;
+  readonly palette: Palette;
+}
+
+export const MARGIN = { l: 46, r: 10, t: 6, b: 22 } as const;
+
+export const axisSignal = (axis: Axis) => (axis === "distance" ? "position" : "time");
+export const axisUnit = (axis: Axis) => (axis === "distance" ? "m" : "s");
+
+function scaled(values: Numbers, factor: number): Numbers {
+  return factor === 1 ? values : values.map((value) => value * factor);
+}
+
+function traces({ template, series, strategies, axis, range }: FigureInput): readonly PlotTrace[] {
+  const { scale } = template.layout.meta;
+  return template.data.flatMap((trace): PlotTrace[] => {
+    const { strategy, signal } = trace.meta;
+    const x = series[strategy]?.[axisSignal(axis)];
+    const y = series[strategy]?.[signal];
+    if (!x || !y || !strategies.includes(strategy)) return [];
+    const [from, to] = covering(x, range[0], range[1]);
+    return [
+      {
+        type: "scatter",
+        mode: "lines",
+        ...(trace.name === undefined ? {} : { name: trace.name }),
+        x: x.subarray(from, to),
+        y: scaled(y.subarray(from, to), scale),
+        line: { ...trace.line, simplify: true },
+      },
+    ];
+  });
+}
+
+/** How far beyond the curves, in spans of theirs, a reference line may lie and still be brought into view. */
+const REACH = 0.6;
+const PADDING = 0.02;
+const EDGE = 0.3;
+
+function verticalRange(data: readonly PlotTrace[], references: readonly number[]): readonly [number, number] {
+  const spans = data.map(({ y }) => extent(y)).filter((span) => span !== null);
+  if (spans.length === 0) return [-1, 1];
+  let low = Math.min(...spans.map(([bottom]) => bottom));
+  let high = Math.max(...spans.map(([, top]) => top));
+  const reach = REACH * Math.max(high - low, Number.MIN_VALUE);
+  const near = references.filter((value) => value >= low - reach && value <= high + reach);
+  low = Math.min(low, ...near);
+  high = Math.max(high, ...near);
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  // A curve that never moves still gets an axis with room around it.
+  const span = high - low > 1e-6 * size ? high - low : size > 0 ? size : 1;
+  return rounded(low - PADDING * span, high + PADDING * span);
+}
+
+/** Outwards to multiples of a tenth of the span (1, 2 or 5 × 10ⁿ), so that small changes leave the axis alone. */
+function rounded(low: number, high: number): readonly [number, number] {
+  const tenth = (high - low) / 10;
+  const power = 10 ** Math.floor(Math.log10(tenth));
+  const step = ([5, 2, 1].find((digit) => digit * power <= tenth) ?? 1) * power;
+  // A little beyond, or the outermost label would stand in the corner of both axes.
+  return [Math.floor(low / step) * step - EDGE * step, Math.ceil(high / step) * step + EDGE * step];
+}
+
+export function buildFigure(input: FigureInput): PanelFigure {
+  const { template, summaries, strategies, axis, range, palette } = input;
+  const { meta } = template.layout;
+  const data = traces(input);
+  const used = strategies.flatMap((strategy) => summaries[strategy] ?? []);
+  const shapes: readonly Shape[] = [
+    ...stageShapes(template, summaries, strategies, axis),
+    ...airborneShapes(input),
+    ...referenceShapes(meta, used),
+  ];
+  const ticks = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, tickfont: { size: 11 } };
+  return {
+    data,
+    layout: {
+      font: { family: "inherit", color: palette.text },
+      margin: MARGIN,
+      paper_bgcolor: "rgba(0,0,0,0)",
+      plot_bgcolor: "rgba(0,0,0,0)",
+      showlegend: false,
+      hovermode: false,
+      dragmode: false,
+      xaxis: { ...ticks, range, ticksuffix: ` ${axisUnit(axis)}`, showticksuffix: "last", zeroline: false, nticks: 8 },
+      yaxis: { ...ticks, range: verticalRange(data, referenceValues(meta, used)), zeroline: true, nticks: 6 },
+      shapes,
+    },
+  };
+}

@@ -1,0 +1,58 @@
+/** plotly.js, loaded once and late, and the few types of it this page uses. */
+
+export type Numbers = Float32Array;
+
+export interface PlotTrace {
+  readonly type: "scatter";
+  readonly mode: "lines";
+  readonly name?: string;
+  readonly x: Numbers;
+  readonly y: Numbers;
+  readonly line: Readonly<Record<string, unknown>>;
+  readonly opacity?: number;
+}
+
+export interface PlotFigure {
+  readonly data: readonly PlotTrace[];
+  readonly layout: PlotLayout;
+}
+
+type Options = Readonly<Record<string, unknown>>;
+
+export interface PlotLayout extends Options {
+  readonly shapes: readonly Options[];
+}
+
+interface AxisOptions extends Options {
+  readonly range: readonly [number, number];
+}
+
+/** One panel: exactly one pair of axes. */
+export interface PanelFigure extends PlotFigure {
+  readonly layout: PlotLayout & { readonly xaxis: AxisOptions; readonly yaxis: AxisOptions };
+}
+
+interface ImageOptions {
+  readonly format: "png" | "svg";
+  readonly width: number;
+  readonly height: number;
+  readonly scale?: number;
+}
+
+export interface Plotly {
+  readonly react: (
+    element: HTMLElement,
+    data: readonly PlotTrace[],
+    layout: PlotLayout,
+    config: Readonly<Record<string, unknown>>,
+  ) => Promise<unknown>;
+  readonly purge: (element: HTMLElement) => void;
+  readonly toImage: (figure: PlotFigure, options: ImageOptions) => Promise<string>;
+}
+
+let loading: Promise<Plotly> | null = null;
+
+export function loadPlotly(): Promise<Plotly> {
+  loading ??= import("plotly.js-basic-dist-min").then((module) => module.default);
+  return loading;
+}

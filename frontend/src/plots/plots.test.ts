@@ -1,0 +1,89 @@
+import { describe, expect, it } from "vitest";
+import type { FigureTemplate, Summary } from "../api/types";
+import { buildFigure, type FigureInput } from "./figure";
+import { keepsRange } from "./painter";
+import { covering, extent, stretchesBelow, valueAt } from "./samples";
+
+const X = new Float32Array([0, 1, 2, 3, 4]);
+const LOAD = new Float32Array([0, -6000, -7000, 2000, 0]);
+
+describe("samples", () => {
+  it("are interpolated, and nothing beyond their ends", () => {
+    expect(valueAt(X, LOAD, 0.5)).toBe(-3000);
+    expect(valueAt(X, LOAD, 3)).toBe(2000);
+    expect(valueAt(X, LOAD, 4.1)).toBeNull();
+    expect(valueAt(new Float32Array(), new Float32Array(), 0)).toBeNull();
+  });
+
+  it("are cut with one neighbour on each side", () => {
+    expect(covering(X, 1.5, 2.5)).toEqual([1, 4]);
+    expect(covering(X, -5, 9)).toEqual([0, 5]);
+  });
+
+  it("know their extent and where they lie too low", () => {
+    expect(extent(LOAD)).toEqual([-7000, 2000]);
+    expect(extent(new Float32Array())).toBeNull();
+    expect(stretchesBelow(X, LOAD, -5000)).toEqual([[1, 3]]);
+    expect(stretchesBelow(X, new Float32Array([0, 0, 0, 0, -9]), -5)).toEqual([[4, 4]]);
+  });
+});
+
+const template: FigureTemplate = {
+  data: ["lv", "passive"].map((strategy) => ({ meta: { strategy, signal: "load" }, line: { color: "#0072B2" } })),
+  layout: {
+    meta: {
+      title: "Load", unit: "kN", scale: 1e-3, signal: "load", band: null, axes: {}, reference_labels: {},
+      reference_factors: { front_static_load: [-1] },
+    },
+  },
+};
+const summary = {
+  reference: { front_static_load: 5000 },
+  stages: [
+    { stage: "cruise", start_time: 0, end_time: 1, start_position: 0, end_position: 1 },
+    { stage: "bump", start_time: 1, end_time: 2, start_position: 1, end_position: 2.5 },
+  ],
+} as unknown as Summary;
+const input: FigureInput = {
+  template,
+  series: { lv: { position: X, time: X, load: LOAD } },
+  summaries: { lv: summary },
+  strategies: ["lv", "passive"],
+  axis: "distance",
+  range: [0, 4],
+  palette: { text: "#000", grid: "#eee", zero: "#ccc" },
+};
+
+describe("a filled figure", () => {
+  it("draws only what has data, in the shown unit", () => {
+    const { data } = buildFigure(input);
+    expect(data).toHaveLength(1);
+    expect(data[0]?.y[2]).toBe(-7);
+  });
+
+  it("shades the stage, the airborne stretch and the static load", () => {
+    const shapes = buildFigure(input).layout.shapes;
+    expect(shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 2.5, yref: "paper" }));
+    expect(shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 3, opacity: expect.any(Number) as number }));
+    expect(shapes).toContainEqual(expect.objectContaining({ type: "line", y0: -5, y1: -5 }));
+  });
+
+  it("shades by time when over time", () => {
+    expect(buildFigure({ ...input, axis: "time" }).layout.shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 2 }));
+  });
+
+  it("fits its y axis to what is in the range", () => {
+    const [low, high] = buildFigure({ ...input, range: [3.2, 4] }).layout.yaxis.range;
+    expect(low).toBeGreaterThan(-1);
+    expect(high).toBeGreaterThan(2);
+  });
+});
+
+describe("the live y axis", () => {
+  it("stays while curves fit and fill it", () => {
+    expect(keepsRange([-10, 10], [-8, 8])).toBe(true);
+    expect(keepsRange([-10, 10], [-2, 2])).toBe(false);
+    expect(keepsRange([-10, 10], [-11, 8])).toBe(false);
+    expect(keepsRange(null, [0, 1])).toBe(false);
+  });
+});

@@ -1,0 +1,80 @@
+/** What the page shows in place of results: nothing chosen, nothing found, nothing yet. */
+
+import { Button, Skeleton, Text } from "@mantine/core";
+import type { ReactNode } from "react";
+import { useDesk } from "../state/context";
+import classes from "./shell.module.css";
+
+interface Props {
+  readonly title: string;
+  readonly text: string;
+  readonly children?: ReactNode;
+}
+
+function Blank({ title, text, children }: Props) {
+  return (
+    <div className={classes.blank}>
+      <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
+        <path d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58" className={classes.blankRoad} />
+      </svg>
+      <Text component="h2" fw={650} size="lg">
+        {title}
+      </Text>
+      <Text c="dimmed" size="sm" maw={420} ta="center">
+        {text}
+      </Text>
+      {children}
+    </div>
+  );
+}
+
+export function NothingChosen({ suggestion }: { readonly suggestion: readonly string[] }) {
+  const { lab } = useDesk();
+  return (
+    <Blank title="No strategy chosen" text="Switch on at least one above to see how the car rides.">
+      <Button onClick={() => lab.setStrategies(suggestion)}>Show all strategies</Button>
+    </Blank>
+  );
+}
+
+export function NotFound() {
+  const { lab } = useDesk();
+  return (
+    <Blank title="There is no run at this address" text="The link may be cut short, or the run was made on another server.">
+      <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
+    </Blank>
+  );
+}
+
+export function CouldNotLoad({ message, onRetry }: { readonly message: string; readonly onRetry: () => void }) {
+  return (
+    <Blank title="This could not be shown" text={message}>
+      <Button onClick={onRetry}>Try again</Button>
+    </Blank>
+  );
+}
+
+/** The results' places before there are any: the same heights, so that nothing jumps. */
+export function Loading() {
+  return (
+    <div className={classes.results} aria-busy aria-label="Loading results">
+      <Skeleton height={214} radius={8} />
+      <Skeleton height={160} radius={8} />
+      <div className={classes.loadingGrid}>
+        {Array.from({ length: 6 }, (_, index) => (
+          <Skeleton key={index} height={210} radius={8} />
+        ))}
+      </div>
+    </div>
+  );
+}
+
+export function EditorLoading() {
+  return (
+    <div className={classes.editorLoading} aria-busy aria-label="Loading the form">
+      {Array.from({ length: 9 }, (_, index) => (
+        <Skeleton key={index} height={index % 4 === 0 ? 18 : 44} width={index % 4 === 0 ? "45%" : "100%"} radius="sm" />
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,74 @@
+/** Says when the server is away, asks again by itself, and brings back what was missing. */
+
+import { Button, Text } from "@mantine/core";
+import { useQueryClient } from "@tanstack/react-query";
+import { IconPlugConnectedX } from "@tabler/icons-react";
+import { useCallback, useEffect, useState } from "react";
+import { probe, type Readiness } from "../api/client";
+import { connection } from "../api/connection";
+import { useDesk } from "../state/context";
+import { useStore } from "../state/store";
+import classes from "./shell.module.css";
+
+const FIRST_WAIT_S = 1;
+const LONGEST_WAIT_S = 8;
+
+const MESSAGE: Readonly<Record<Readiness, string>> = {
+  down: "The server does not answer. Your edits are kept.",
+  starting: "The server is starting.",
+  ready: "The server is busy. Your edits are kept.",
+};
+
+export function ConnectionBanner() {
+  const state = useStore(connection);
+  return state === "ok" ? null : <Reconnecting />;
+}
+
+function Reconnecting() {
+  const { lab } = useDesk();
+  const queries = useQueryClient();
+  const [attempt, setAttempt] = useState(0);
+  const [wait, setWait] = useState(FIRST_WAIT_S);
+  const [readiness, setReadiness] = useState<Readiness>("down");
+
+  const tryNow = useCallback(
+    async (signal: AbortSignal) => {
+      const answer = await probe(signal);
+      if (signal.aborted) return;
+      setReadiness(answer);
+      if (answer === "ready") {
+        connection.ok();
+        lab.resume();
+        void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
+        return;
+      }
+      setAttempt((count) => count + 1);
+      setWait(Math.min(LONGEST_WAIT_S, FIRST_WAIT_S * 2 ** attempt));
+    },
+    [lab, queries, attempt],
+  );
+
+  useEffect(() => {
+    const controller = new AbortController();
+    const tick = setTimeout(() => {
+      if (wait <= 1) void tryNow(controller.signal);
+      else setWait(wait - 1);
+    }, 1000);
+    return () => {
+      clearTimeout(tick);
+      controller.abort();
+    };
+  }, [wait, tryNow]);
+
+  return (
+    <div className={classes.banner} role="status">
+      <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
+      <Text size="sm">
+        {MESSAGE[readiness]} <span aria-hidden>Asking again in {wait} s.</span>
+      </Text>
+      <Button size="compact-xs" variant="default" onClick={() => void tryNow(new AbortController().signal)}>
+        Try now
+      </Button>
+    </div>
+  );
+}

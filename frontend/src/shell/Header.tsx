@@ -1,0 +1,98 @@
+/** Name, presets, undo and redo, what the last answer cost, sharing and the colour scheme. */
+
+import { ActionIcon, Button, Menu, Text, Tooltip, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
+import { IconArrowBackUp, IconArrowForwardUp, IconMoon, IconSun, IconTemplate } from "@tabler/icons-react";
+import type { ReactNode } from "react";
+import type { Preset } from "../api/types";
+import { useDesk, useLab } from "../state/context";
+import { ExportMenu } from "../export/ExportMenu";
+import { ShareButton } from "../export/ShareButton";
+import { Logo } from "./Logo";
+import classes from "./shell.module.css";
+import { StatusLine } from "./StatusLine";
+
+export function Header({ presets }: { readonly presets: readonly Preset[] }) {
+  const { lab } = useDesk();
+  const canUndo = useLab((state) => (state.history?.past.length ?? 0) > 0);
+  const canRedo = useLab((state) => (state.history?.future.length ?? 0) > 0);
+  return (
+    <header className={classes.header}>
+      <Logo />
+      <Text component="h1" className={classes.name}>
+        Ridelab
+      </Text>
+      <PresetMenu presets={presets} />
+      <IconButton label="Undo" disabled={!canUndo} onClick={lab.undo}>
+        <IconArrowBackUp size={18} stroke={1.7} />
+      </IconButton>
+      <IconButton label="Redo" disabled={!canRedo} onClick={lab.redo}>
+        <IconArrowForwardUp size={18} stroke={1.7} />
+      </IconButton>
+      <StatusLine place="header" />
+      <span className={classes.grow} />
+      <ShareButton />
+      <ExportMenu />
+      <SchemeToggle />
+    </header>
+  );
+}
+
+interface IconButtonProps {
+  readonly label: string;
+  readonly disabled?: boolean;
+  readonly onClick: () => void;
+  readonly children: ReactNode;
+}
+
+function IconButton({ label, disabled = false, onClick, children }: IconButtonProps) {
+  return (
+    <Tooltip label={label}>
+      <ActionIcon variant="subtle" size={32} aria-label={label} disabled={disabled} onClick={onClick}>
+        {children}
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+function PresetMenu({ presets }: { readonly presets: readonly Preset[] }) {
+  const { lab } = useDesk();
+  return (
+    <Menu position="bottom-start" width={320} withinPortal>
+      <Menu.Target>
+        <Button
+          size="xs"
+          variant="default"
+          aria-label="Presets"
+          leftSection={<IconTemplate size={16} stroke={1.7} />}
+          classNames={{ root: classes.compact ?? "", label: classes.compactLabel ?? "", section: classes.compactSection ?? "" }}
+          disabled={presets.length === 0}
+        >
+          Presets
+        </Button>
+      </Menu.Target>
+      <Menu.Dropdown>
+        {presets.map((preset) => (
+          <Menu.Item key={preset.id} onClick={() => lab.commit(preset.scenario)}>
+            <Text size="sm" fw={600}>
+              {preset.label}
+            </Text>
+            <Text size="xs" c="dimmed">
+              {preset.description}
+            </Text>
+          </Menu.Item>
+        ))}
+      </Menu.Dropdown>
+    </Menu>
+  );
+}
+
+function SchemeToggle() {
+  const { setColorScheme } = useMantineColorScheme();
+  const isDark = useComputedColorScheme("light") === "dark";
+  const next = isDark ? "light" : "dark";
+  return (
+    <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
+      {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
+    </IconButton>
+  );
+}

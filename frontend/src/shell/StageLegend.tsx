@@ -1,0 +1,29 @@
+/** What the shading and the lines behind the curves mean. */
+
+import type { Catalogue } from "../api/types";
+import { stagedStrategy } from "../plots/shapes";
+import type { Scene } from "../state/scene";
+import classes from "./shell.module.css";
+
+export function StageLegend({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
+  const stages = catalogue.stages.filter(({ key }) => key === "brake" || key === "bump");
+  const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
+  const several = scene.axis === "time" && scene.ids.length > 1;
+  return (
+    <p className={classes.legend}>
+      {stages.map(({ key, label, description }) => (
+        <span key={key} title={description}>
+          <span className={classes.fill} data-stage={key} /> {label}
+        </span>
+      ))}
+      <span>
+        <span className={classes.dashes} /> limit, static load or target
+      </span>
+      <span className={classes.hint}>
+        {several
+          ? `Stages shaded for ${staged?.label ?? ""}; marks on top show each strategy on the bump.`
+          : "Drag across a plot to zoom, double click for all."}
+      </span>
+    </p>
+  );
+}

@@ -1,0 +1,30 @@
+/** Whether the shown answer was stored or computed, and what it cost. */
+
+import { Text } from "@mantine/core";
+import { useLab } from "../state/context";
+import type { Shown } from "../state/shown";
+import classes from "./shell.module.css";
+
+const ms = (value: number) => `${value < 9.5 ? value.toFixed(1) : value.toFixed(0)} ms`;
+
+function describe({ source, timing }: Shown): string {
+  const { cached, computed, computeMs, roundTripMs, opened } = timing;
+  if (opened) return `Stored result, opened in ${ms(roundTripMs)}`;
+  const parts = [cached > 0 ? `${cached} from store` : "", computed > 0 ? `${computed} computed in ${ms(computeMs)}` : ""];
+  return `${source === "live" ? "Live" : "Exact"}: ${parts.filter(Boolean).join(", ")} · ${ms(roundTripMs)} in all`;
+}
+
+interface Props {
+  /** Where it stands: in the header, or under it where the header has no room. */
+  readonly place: "header" | "page";
+}
+
+export function StatusLine({ place }: Props) {
+  const shown = useLab((state) => state.shown);
+  if (!shown) return null;
+  return (
+    <Text className={classes.status} data-place={place} data-testid={`status-${place}`} data-source={shown.source} title={`Computed by core ${shown.coreVersion}`}>
+      {describe(shown)}
+    </Text>
+  );
+}

@@ -1,0 +1,53 @@
+/** The page's address: `/` or `/r/{id}`, and how the run is looked at in the query. */
+
+import type { StrategyId } from "../api/types";
+
+export type Axis = "distance" | "time";
+
+export type Zoom = readonly [number, number];
+
+export interface View {
+  readonly axis: Axis;
+  readonly baseline: StrategyId;
+  readonly hidden: readonly StrategyId[];
+  /** Range of the shared axis, `null` for the whole run. */
+  readonly zoom: Zoom | null;
+}
+
+export interface Address {
+  readonly runId: string | null;
+  readonly view: View;
+}
+
+export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null };
+
+function parseZoom(text: string | null): Zoom | null {
+  const match = /^(-?[\d.]+)~(-?[\d.]+)$/.exec(text ?? "");
+  const [low, high] = [Number(match?.[1]), Number(match?.[2])];
+  return Number.isFinite(low) && Number.isFinite(high) && low < high ? [low, high] : null;
+}
+
+export function parseAddress(pathname: string, search: string): Address {
+  const query = new URLSearchParams(search);
+  const match = /^\/r\/([^/]+)\/?$/.exec(pathname);
+  return {
+    runId: match?.[1] ? decodeURIComponent(match[1]) : null,
+    view: {
+      axis: query.get("axis") === "time" ? "time" : "distance",
+      baseline: query.get("baseline") ?? DEFAULT_VIEW.baseline,
+      hidden: query.get("hide")?.split(",").filter(Boolean) ?? [],
+      zoom: parseZoom(query.get("zoom")),
+    },
+  };
+}
+
+export function formatAddress({ runId, view }: Address): string {
+  const query = new URLSearchParams();
+  if (view.axis !== DEFAULT_VIEW.axis) query.set("axis", view.axis);
+  if (view.baseline !== DEFAULT_VIEW.baseline) query.set("baseline", view.baseline);
+  if (view.hidden.length > 0) query.set("hide", view.hidden.join(","));
+  if (view.zoom) query.set("zoom", view.zoom.map((value) => String(Number(value.toFixed(3)))).join("~"));
+  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~");
+  const path = runId === null ? "/" : `/r/${encodeURIComponent(runId)}`;
+  return text === "" ? path : `${path}?${text}`;
+}

@@ -1,0 +1,22 @@
+/** From distance to time and back: zoom and cursor stay on the same piece of the run. */
+
+import { valueAt } from "../plots/samples";
+import type { Axis, Zoom } from "./address";
+import { cursor } from "./cursor";
+import type { Router } from "./router";
+import { axisKey, type Scene } from "./scene";
+
+export function switchAxis(router: Router, scene: Scene | null, axis: Axis): void {
+  const first = scene?.ids[0];
+  const series = first === undefined ? undefined : scene?.series[first];
+  const from = scene && series?.[axisKey(scene.axis)];
+  const to = series?.[axisKey(axis)];
+  const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
+
+  const { zoom } = router.get().view;
+  const [low, high] = zoom ? [convert(zoom[0]), convert(zoom[1])] : [null, null];
+  const at = cursor.get();
+  cursor.set(at === null ? null : convert(at));
+  const next: Zoom | null = low !== null && high !== null ? [low, high] : null;
+  router.setView({ axis, zoom: next });
+}

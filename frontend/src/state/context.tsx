@@ -1,0 +1,62 @@
+/** The lab and the address, for components. */
+
+import { createContext, use, type ReactNode } from "react";
+import type { Scenario } from "../api/types";
+import type { View } from "./address";
+import type { Lab, LabState } from "./lab";
+import type { Router } from "./router";
+import { useSelect } from "./store";
+
+interface Desk {
+  readonly lab: Lab;
+  readonly router: Router;
+  /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
+  readonly standard: Scenario;
+}
+
+const DeskContext = createContext<Desk | null>(null);
+
+export function DeskProvider({ value, children }: { readonly value: Desk; readonly children: ReactNode }) {
+  return <DeskContext value={value}>{children}</DeskContext>;
+}
+
+export function useDesk(): Desk {
+  const desk = use(DeskContext);
+  if (desk === null) throw new Error("useDesk needs a DeskProvider above it");
+  return desk;
+}
+
+export function useLab<Part>(select: (state: LabState) => Part): Part {
+  return useSelect(useDesk().lab, select);
+}
+
+export function useView(): View {
+  return useSelect(useDesk().router, (address) => address.view);
+}
+
+/** The scenario as the form shows it: under a moving slider, else the last one set. */
+export function useScenario(): Scenario {
+  const { standard } = useDesk();
+  return useLab((state) => state.drag ?? state.history?.present ?? standard);
+}
+
+/** One stable piece of the edited scenario: the component renders anew only when that piece changes. */
+export function useFromScenario<Part>(select: (scenario: Scenario) => Part): Part {
+  const { standard } = useDesk();
+  return useLab((state) => select(state.drag ?? state.history?.present ?? standard));
+}
+
+/** How a field changes the scenario, always from its newest state. */
+export function useEdit() {
+  const { lab, standard } = useDesk();
+  return {
+    newest: (): Scenario => {
+      const { drag, history } = lab.get();
+      return drag ?? history?.present ?? standard;
+    },
+    drag: lab.drag,
+    commit: lab.commit,
+    reject: lab.reject,
+    accept: lab.accept,
+  };
+}

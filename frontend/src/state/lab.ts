@@ -1,0 +1,257 @@
+/** The page's one controller: what is edited, what is asked of the server, and what is shown. */
+
+import type { QueryClient } from "@tanstack/react-query";
+import { api } from "../api/client";
+import { ApiProblem, isAbort, isNotFound, isTransient } from "../api/problem";
+import type { LiveAnswer, Run, Scenario, StrategyId } from "../api/types";
+import { placeErrors, type PlacedErrors } from "../editor/errors";
+import { sameValue, type Pointer } from "../editor/path";
+import type { Group } from "../editor/schema";
+import type { Address } from "./address";
+import { begin, record, redo, undo, type History } from "./history";
+import { createLatest } from "./latest";
+import { runKey, seriesQuery, OVERVIEW_POINTS } from "./queries";
+import type { Router } from "./router";
+import { fromLive, fromRun, type Shown } from "./shown";
+import { axisKey } from "./scene";
+import { createStore, type Store } from "./store";
+import { createTimer } from "./timer";
+
+/** A text that is not a value the field can take; it stays in its input until somebody changes it. */
+export interface Rejected {
+  readonly text: string;
+  readonly message: string;
+}
+
+export type Failure = { readonly kind: "notFound" } | { readonly kind: "unreachable" } | { readonly kind: "failed"; readonly message: string };
+
+export interface LabState {
+  readonly history: History<Scenario> | null;
+  /** The scenario under a moving slider. */
+  readonly drag: Scenario | null;
+  readonly rejected: Readonly<Record<Pointer, Rejected>>;
+  readonly refused: PlacedErrors;
+  readonly strategies: readonly StrategyId[];
+  readonly shown: Shown | null;
+  readonly busy: boolean;
+  /** What is shown is older than what was asked for, for longer than an eye forgives. */
+  readonly stale: boolean;
+  readonly failure: Failure | null;
+}
+
+const NO_ERRORS: PlacedErrors = { fields: {}, general: [] };
+const STALE_AFTER_MS = 200;
+const LIVE_POINTS = 700;
+const LIVE_POINTS_MOST = 5000;
+
+const hasErrors = ({ fields, general }: PlacedErrors) => general.length > 0 || Object.keys(fields).length > 0;
+
+const OPENING_STRATEGIES: readonly StrategyId[] = ["lv", "lqr", "passive"];
+
+export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
+  readonly open: (address: Address) => void;
+  readonly openPaper: () => void;
+  /** Tells the lab the form (to place errors) and the signals the page draws. */
+  readonly configure: (form: Group, signals: readonly string[]) => void;
+  readonly drag: (scenario: Scenario) => void;
+  readonly commit: (scenario: Scenario) => void;
+  readonly reject: (pointer: Pointer, rejected: Rejected) => void;
+  readonly accept: (pointer: Pointer) => void;
+  readonly undo: () => void;
+  readonly redo: () => void;
+  readonly setStrategies: (strategies: readonly StrategyId[]) => void;
+  /** Asks again for what could not be had; does nothing where nothing is missing. */
+  readonly resume: () => void;
+}
+
+export function createLab(router: Router, queries: QueryClient): Lab {
+  const store = createStore<LabState>({
+    history: null,
+    drag: null,
+    rejected: {},
+    refused: NO_ERRORS,
+    strategies: OPENING_STRATEGIES,
+    shown: null,
+    busy: false,
+    stale: false,
+    failure: null,
+  });
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+  const grace = createTimer(STALE_AFTER_MS, () => patch({ stale: true }));
+
+  let form: Group | null = null;
+  let signals: readonly string[] = [];
+  let current: AbortController | null = null;
+  let unfinished: (() => void) | null = null;
+
+  const refuse = (problem: ApiProblem) => {
+    if (problem.status === 422 && form) patch({ refused: placeErrors(form, problem.errors, problem.message) });
+    else patch({ failure: { kind: "failed", message: problem.message } });
+  };
+
+  const fail = (error: unknown, again: () => void) => {
+    if (isAbort(error)) return;
+    if (isTransient(error)) {
+      unfinished = again;
+      patch({ failure: { kind: "unreachable" } });
+    } else if (isNotFound(error)) patch({ failure: { kind: "notFound" } });
+    else if (error instanceof ApiProblem) refuse(error);
+    else patch({ failure: { kind: "failed", message: error instanceof Error ? error.message : "Something went wrong" } });
+  };
+
+  /** Runs one exact request; whatever ran before is aborted, so a stale answer never lands. */
+  const exclusively = (work: (signal: AbortSignal, isCurrent: () => boolean) => Promise<void>, again: () => void) => {
+    live.cancel();
+    current?.abort();
+    const controller = new AbortController();
+    current = controller;
+    unfinished = null;
+    const isCurrent = () => current === controller;
+    patch({ busy: true, failure: null, refused: NO_ERRORS });
+    grace.start();
+    work(controller.signal, isCurrent)
+      .catch((error: unknown) => {
+        if (isCurrent()) fail(error, again);
+      })
+      .finally(() => {
+        if (!isCurrent()) return;
+        grace.stop();
+        // After a failure the old curves stay dimmed: they are not what the form says.
+        patch({ busy: false, stale: store.get().failure !== null || hasErrors(store.get().refused) });
+      });
+  };
+
+  const land = async (run: Run, asked: number, opened: boolean, isCurrent: () => boolean) => {
+    const series = await queries.query(seriesQuery(run.id, Object.keys(run.strategies), OVERVIEW_POINTS));
+    if (isCurrent()) patch({ shown: fromRun(run, series, performance.now() - asked, opened), drag: null });
+  };
+
+  const submit = (mode: "push" | "replace") => {
+    const { history, strategies } = store.get();
+    if (strategies.length === 0) return;
+    exclusively(
+      async (signal, isCurrent) => {
+        const asked = performance.now();
+        const run = await api.createRun(history?.present ?? {}, strategies, signal);
+        if (!isCurrent()) return;
+        queries.setQueryData(runKey(run.id), run);
+        if (history === null) patch({ history: begin(run.scenario) });
+        router.showRun(run.id, { hidden: [] }, mode);
+        await land(run, asked, false, isCurrent);
+      },
+      () => submit(mode),
+    );
+  };
+
+  const load = (id: string, hidden: readonly StrategyId[]) => {
+    exclusively(
+      async (signal, isCurrent) => {
+        const asked = performance.now();
+        const known = queries.getQueryData<Run>(runKey(id));
+        const run = known ?? (await api.run(id, signal));
+        if (!isCurrent()) return;
+        queries.setQueryData(runKey(id), run);
+        const { history } = store.get();
+        patch({
+          history: history ? record(history, run.scenario) : begin(run.scenario),
+          strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
+          rejected: {},
+          drag: null,
+        });
+        await land(run, asked, true, isCurrent);
+      },
+      () => load(id, hidden),
+    );
+  };
+
+  /** Zoomed in, the same density of samples takes more of them over the whole run. */
+  const livePoints = () => {
+    const { zoom, axis } = router.get().view;
+    const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
+    const part = zoom ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
+    return Math.round(Math.min(LIVE_POINTS_MOST, LIVE_POINTS / Math.max(part, 0.01)));
+  };
+
+  interface Wish {
+    readonly scenario: Scenario;
+    readonly asked: number;
+  }
+
+  const live = createLatest<Wish, LiveAnswer>({
+    run: ({ scenario }, signal) => {
+      grace.start();
+      return api.live({ scenario, strategies: store.get().strategies, signals, points: livePoints() }, signal);
+    },
+    onAnswer: (answer, { scenario, asked }) => {
+      grace.stop();
+      const settled = store.get().drag === scenario;
+      const shown = fromLive(answer, performance.now() - asked);
+      patch({ shown, refused: NO_ERRORS, failure: null, ...(settled ? { busy: false, stale: false } : {}) });
+    },
+    onError: (error) => {
+      // While dragging, an overloaded or silent server only means no new curves; the release asks again.
+      grace.stop();
+      if (error instanceof ApiProblem && !isTransient(error)) refuse(error);
+      patch({ busy: false, stale: true });
+    },
+  });
+
+  const move = (step: (history: History<Scenario>) => History<Scenario>) => {
+    const { history } = store.get();
+    if (!history) return;
+    const next = step(history);
+    if (next === history) return;
+    patch({ history: next, rejected: {}, drag: null });
+    submit("push");
+  };
+
+  const open = ({ runId, view }: Address) => {
+    if (runId === null) submit("replace");
+    else load(runId, view.hidden);
+  };
+
+  return {
+    get: store.get,
+    subscribe: store.subscribe,
+    open,
+    openPaper: () => {
+      patch({ history: null, rejected: {}, strategies: OPENING_STRATEGIES, shown: null });
+      submit("push");
+    },
+    configure: (nextForm, nextSignals) => {
+      form = nextForm;
+      signals = nextSignals;
+    },
+    drag: (scenario) => {
+      current?.abort();
+      current = null;
+      const { strategies } = store.get();
+      patch({ drag: scenario, busy: strategies.length > 0 });
+      if (strategies.length > 0) live.request({ scenario, asked: performance.now() });
+    },
+    commit: (scenario) => {
+      const { history } = store.get();
+      const same = history?.present === scenario;
+      if (!same) patch({ history: history ? record(history, scenario) : begin(scenario) });
+      patch({ drag: null });
+      submit("push");
+    },
+    reject: (pointer, rejected) => patch({ rejected: { ...store.get().rejected, [pointer]: rejected } }),
+    accept: (pointer) => {
+      const { [pointer]: gone, ...rejected } = store.get().rejected;
+      if (gone) patch({ rejected });
+    },
+    undo: () => move(undo),
+    redo: () => move(redo),
+    setStrategies: (strategies) => {
+      const { shown, history } = store.get();
+      patch({ strategies });
+      const computed = shown?.source === "exact" ? Object.keys(shown.summaries) : [];
+      const known = strategies.every((strategy) => computed.includes(strategy));
+      if (known && history && shown && sameValue(shown.scenario, history.present)) {
+        router.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
+      } else submit("push");
+    },
+    resume: () => unfinished?.(),
+  };
+}

@@ -1,0 +1,63 @@
+import { describe, expect, it } from "vitest";
+import { createLatest } from "./latest";
+
+interface Call {
+  readonly wish: number;
+  readonly signal: AbortSignal;
+  readonly answer: (value: string) => void;
+  readonly fail: (error: Error) => void;
+}
+
+function harness() {
+  const calls: Call[] = [];
+  const answers: string[] = [];
+  const errors: string[] = [];
+  const latest = createLatest<number, string>({
+    run: (wish, signal) =>
+      new Promise((resolve, reject) => {
+        calls.push({ wish, signal, answer: resolve, fail: reject });
+      }),
+    onAnswer: (answer) => answers.push(answer),
+    onError: (error) => errors.push(error instanceof Error ? error.message : ""),
+  });
+  const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
+  return { calls, answers, errors, latest, settle };
+}
+
+describe("one request at a time, the newest next", () => {
+  it("skips what was overtaken", async () => {
+    const { calls, answers, latest, settle } = harness();
+    for (const wish of [1, 2, 3, 4]) latest.request(wish);
+    expect(calls.map(({ wish }) => wish)).toEqual([1]);
+    calls[0]?.answer("one");
+    await settle();
+    expect(calls.map(({ wish }) => wish)).toEqual([1, 4]);
+    calls[1]?.answer("four");
+    await settle();
+    expect(answers).toEqual(["one", "four"]);
+  });
+
+  it("drops everything on cancel, also an answer that still comes", async () => {
+    const { calls, answers, latest, settle } = harness();
+    latest.request(1);
+    latest.request(2);
+    latest.cancel();
+    expect(calls[0]?.signal.aborted).toBe(true);
+    calls[0]?.answer("late");
+    await settle();
+    expect(answers).toEqual([]);
+    expect(calls).toHaveLength(1);
+  });
+
+  it("goes on after an error", async () => {
+    const { calls, answers, errors, latest, settle } = harness();
+    latest.request(1);
+    latest.request(2);
+    calls[0]?.fail(new Error("no"));
+    await settle();
+    calls[1]?.answer("two");
+    await settle();
+    expect(errors).toEqual(["no"]);
+    expect(answers).toEqual(["two"]);
+  });
+});

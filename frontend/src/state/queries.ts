@@ -1,0 +1,43 @@
+/** Everything the page reads through TanStack Query, with its keys. */
+
+import { queryOptions } from "@tanstack/react-query";
+import { api } from "../api/client";
+import { readSchema } from "../editor/schema";
+import type { StrategyId } from "../api/types";
+
+/** Samples per strategy that cover a screen at the whole run. */
+export const OVERVIEW_POINTS = 1600;
+/** Samples per strategy once somebody zooms in: finer than a screen at any stage of a usual run. */
+export const DETAIL_POINTS = 8_000;
+
+const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
+
+export const schemaQuery = queryOptions({
+  queryKey: ["schema"],
+  queryFn: async ({ signal }) => readSchema(await api.schema(signal)),
+  ...FOR_EVER,
+});
+export const presetsQuery = queryOptions({ queryKey: ["presets"], queryFn: ({ signal }) => api.presets(signal), ...FOR_EVER });
+export const strategiesQuery = queryOptions({
+  queryKey: ["strategies"],
+  queryFn: ({ signal }) => api.strategies(signal),
+  ...FOR_EVER,
+});
+export const catalogueQuery = queryOptions({
+  queryKey: ["catalogue"],
+  queryFn: ({ signal }) => api.catalogue(signal),
+  ...FOR_EVER,
+});
+export const figuresQuery = queryOptions({ queryKey: ["figures"], queryFn: ({ signal }) => api.figures(signal), ...FOR_EVER });
+
+export const runKey = (id: string) => ["run", id] as const;
+
+/** Time histories of a run; runs are immutable, so an answer never grows stale. */
+export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number) {
+  return queryOptions({
+    queryKey: ["series", id, points, strategies],
+    queryFn: ({ signal }) => api.series(id, strategies, points, signal),
+    staleTime: Infinity,
+    gcTime: 5 * 60_000,
+  });
+}

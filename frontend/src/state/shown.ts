@@ -1,0 +1,79 @@
+/** What the plots and tables show: one complete answer, exact or live. */
+
+import { decodeSeries } from "../api/decode";
+import type { Failure, LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+
+export interface Timing {
+  readonly cached: number;
+  readonly computed: number;
+  /** The server's own time, where it says so [ms]. */
+  readonly computeMs: number;
+  /** From asking to having the answer, as this page saw it [ms]. */
+  readonly roundTripMs: number;
+  /** The run was opened by its address: nothing was asked to be computed. */
+  readonly opened: boolean;
+}
+
+export interface Failed {
+  readonly strategy: StrategyId;
+  readonly message: string;
+}
+
+export interface Shown {
+  readonly source: "exact" | "live";
+  readonly runId: string | null;
+  readonly coreVersion: string;
+  readonly scenario: Scenario;
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  readonly failed: readonly Failed[];
+  readonly series: SeriesByStrategy;
+  readonly timing: Timing;
+}
+
+type Answers = Readonly<Record<StrategyId, Summary | Failure>>;
+
+function split(all: Answers): Pick<Shown, "summaries" | "failed"> {
+  const summaries: Record<StrategyId, Summary> = {};
+  const failed: Failed[] = [];
+  for (const [strategy, answer] of Object.entries(all)) {
+    if (answer.status === "ok") summaries[strategy] = answer;
+    else failed.push({ strategy, message: answer.reason });
+  }
+  return { summaries, failed };
+}
+
+function timing(all: Answers, roundTripMs: number, opened: boolean): Timing {
+  const list = Object.values(all);
+  const cached = list.filter((summary) => summary.cached === true).length;
+  const computeMs = list.reduce((sum, summary) => sum + (summary.cached ? 0 : summary.compute_ms), 0);
+  return { cached, computed: list.length - cached, computeMs, roundTripMs, opened };
+}
+
+export function fromRun(run: Run, series: SeriesByStrategy, roundTripMs: number, opened: boolean): Shown {
+  return {
+    source: "exact",
+    runId: run.id,
+    coreVersion: run.core_version,
+    scenario: run.scenario,
+    ...split(run.strategies),
+    series,
+    timing: timing(run.strategies, roundTripMs, opened),
+  };
+}
+
+export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
+  const { summaries, failed } = split(answer.strategies);
+  const decoded = Object.entries(answer.strategies).flatMap(([strategy, entry]) =>
+    entry.status === "ok" ? [[strategy, decodeSeries(entry.series)] as const] : [],
+  );
+  return {
+    source: "live",
+    runId: null,
+    coreVersion: answer.core_version,
+    scenario: answer.scenario,
+    summaries,
+    failed,
+    series: Object.fromEntries(decoded),
+    timing: timing(answer.strategies, roundTripMs, false),
+  };
+}

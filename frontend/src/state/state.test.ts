@@ -1,0 +1,34 @@
+import { describe, expect, it } from "vitest";
+import { DEFAULT_VIEW, formatAddress, parseAddress } from "./address";
+import { begin, record, redo, undo } from "./history";
+
+describe("undo and redo", () => {
+  it("walk the same way back and forth", () => {
+    const made = record(record(begin("a"), "b"), "c");
+    expect(undo(made).present).toBe("b");
+    expect(redo(undo(made))).toEqual(made);
+    expect(undo(undo(undo(made))).present).toBe("a");
+  });
+
+  it("forget the future once something new is done", () => {
+    expect(redo(record(undo(record(begin("a"), "b")), "c")).present).toBe("c");
+  });
+});
+
+describe("the address", () => {
+  it("is short for the usual view", () => {
+    expect(formatAddress({ runId: "abc", view: DEFAULT_VIEW })).toBe("/r/abc");
+    expect(formatAddress({ runId: null, view: DEFAULT_VIEW })).toBe("/");
+  });
+
+  it("carries the view there and back", () => {
+    const address = { runId: "a_b-1", view: { axis: "time", baseline: "lqr", hidden: ["passive", "lv"], zoom: [98.5, 112] } } as const;
+    const [path = "", query = ""] = formatAddress(address).split("?");
+    expect(query).toBe("axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112");
+    expect(parseAddress(path, `?${query}`)).toEqual(address);
+  });
+
+  it("ignores what makes no sense", () => {
+    expect(parseAddress("/elsewhere", "?axis=up&zoom=9~3").view).toEqual(DEFAULT_VIEW);
+  });
+});

@@ -1,0 +1,22 @@
+/** A change in percent: sign and arrow say better or worse, colour only repeats it. */
+
+import { changeAgainst, formatPercent } from "./change";
+import classes from "./tables.module.css";
+
+const ARROW = { better: "▼", worse: "▲", same: "", none: "" } as const;
+
+interface Props {
+  readonly value: number | null | undefined;
+  readonly baseline: number | null | undefined;
+}
+
+export function ChangeMark({ value, baseline }: Props) {
+  const { percent, verdict } = changeAgainst(value, baseline);
+  if (percent === null) return <span className={classes.change}>–</span>;
+  return (
+    <span className={classes.change} data-verdict={verdict}>
+      <span aria-hidden>{ARROW[verdict]}</span> {formatPercent(percent)}
+      {verdict !== "same" && <span className="visually-hidden">, {verdict}</span>}
+    </span>
+  );
+}

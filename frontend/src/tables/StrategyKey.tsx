@@ -1,0 +1,20 @@
+/** A strategy's line as the plots draw it: colour and dash. */
+
+import type { Strategy } from "../api/types";
+
+const DASHES: Readonly<Record<string, string>> = {
+  solid: "none",
+  dash: "6 3.5",
+  dot: "1.8 2.6",
+  dashdot: "6 2.6 1.8 2.6",
+  longdash: "10 3",
+  longdashdot: "10 2.6 1.8 2.6",
+};
+
+export function StrategyKey({ strategy }: { readonly strategy: Pick<Strategy, "colour" | "dash"> }) {
+  return (
+    <svg width="24" height="10" viewBox="0 0 24 10" aria-hidden style={{ flex: "none" }}>
+      <line x1="1" x2="23" y1="5" y2="5" stroke={strategy.colour} strokeWidth="2.5" strokeDasharray={DASHES[strategy.dash] ?? "none"} />
+    </svg>
+  );
+}

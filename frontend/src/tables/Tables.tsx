@@ -1,0 +1,58 @@
+/** The comparison, and on demand everything else the run says in numbers. */
+
+import { Button } from "@mantine/core";
+import { IconChevronDown, IconChevronUp } from "@tabler/icons-react";
+import { useElementSize } from "@mantine/hooks";
+import { useId, useState } from "react";
+import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
+import type { Scene } from "../state/scene";
+import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
+import { NarrowTable } from "./NarrowTable";
+import { RunTable } from "./RunTable";
+import classes from "./tables.module.css";
+
+interface Props {
+  readonly scene: Scene;
+  readonly catalogue: Catalogue;
+  readonly figures: Readonly<Record<string, FigureTemplate>>;
+}
+
+/** Both halves of the comparison side by side need this much. */
+const LEAST_WIDTH_PX = 760;
+
+export function Tables({ scene, catalogue, figures }: Props) {
+  const [more, setMore] = useState(false);
+  const id = useId();
+  const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
+  const { ref, width } = useElementSize<HTMLElement>();
+  const compare = (signals: readonly SignalKey[], caption: string) =>
+    width > 0 && width < LEAST_WIDTH_PX ? (
+      VIEWS.map((view) => (
+        <NarrowTable key={view.window} {...{ scene, catalogue, figures, signals, view }} heading={headingOf(view, catalogue)} />
+      ))
+    ) : (
+      <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />
+    );
+  return (
+    <section ref={ref} className={classes.card} aria-label="Comparison">
+      {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
+      {more && (
+        <div id={id} className={classes.more}>
+          {compare(others, "Suspension travel and actuator forces")}
+          <RunTable scene={scene} catalogue={catalogue} />
+        </div>
+      )}
+      <Button
+        className={classes.moreButton ?? ""}
+        size="compact-xs"
+        variant="subtle"
+        aria-expanded={more}
+        {...(more ? { "aria-controls": id } : {})}
+        rightSection={more ? <IconChevronUp size={14} /> : <IconChevronDown size={14} />}
+        onClick={() => setMore(!more)}
+      >
+        {more ? "Less" : "Travel, forces, comfort, time and events"}
+      </Button>
+    </section>
+  );
+}

@@ -1,0 +1,13 @@
+/** The browser tab's title: what this scenario is about, in a few words. */
+
+import type { Scenario } from "./api/types";
+import { getAt } from "./editor/path";
+
+export function pageTitle(scenario: Scenario): string {
+  const height = getAt(scenario, "/road/bump/height");
+  const from = getAt(scenario, "/speed/initial_speed_kmh");
+  const to = getAt(scenario, "/speed/target_speed_kmh");
+  if (typeof height !== "number" || typeof from !== "number" || typeof to !== "number") return "Ridelab";
+  const obstacle = height === 0 ? "no bump" : `${Math.abs(height * 1000).toFixed(0)} mm ${height > 0 ? "bump" : "pothole"}`;
+  return `${obstacle}, ${from} → ${to} km/h · Ridelab`;
+}

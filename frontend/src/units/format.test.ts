@@ -1,0 +1,25 @@
+import { describe, expect, it } from "vitest";
+import { formatInput, formatNumber, parseInput, prettyUnit } from "./format";
+
+describe("numbers", () => {
+  it("are shown with significant digits", () => {
+    expect([0.14873, 6.19, 8582.5, 22245, -0.0012, 0, 6.4e-7, 999.96].map((value) => formatNumber(value))).toEqual([
+      "0.149", "6.19", "8583", "22\u202f245", "−0.00120", "0", "6.4×10⁻⁷", "1000",
+    ]);
+  });
+
+  it("are typed with all their digits", () => {
+    expect([0.1, 1536.7, 6.4e-5, 1e-9, 100000000].map(formatInput)).toEqual(["0.1", "1536.7", "6.4e-5", "1e-9", "100000000"]);
+  });
+
+  it("are read as people type them, and never guessed", () => {
+    expect(["0.12", " -3 ", "−3", "1e-9", "0,125", "2,5", ".5"].map(parseInput)).toEqual([0.12, -3, -3, 1e-9, 0.125, 2.5, 0.5]);
+    expect(["", "5,000", "1.2.3", "0x10", "Infinity", "NaN", "12m"].map(parseInput)).toEqual(Array(7).fill(null));
+  });
+});
+
+describe("units", () => {
+  it("are set with real exponents", () => {
+    expect(["m^3", "kg·m^2", "1/N^2", "m/s^1.75", "1"].map(prettyUnit)).toEqual(["m³", "kg·m²", "1/N²", "m/s¹·⁷⁵", ""]);
+  });
+});

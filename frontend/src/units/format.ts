@@ -1,0 +1,64 @@
+/** Numbers and units as a person reads them. */
+
+export const NO_VALUE = "–";
+
+const SUPERSCRIPT: Readonly<Record<string, string>> = {
+  "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹",
+  "-": "⁻", "−": "⁻", ".": "·",
+};
+
+function raised(text: string): string {
+  return Array.from(text, (character) => SUPERSCRIPT[character] ?? character).join("");
+}
+
+/** `kg·m^2` → `kg·m²`; the unit of a plain number, `1`, is nothing. */
+export function prettyUnit(unit: string): string {
+  return unit === "1" ? "" : unit.replace(/\^(-?[\d.]+)/g, (_, power: string) => raised(power));
+}
+
+/** A real minus sign, which is as wide as a plus. */
+function withMinus(text: string): string {
+  return text.replace(/^-/, "−");
+}
+
+/** `digits` significant digits, without an exponent while that stays readable. */
+export function formatNumber(value: number, digits = 3): string {
+  if (!Number.isFinite(value)) return NO_VALUE;
+  if (value === 0) return "0";
+  const size = Math.floor(Math.log10(Math.abs(Number(value.toPrecision(digits)))));
+  if (size < -4 || size > 7) {
+    const mantissa = Number((value / 10 ** size).toPrecision(digits));
+    return withMinus(`${mantissa}×10${raised(String(size))}`);
+  }
+  const text = value.toFixed(Math.max(0, digits - 1 - size));
+  return withMinus(size >= 4 ? grouped(text) : text);
+}
+
+function grouped(text: string): string {
+  return text.replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");
+}
+
+/** A field's value as it would be typed: every digit it has, none it has not. */
+export function formatInput(value: number): string {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const plain = Number(value.toPrecision(10));
+  return size < 1e-4 || size >= 1e9 ? plain.toExponential().replace("e+", "e") : String(plain);
+}
+
+/**
+ * A number from what somebody typed, `null` where it is none. A comma may stand for the decimal point, except
+ * where it could as well separate thousands (`5,000`).
+ */
+export function parseInput(text: string): number | null {
+  const compact = text.trim().replace("−", "-").replace(/[\s\u202f\u00a0]/g, "");
+  const plain = /^[+-]?[1-9]\d*,\d{3}$/.test(compact) ? "" : compact.replace(/^([^.,]*),([^.,]*)$/, "$1.$2");
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
+  const value = Number(plain);
+  return Number.isFinite(value) ? value : null;
+}
+
+export function formatWithUnit(value: number, unit: string, digits = 3): string {
+  const shown = prettyUnit(unit);
+  return shown === "" ? formatNumber(value, digits) : `${formatNumber(value, digits)}\u00a0${shown}`;
+}

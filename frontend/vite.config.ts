@@ -1,0 +1,16 @@
+import react from "@vitejs/plugin-react";
+import { defineConfig } from "vitest/config";
+
+const backend = process.env.RIDELAB_BACKEND ?? "http://127.0.0.1:8000";
+
+export default defineConfig({
+  plugins: [react()],
+  server: { proxy: { "/api": backend, "/healthz": backend, "/readyz": backend } },
+  build: {
+    target: "es2022",
+    chunkSizeWarningLimit: 1300, // plotly's basic bundle is one file
+    // An inlined asset would be a data: address, which the page's content security policy forbids.
+    assetsInlineLimit: 0,
+  },
+  test: { include: ["src/**/*.test.ts"], environment: "node" },
+});
