@@ -1,0 +1,50 @@
+"""Metrics and comfort from a run's series by their definitions: trapezoids in time, Wk in the frequency domain."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+
+Array = NDArray[np.float64]
+
+
+def window(result: StrategyResult, low: float, high: float) -> Array:
+    """Mask of the samples with the front axle from `low` to `high` [m]."""
+    x = result.series["position"]
+    return (x >= low) & (x <= high)
+
+
+def windows(scenario: Scenario, result: StrategyResult) -> dict[str, Array]:
+    """The paper's two windows and the whole run."""
+    bump, car = scenario.road.bump, scenario.vehicle
+    end = bump.start + bump.width + car.cg_to_front + car.cg_to_rear
+    return {
+        "rough_road": window(result, 0, bump.start - 1e-9),  # the sample at the bump is the bump's
+        "bump": window(result, bump.start, end),
+        "whole": window(result, 0, scenario.road.length),
+    }
+
+
+def rms(time: Array, values: Array) -> float:
+    """Root of the time mean of the square."""
+    return float(np.sqrt(np.trapezoid(values**2, time) / (time[-1] - time[0])))
+
+
+def wk(frequency: Array) -> Array:
+    """Complex Wk(f) of ISO 2631-1: two-pole high and low pass, acceleration-velocity transition, upward step."""
+    s = 2j * np.pi * np.asarray(frequency, dtype=float)
+    w1, w2, w3, w4, w5, w6 = (2 * np.pi * f for f in (0.4, 100, 12.5, 12.5, 2.37, 3.35))
+    high = s**2 / (s**2 + np.sqrt(2) * w1 * s + w1**2)
+    low = w2**2 / (s**2 + np.sqrt(2) * w2 * s + w2**2)
+    transition = (1 + s / w3) / (1 + s / (0.63 * w4) + (s / w4) ** 2)
+    step = (1 + s / (0.91 * w5) + (s / w5) ** 2) / (1 + s / (0.91 * w6) + (s / w6) ** 2) * (w5 / w6) ** 2
+    return high * low * transition * step
+
+
+def weighted(acceleration: Array, step: float) -> Array:
+    """Acceleration through Wk from rest: spectrum of the record, padded with 20 s so that its start stays clean."""
+    n = len(acceleration)
+    padded = n + int(20 / step)
+    spectrum = np.fft.rfft(acceleration, padded)
+    return np.fft.irfft(spectrum * wk(np.fft.rfftfreq(padded, step)), padded)[:n]

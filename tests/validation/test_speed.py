@@ -1,0 +1,168 @@
+"""The speed plan: brake chain, arrival, target, coasting, and the same plan written a second time."""
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+
+from sim_core.brake import brake_chain
+from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
+from sim_core.simulation import simulate
+from tests.validation.reference.driving import brake_to_bump
+from tests.validation.strategies import between, vehicles
+
+SMOOTH = Road(roughness=0, length=130)
+
+
+def plan(**speed: float | str) -> Scenario:
+    return Scenario(road=SMOOTH, speed=Speed(**speed))
+
+
+def test_chain_gives_back_the_torque_asked_for() -> None:
+    """Eq. 6 turned round by Eq. 4-5: 800 N·m in all → pressure → pad force → friction → deceleration."""
+    car, brake = Vehicle(), Brake()
+    chain = brake_chain(brake, car)
+    pressure = 800 * chain.pressure_per_torque
+    per_brake = 400.0
+    assert pressure == pytest.approx(per_brake / (2 * 0.38 * 0.13 * 0.0025))
+    pad = pressure * 0.0025
+    friction = 0.38 * pad * np.tanh(2 * (10 * 0.13 / 0.3) / 0.1)
+    mass = 1270 + 2 * 66.3
+    assert chain.deceleration(pressure, 10.0) == pytest.approx(2 * (2 * friction * 0.13) / (0.3 * mass))
+    assert chain.deceleration(pressure, 10.0) == pytest.approx(800 / 0.3 / mass)
+    assert chain.maximum_torque / 0.3 / mass == pytest.approx(4)
+    assert chain.deceleration(pressure, 0.0) == 0  # friction vanishes with the sliding speed (Eq. 5)
+
+
+def test_pressure_and_deceleration_on_record_obey_the_chain() -> None:
+    series = simulate(plan(), "speed_only").series
+    sliding = series["speed"] * 0.13 / 0.3
+    friction = 0.38 * series["brake_pressure"] * 0.0025 * np.tanh(2 * sliding / 0.1)
+    expected = 2 * 2 * friction * 0.13 / (0.3 * (1270 + 2 * 66.3))
+    np.testing.assert_allclose(series["brake_deceleration"], expected, rtol=1e-6, atol=1e-9)
+
+
+def test_braking_plus_drag_is_what_slows_the_car() -> None:
+    """dv/dt from the speed's own samples, where the drive does not push."""
+    series = simulate(plan(), "speed_only").series
+    slope = np.gradient(series["speed"], series["time"])
+    drag = 0.012 * 9.80665 + 1.2 / 2 * 0.65 * series["speed"] ** 2 / (1270 + 2 * 66.3)
+    firm = (series["position"] > 25) & (series["speed"] > 26 / 3.6) & (series["position"] < 99)
+    assert firm.sum() > 1000
+    np.testing.assert_allclose(-slope[firm], (series["brake_deceleration"] + drag)[firm], atol=0.02)
+
+
+@pytest.mark.parametrize(
+    "speed",
+    [
+        {},
+        {"initial_speed_kmh": 40.0, "target_speed_kmh": 15.0},
+        {"initial_speed_kmh": 65.0, "target_speed_kmh": 30.0, "detection_distance": 70.0},
+        {"initial_speed_kmh": 30.0, "detection_distance": 40.0},
+    ],
+)
+def test_fuzzy_plan_is_the_one_written_a_second_time(speed: dict[str, float]) -> None:
+    """Over position, 0.1 km/h: period starts differ by a step at the band's edge, surface grid 0.3 % of the torque."""
+    scenario = plan(controller="fuzzy", **speed)
+    mine, series = brake_to_bump(scenario), simulate(scenario, "speed_only").series
+    stretch = (series["position"] >= mine.position[0]) & (series["position"] <= mine.position[-1])
+    expected = np.interp(series["position"][stretch], mine.position, mine.speed)
+    assert np.abs(series["speed"][stretch] - expected).max() * 3.6 < 0.1
+    pressure = np.interp(series["position"][stretch], mine.position, mine.pressure)
+    assert np.abs(series["brake_pressure"][stretch] - pressure).max() < 0.01 * mine.pressure.max()
+
+
+def test_paper_arrives_coasts_and_holds() -> None:
+    """Figure 8: 20 to 25 km/h at 100 m, no braking on the bump, then constant."""
+    result = simulate(Scenario(), "lv")
+    series = result.series
+    assert 20 <= result.arrival_speed_kmh <= 25
+    assert result.events["target_reached"] is True
+    before, bump, after = (
+        series["position"] < 20,
+        (series["position"] > 100.5) & (series["position"] < 104 + 2.91),
+        series["position"] > 104 + 2.92,
+    )
+    np.testing.assert_allclose(series["speed"][before], 50 / 3.6, rtol=1e-12)
+    assert series["brake_deceleration"][bump].max() < 0.01
+    assert np.all(np.diff(series["speed"][bump]) <= 1e-12)
+    assert np.ptp(series["speed"][after]) < 1e-9
+    assert series["brake_deceleration"][after].max() < 1e-12
+
+
+def test_guard_changes_nothing_on_the_papers_scenario() -> None:
+    fuzzy, guarded = (simulate(plan(controller=name), "speed_only") for name in ("fuzzy", "guarded"))
+    assert abs(fuzzy.arrival_speed_kmh - guarded.arrival_speed_kmh) < 0.1
+    assert abs(fuzzy.travel_time - guarded.travel_time) < 0.05
+
+
+@pytest.mark.parametrize("initial", range(30, 81, 5))
+@pytest.mark.parametrize("detection", [20.0, 35.0, 50.0, 80.0])
+@pytest.mark.parametrize("target", [15.0, 22.5])
+def test_target_is_reached_wherever_the_brakes_allow_it(initial: int, detection: float, target: float) -> None:
+    """To the band's top within the distance left after the pressure has built up, at no more than 4 m/s²."""
+    v, top, lag = initial / 3.6, (target + 2.5) / 3.6, Brake().pressure_lag
+    needed = (v**2 - top**2) / (2 * (detection - v * lag))
+    result = simulate(
+        plan(initial_speed_kmh=float(initial), detection_distance=detection, target_speed_kmh=target), "speed_only"
+    )
+    if needed <= 3.9:
+        assert result.events["target_reached"] is True, (needed, result.arrival_speed_kmh)
+    elif needed > 4.5:
+        assert result.events["target_reached"] is False
+        assert result.arrival_speed_kmh > target + 2.5
+
+
+@pytest.mark.parametrize("target", [50.0, 60.0])
+def test_target_at_or_above_the_initial_speed_brakes_nothing(target: float) -> None:
+    result = simulate(plan(target_speed_kmh=target), "lv")
+    assert result.series["brake_deceleration"].max() == 0
+    assert result.arrival_speed_kmh == pytest.approx(50, abs=1e-9)
+    assert result.events["target_reached"] is True
+
+
+@pytest.mark.parametrize("strategy", ["passive", "suspension_only"])
+def test_without_speed_control_the_speed_is_held(strategy: str) -> None:
+    result = simulate(Scenario(), strategy)
+    assert np.ptp(result.series["speed"]) == 0
+    assert result.travel_time == pytest.approx(150 / (50 / 3.6))
+    assert result.arrival_speed_kmh == pytest.approx(50)
+    assert result.events["target_reached"] is None
+
+
+def test_detection_before_the_start_brakes_from_the_start() -> None:
+    near = Scenario(road=Road(length=80, bump=Bump(start=50)))
+    result = simulate(near, "lv")
+    assert result.series["brake_deceleration"][200] > 0
+    assert [span.stage for span in result.stages] == ["brake", "bump", "cruise"]
+
+
+@settings(max_examples=40)
+@given(
+    vehicles,
+    between(6, 150),
+    between(5, 60),
+    between(1, 120),
+    between(0, 2),
+    between(0.2, 10),
+)
+def test_the_car_always_drives_on(
+    car: Vehicle, initial: float, target: float, detection: float, lag: float, deceleration: float
+) -> None:
+    """However the brakes are set, it never stops or rolls back, and position is the integral of speed."""
+    assume(lag < 1.5 or target > 10)
+    scenario = Scenario(
+        vehicle=car,
+        road=SMOOTH,
+        speed=Speed(initial_speed_kmh=initial, target_speed_kmh=target, detection_distance=detection),
+        brake=Brake(pressure_lag=lag, maximum_deceleration=deceleration),
+    )
+    result = simulate(scenario, "speed_only")
+    time, position, speed = (result.series[key] for key in ("time", "position", "speed"))
+    assert speed.min() > 0
+    assert np.all(np.diff(position) > 0)
+    assert time[0] == 0
+    assert position[0] == pytest.approx(0, abs=1e-9)
+    travelled = np.concatenate([[0], np.cumsum(np.diff(time) * (speed[1:] + speed[:-1]) / 2)])
+    np.testing.assert_allclose(position, travelled, atol=0.01)
+    assert position[-1] <= 130 + 1e-6
+    assert result.travel_time == pytest.approx(time[-1] + (130 - position[-1]) / speed[-1], abs=1e-6)
