@@ -65,19 +65,21 @@ function Desk() {
   return (
     <div className={classes.shell}>
       <Header presets={presets.data ?? []} />
-      <ConnectionBanner />
       <div className={classes.body}>
         <EditorPane form={schema.data} />
         <main className={classes.main}>
           <Toolbar strategies={strategies.data ?? []} scene={scene} />
           <StatusLine place="page" />
-          <Notices strategies={strategies.data ?? []} />
           {broken?.error ? (
             <CouldNotLoad message={broken.error.message} onRetry={() => void queries.refetchQueries()} />
           ) : (
             <Results strategies={strategies.data ?? []} catalogue={catalogue.data} figures={figures.data} scene={scene} />
           )}
         </main>
+      </div>
+      <div className={classes.notices}>
+        <Notices strategies={strategies.data ?? []} />
+        <ConnectionBanner />
       </div>
     </div>
   );

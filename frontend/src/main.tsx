@@ -6,6 +6,7 @@ import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import "./global.css";
 import { loadPlotly } from "./plots/plotly";
+import { ErrorBoundary } from "./shell/ErrorBoundary";
 import { createLab } from "./state/lab";
 import { createRouter } from "./state/router";
 import { theme } from "./theme";
@@ -28,7 +29,9 @@ createRoot(root).render(
   <StrictMode>
     <QueryClientProvider client={queries}>
       <MantineProvider theme={theme} defaultColorScheme="auto">
-        <App lab={lab} router={router} />
+        <ErrorBoundary>
+          <App lab={lab} router={router} />
+        </ErrorBoundary>
       </MantineProvider>
     </QueryClientProvider>
   </StrictMode>,

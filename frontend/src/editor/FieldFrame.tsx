@@ -2,7 +2,7 @@
 
 import { ActionIcon, Text, Tooltip } from "@mantine/core";
 import { IconArrowBackUp, IconInfoCircle } from "@tabler/icons-react";
-import type { ReactNode } from "react";
+import { useEffect, useRef, type ReactNode } from "react";
 import classes from "./editor.module.css";
 
 interface Props {
@@ -74,9 +74,17 @@ export function ResetButton({ title, standard, changed, onReset }: ResetProps) {
 }
 
 export function FieldError({ id, error }: { readonly id: string; readonly error: string | undefined }) {
-  if (error === undefined) return null;
+  return error === undefined ? null : <ErrorText id={id} error={error} />;
+}
+
+/** Comes into sight by itself: an error of the server may concern a field nobody is looking at. */
+function ErrorText({ id, error }: { readonly id: string; readonly error: string }) {
+  const ref = useRef<HTMLParagraphElement>(null);
+  useEffect(() => {
+    ref.current?.scrollIntoView({ block: "nearest" });
+  }, [error]);
   return (
-    <Text className={classes.error} id={`${id}-error`} role="alert">
+    <Text ref={ref} className={classes.error} id={`${id}-error`} role="alert">
       {error}
     </Text>
   );

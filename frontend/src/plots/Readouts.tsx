@@ -1,13 +1,14 @@
 /** The curves' values at the cursor, beside the panel's title. */
 
+import { useMemo } from "react";
 import type { FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
 import type { Axis } from "../state/address";
 import { cursor } from "../state/cursor";
 import { axisKey } from "../state/scene";
 import { useStore } from "../state/store";
-import { formatNumber } from "../units/format";
+import { formatFixed } from "../units/format";
 import classes from "./plots.module.css";
-import { valueAt } from "./samples";
+import { extent, valueAt } from "./samples";
 
 interface Props {
   readonly meta: FigureMeta;
@@ -16,8 +17,16 @@ interface Props {
   readonly axis: Axis;
 }
 
+/** As many decimals as give three digits to the run's largest value: the numbers keep their width while they change. */
+function decimalsFor({ signal, scale }: FigureMeta, all: SeriesByStrategy): number {
+  const ends = Object.values(all).flatMap((series) => (series[signal] ? (extent(series[signal]) ?? []) : []));
+  const largest = Math.max(0, ...ends.map((value) => Math.abs(value * scale)));
+  return largest > 0 ? Math.min(6, Math.max(0, 2 - Math.floor(Math.log10(largest)))) : 0;
+}
+
 export function Readouts({ meta, series, strategies, axis }: Props) {
   const x = useStore(cursor);
+  const decimals = useMemo(() => decimalsFor(meta, series), [meta, series]);
   if (x === null) return null;
   return (
     <span className={classes.readouts} aria-hidden>
@@ -28,7 +37,7 @@ export function Readouts({ meta, series, strategies, axis }: Props) {
         return (
           <span key={id} className={classes.readout}>
             <span className={classes.swatch} style={{ background: colour }} />
-            {value === null ? "–" : formatNumber(value * meta.scale)}
+            {value === null ? "–" : formatFixed(value * meta.scale, decimals)}
           </span>
         );
       })}

@@ -59,7 +59,18 @@ const REACH = 0.6;
 const PADDING = 0.02;
 const EDGE = 0.3;
 
-function verticalRange(data: readonly PlotTrace[], references: readonly number[]): readonly [number, number] {
+/** Zoomed in, an axis spans at least this part of the whole run's values: noise must not look like motion. */
+const LEAST_SPAN = 0.02;
+
+function wholeSpan({ template, series, strategies }: FigureInput): number {
+  const { signal, scale } = template.layout.meta;
+  const spans = strategies.map((strategy) => extent(series[strategy]?.[signal] ?? NOTHING)).filter((span) => span !== null);
+  return spans.length === 0 ? 0 : scale * (Math.max(...spans.map(([, top]) => top)) - Math.min(...spans.map(([low]) => low)));
+}
+
+const NOTHING = new Float32Array();
+
+function verticalRange(data: readonly PlotTrace[], references: readonly number[], whole: number): readonly [number, number] {
   const spans = data.map(({ y }) => extent(y)).filter((span) => span !== null);
   if (spans.length === 0) return [-1, 1];
   let low = Math.min(...spans.map(([bottom]) => bottom));
@@ -70,8 +81,10 @@ function verticalRange(data: readonly PlotTrace[], references: readonly number[]
   high = Math.max(high, ...near);
   const size = Math.max(Math.abs(low), Math.abs(high));
   // A curve that never moves still gets an axis with room around it.
-  const span = high - low > 1e-6 * size ? high - low : size > 0 ? size : 1;
-  return rounded(low - PADDING * span, high + PADDING * span);
+  const least = LEAST_SPAN * whole || (size > 0 ? size : 1);
+  const missing = Math.max(0, least - (high - low)) / 2;
+  const span = high - low + 2 * missing;
+  return rounded(low - missing - PADDING * span, high + missing + PADDING * span);
 }
 
 /** Outwards to multiples of a tenth of the span (1, 2 or 5 × 10ⁿ), so that small changes leave the axis alone. */
@@ -105,7 +118,7 @@ export function buildFigure(input: FigureInput): PanelFigure {
       hovermode: false,
       dragmode: false,
       xaxis: { ...ticks, range, ticksuffix: ` ${axisUnit(axis)}`, showticksuffix: "last", zeroline: false, nticks: 8 },
-      yaxis: { ...ticks, range: verticalRange(data, referenceValues(meta, used)), zeroline: true, nticks: 6 },
+      yaxis: { ...ticks, range: verticalRange(data, referenceValues(meta, used), wholeSpan(input)), zeroline: true, nticks: 6 },
       shapes,
     },
   };

@@ -79,6 +79,15 @@ describe("a filled figure", () => {
   });
 });
 
+describe("an axis zoomed into stillness", () => {
+  it("keeps the run's proportions", () => {
+    const still = { position: X, time: X, load: new Float32Array([0, -10_000, 0, 1e-20, 0]) };
+    const [low, high] = buildFigure({ ...input, series: { lv: still }, range: [3, 4] }).layout.yaxis.range;
+    expect(high - low).toBeGreaterThan(0.1);
+    expect(high - low).toBeLessThan(1);
+  });
+});
+
 describe("the live y axis", () => {
   it("stays while curves fit and fill it", () => {
     expect(keepsRange([-10, 10], [-8, 8])).toBe(true);

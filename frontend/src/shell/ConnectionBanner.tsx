@@ -61,7 +61,7 @@ function Reconnecting() {
   }, [wait, tryNow]);
 
   return (
-    <div className={classes.banner} role="status">
+    <div className={classes.notice} data-kind="trouble" data-testid="connection" role="status">
       <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
       <Text size="sm">
         {MESSAGE[readiness]} <span aria-hidden>Asking again in {wait} s.</span>

@@ -8,6 +8,7 @@ import classes from "./shell.module.css";
 export function StageLegend({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
   const stages = catalogue.stages.filter(({ key }) => key === "brake" || key === "bump");
   const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
+  const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const several = scene.axis === "time" && scene.ids.length > 1;
   return (
     <p className={classes.legend}>
@@ -19,10 +20,17 @@ export function StageLegend({ scene, catalogue }: { readonly scene: Scene; reado
       <span>
         <span className={classes.dashes} /> limit, static load or target
       </span>
-      <span className={classes.hint}>
-        {several
-          ? `Stages shaded for ${staged?.label ?? ""}; marks on top show each strategy on the bump.`
-          : "Drag across a plot to zoom, double click for all."}
+      {airborne && (
+        <span>
+          <span className={classes.fill} data-stage="airborne" /> tyre off the road
+        </span>
+      )}
+      {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}
+      <span className={classes.hint} data-pointer="fine">
+        Drag across a plot to zoom, double click for all
+      </span>
+      <span className={classes.hint} data-pointer="coarse">
+        Slide along a plot to read it
       </span>
     </p>
   );

@@ -1,11 +1,15 @@
 import { describe, expect, it } from "vitest";
-import { formatInput, formatNumber, parseInput, prettyUnit } from "./format";
+import { formatFixed, formatInput, formatNumber, parseInput, prettyUnit } from "./format";
 
 describe("numbers", () => {
   it("are shown with significant digits", () => {
     expect([0.14873, 6.19, 8582.5, 22245, -0.0012, 0, 6.4e-7, 999.96].map((value) => formatNumber(value))).toEqual([
       "0.149", "6.19", "8583", "22\u202f245", "−0.00120", "0", "6.4×10⁻⁷", "1000",
     ]);
+  });
+
+  it("keep their decimals where they stand in a row", () => {
+    expect([-0.004, 1.005, -12.34].map((value) => formatFixed(value, 2))).toEqual(["0.00", "1.00", "−12.34"]);
   });
 
   it("are typed with all their digits", () => {

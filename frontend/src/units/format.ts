@@ -34,6 +34,12 @@ export function formatNumber(value: number, digits = 3): string {
   return withMinus(size >= 4 ? grouped(text) : text);
 }
 
+/** A fixed number of decimals; what rounds to zero has no sign. */
+export function formatFixed(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : withMinus(text);
+}
+
 function grouped(text: string): string {
   return text.replace(/\B(?=(\d{3})+(?!\d))/g, "\u202f");
 }

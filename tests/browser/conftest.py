@@ -1,0 +1,43 @@
+"""One server and one browser for all; a fresh page, with its errors watched, for each test."""
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, expect, sync_playwright
+
+from tests.browser.chromium import launch
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import ROOT, Server
+
+WAIT_MS = 10_000
+expect.set_options(timeout=WAIT_MS)
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    if not (ROOT / "frontend/dist/index.html").is_file():
+        pytest.fail("The dashboard is not built: make setup builds it")
+    server = Server(tmp_path_factory.mktemp("server") / "data")
+    server.start()
+    yield server
+    server.stop()
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        browser = launch(playwright)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def dashboard(browser: Browser, server: Server) -> Iterator[Dashboard]:
+    """A page at a laptop's size; the test fails when a script on it does."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=server.url, color_scheme="light")
+    context.set_default_timeout(WAIT_MS)
+    page = context.new_page()
+    dashboard = Dashboard(page, server.url)
+    yield dashboard
+    context.close()
+    assert dashboard.failures == []

@@ -1,0 +1,171 @@
+"""What-if: drag, type, undo, reset; wrong values; strategies and baseline."""
+
+import re
+
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import Dashboard
+
+
+def test_dragging_is_live_and_the_release_exact(dashboard: Dashboard) -> None:
+    dashboard.open()
+    before, address = dashboard.shown_values(), dashboard.page.url
+    answers = dashboard.drag(dashboard.slider("Height"), (10, 20, 30))
+    assert all(answer.ok for answer in answers)
+
+    expect(dashboard.results).to_have_attribute("data-source", "exact")
+    expect(dashboard.page).not_to_have_url(address)
+    height = float(dashboard.entry("Height").input_value())
+    assert height > 0.1
+    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == height
+    dashboard.expect_table_to_be_the_stored_run()
+    key = "passive bump.body_acceleration.peak"
+    assert dashboard.shown_values()[key] > before[key]
+    expect(dashboard.status).to_contain_text(re.compile(r"(from store|computed in [\d.]+ ms)"))
+
+
+def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
+    dashboard.open()
+    first, paper = dashboard.page.url, dashboard.shown_values()
+    dashboard.type_into("Height", "0.06")
+    expect(dashboard.page).not_to_have_url(first)
+    dashboard.expect_curves()
+    second = dashboard.page.url
+
+    dashboard.page.go_back()
+    expect(dashboard.entry("Height")).to_have_value("0.1")
+    expect(dashboard.page).to_have_url(first)
+    expect(dashboard.results).not_to_have_attribute("data-stale", "true")
+    assert dashboard.shown_values() == paper
+
+    dashboard.page.go_forward()
+    expect(dashboard.entry("Height")).to_have_value("0.06")
+    expect(dashboard.page).to_have_url(second)
+
+
+def test_undo_redo_and_reset(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    first = page.url
+    dashboard.type_into("Width", "2.5")
+    expect(page).not_to_have_url(first)
+    expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
+
+    page.get_by_role("button", name="Undo").click()
+    expect(dashboard.entry("Width")).to_have_value("4")
+    expect(page).to_have_url(first)
+    page.get_by_role("button", name="Redo").click()
+    expect(dashboard.entry("Width")).to_have_value("2.5")
+
+    page.get_by_role("button", name="Reset Width to the paper's 4.00000 m").click()
+    expect(dashboard.entry("Width")).to_have_value("4")
+    expect(page.get_by_text("The paper’s scenario")).to_be_visible()
+
+
+def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    dashboard.type_into("Height", "3")
+    expect(page.get_by_role("alert")).to_have_text("Must be from −1 to 1 m")
+    expect(dashboard.entry("Height")).to_have_value("3")
+    dashboard.type_into("Width", "5")  # another edit goes through, and the wrong one stays as typed
+    expect(page).not_to_have_url(address)
+    expect(dashboard.entry("Height")).to_have_value("3")
+    dashboard.type_into("Height", "0.08")
+    expect(page.get_by_role("alert")).to_have_count(0)
+    dashboard.expect_curves()
+    assert dashboard.stored_run()["scenario"]["road"]["bump"] == {
+        "shape": "cosine",
+        "height": 0.08,
+        "width": 5,
+        "start": 100,
+    }
+
+
+def test_what_the_server_refuses_lands_at_the_field(dashboard: Dashboard) -> None:
+    """A limit between two fields, which only the server knows; its section opens even after being closed."""
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    section = page.get_by_role("button", name="MPC")
+    section.click()
+    dashboard.type_into("Control horizon", "80")
+    alert = page.get_by_role("alert")
+    expect(alert).to_have_text("Control horizon must not exceed the prediction horizon")
+    section.click()
+    expect(alert).to_be_visible()
+    expect(dashboard.entry("Control horizon")).to_have_value("80")
+
+    dashboard.type_into("Prediction horizon", "90")
+    expect(alert).to_have_count(0)
+    expect(page).not_to_have_url(address)
+    dashboard.expect_curves()
+    mpc = dashboard.stored_run()["scenario"]["mpc"]
+    assert (mpc["control_horizon"], mpc["prediction_horizon"]) == (80, 90)
+
+
+def test_a_nullable_field_has_an_off_state(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Actuator").click()
+    switch = page.get_by_role("switch", name="Bandwidth: limited")
+    expect(switch).not_to_be_checked()
+    switch.press("Space")
+    expect(dashboard.entry("Bandwidth")).to_have_value("10")
+    expect(page).not_to_have_url(address)
+    assert dashboard.stored_run()["scenario"]["actuator"]["bandwidth"] == 10
+    switch.press("Space")
+    expect(page).to_have_url(address)
+
+
+def test_the_road_class_always_shows_its_number(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Road", exact=True).click()
+    expect(page.get_by_text("Class B · Gd = 64×10⁻⁶ m³")).to_be_visible()
+    page.get_by_role("radiogroup", name="Road class").get_by_text("C", exact=True).click()
+    expect(page.get_by_text("Class C · Gd = 256×10⁻⁶ m³")).to_be_visible()
+    expect(page).not_to_have_url(address)
+    assert dashboard.stored_run()["scenario"]["road"]["roughness"] == 256e-6
+
+
+def test_presets_open_their_scenario(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Presets").click()
+    page.get_by_role("menuitem", name="Pothole").click()
+    expect(dashboard.entry("Height")).to_have_value("-0.06")
+    expect(page).not_to_have_url(address)
+    expect(page).to_have_title(re.compile("60 mm pothole"))
+
+
+def test_baseline_is_chosen_by_a_click(dashboard: Dashboard) -> None:
+    dashboard.open()
+    cell = "td[data-cell='bump.body_acceleration.peak']"
+    lv = dashboard.row("lv").locator(cell)
+    expect(lv).to_contain_text(re.compile(r"▼ −[\d.]+\s%, better"))
+    dashboard.row("lv").get_by_role("button").click()
+    expect(dashboard.row("lv")).to_have_attribute("data-baseline", "true")
+    expect(lv).not_to_contain_text("%")
+    values = dashboard.shown_values()
+    worse = 100 * (values["passive bump.body_acceleration.peak"] / values["lv bump.body_acceleration.peak"] - 1)
+    expect(dashboard.row("passive").locator(cell)).to_contain_text(f"▲ +{worse:.0f}\u2009%, worse")
+
+
+def test_strategies_are_switched_by_chips(dashboard: Dashboard) -> None:
+    dashboard.open()
+    panel = dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")
+    expect(panel).to_have_count(3)
+    dashboard.chip("LQR").click()
+    expect(panel).to_have_count(2)
+    expect(dashboard.row("lqr")).to_have_count(0)
+    assert "hide=lqr" in dashboard.page.url
+
+    dashboard.chip("Single speed control").click()  # not in the run yet: a new one
+    expect(dashboard.row("speed_only")).to_be_visible()
+    assert set(dashboard.stored_run()["strategies"]) == {"lv", "speed_only", "passive"}
+
+    for name in ("LV control", "Single speed control", "Passive"):
+        dashboard.chip(name).click()
+    expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
+    dashboard.page.get_by_role("button", name="Show all strategies").click()
+    expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(5)

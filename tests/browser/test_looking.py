@@ -1,0 +1,156 @@
+"""Cursor, zoom, the moving car, keyboard, accessibility; and a server that goes away."""
+
+import re
+from pathlib import Path
+
+from playwright.sync_api import Locator, expect
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import ROOT, Server
+
+
+def middle_of(panel: Locator) -> tuple[float, float, float]:
+    """Centre of a panel's plot and its width."""
+    panel.scroll_into_view_if_needed()
+    box = panel.locator("canvas").bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
+
+
+def test_one_cursor_reads_every_plot(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    panels = page.locator("section[data-figure]")
+    x, y, _ = middle_of(panels.nth(1))
+    page.mouse.move(x, y)
+    speed = panels.nth(1).locator("header")
+    expect(speed).to_contain_text("50.0")  # the passive car's speed, wherever the cursor is
+    expect(panels.first.locator("header")).to_contain_text(re.compile(r"\d"))
+    expect(page.get_by_role("slider", name="Cursor")).to_have_attribute("aria-valuetext", re.compile(r"^\d+\.\d\d m$"))
+
+
+def test_zoom_is_shared_and_a_double_click_ends_it(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    x, y, width = middle_of(page.locator("section[data-figure=speed]"))
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + width / 5, y, steps=4)
+    page.mouse.up()
+    expect(page).to_have_url(re.compile(r"zoom=\d"))
+    ticks = "section[data-figure={}] .xaxislayer-above .xtick text"
+    first, second = (page.locator(ticks.format(name)).all_inner_texts for name in ("speed", "front_road"))
+    assert first() == second() != []
+    page.mouse.dblclick(x, y)
+    expect(page).not_to_have_url(re.compile("zoom"))
+
+
+def test_time_and_distance_show_the_same_place(dashboard: Dashboard) -> None:
+    dashboard.open()
+    cursor = dashboard.page.get_by_role("slider", name="Cursor")
+    cursor.fill("60")
+    lane = dashboard.page.get_by_role("region", name="The moving car")
+    expect(lane).to_contain_text("60.0 m")
+    dashboard.page.get_by_text("Time", exact=True).click()
+    expect(cursor).to_have_attribute("aria-valuetext", re.compile(" s$"))
+    expect(lane).to_contain_text(re.compile(r"(59\.9|60\.0|60\.1) m"))
+
+
+def test_the_car_plays(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    cursor = page.get_by_role("slider", name="Cursor")
+    cursor.fill("0")
+    page.get_by_role("button", name="Play").click()
+    expect(page.get_by_role("region", name="The moving car")).to_contain_text(re.compile(r"· [1-9]\d*\.\d m"))
+    page.get_by_role("button", name="Pause").click()
+
+
+def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    dashboard.slider("Height").focus()
+    page.keyboard.press("ArrowRight")
+    expect(page).not_to_have_url(address)
+    expect(dashboard.entry("Height")).to_have_value("0.102")
+    page.keyboard.press("Control+z")
+    expect(dashboard.entry("Height")).to_have_value("0.1")
+
+    dashboard.chip("LQR").focus()
+    page.keyboard.press("Space")
+    expect(dashboard.chip("LQR")).to_have_attribute("aria-pressed", "false")
+    page.get_by_role("slider", name="Cursor").focus()
+    before = page.get_by_role("slider", name="Cursor").input_value()
+    page.keyboard.press("ArrowRight")
+    assert page.get_by_role("slider", name="Cursor").input_value() != before
+
+
+def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
+    """axe-core's WCAG 2 A and AA rules, both colour schemes, with every section of the form open."""
+    dashboard.open()
+    page = dashboard.page
+    closed = page.locator("aside button[aria-expanded=false]")
+    for left in range(closed.count(), 0, -1):
+        closed.first.click()
+        expect(closed).to_have_count(left - 1)
+    page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
+    axe = (ROOT / "frontend/node_modules/axe-core/axe.min.js").read_text()
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        expect(page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)
+        page.evaluate(axe)
+        found = page.evaluate(
+            """async () => (await axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})).violations
+               .filter(({impact}) => impact === 'serious' || impact === 'critical')
+               .map(({id, nodes}) => id + ': ' + nodes.slice(0, 3).map(({html}) => html.slice(0, 160)).join(' | '))"""
+        )
+        assert found == [], scheme
+
+
+def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    server.stop()
+    try:
+        dashboard.type_into("Height", "0.11")
+        notice = page.get_by_test_id("connection")
+        expect(notice).to_contain_text("The server does not answer")
+        expect(dashboard.entry("Height")).to_have_value("0.11")
+        expect(dashboard.results).to_have_attribute("data-stale", "true")
+        expect(page).to_have_url(address)
+    finally:
+        server.start()
+    expect(notice).to_have_count(0, timeout=15_000)
+    expect(page).not_to_have_url(address)
+    dashboard.expect_curves()
+    dashboard.expect_table_to_be_the_stored_run()
+    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == 0.11
+
+
+def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
+    """Every request fails at first, as behind a proxy whose server is not up yet; then the page fills by itself."""
+    page = dashboard.page
+    refused = "**/{api,readyz}**"
+    page.route(refused, lambda route: route.fulfill(status=503, body="{}", headers={"retry-after": "1"}))
+    page.goto("/")
+    expect(page.get_by_test_id("connection")).to_contain_text("starting")
+    page.unroute(refused)
+    dashboard.expect_curves()
+    expect(page.get_by_test_id("connection")).to_have_count(0)
+
+
+def test_exports(dashboard: Dashboard, tmp_path: Path) -> None:
+    dashboard.open()
+    page = dashboard.page
+    sizes = {}
+    for name, suffix in (("LV control as CSV", ".csv"), ("PNG picture", ".png"), ("SVG drawing", ".svg")):
+        page.get_by_role("button", name="Export").click()
+        with page.expect_download() as download:
+            page.get_by_role("menuitem", name=name).click()
+        path = tmp_path / f"export{suffix}"
+        download.value.save_as(path)
+        sizes[suffix] = path.stat().st_size
+        assert download.value.suggested_filename.startswith(f"ridelab-{dashboard.run_id}")
+    assert min(sizes.values()) > 50_000
+    assert (tmp_path / "export.csv").read_text().startswith("time [s],position [m],speed [m/s]")
+    assert (tmp_path / "export.png").read_bytes()[:4] == b"\x89PNG"

@@ -1,0 +1,99 @@
+"""What a visitor meets first: the paper's scenario, in time, in both colour schemes and at every size."""
+
+import time
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import Dashboard
+
+STORED = "Stored result"
+
+
+def test_opens_on_the_papers_scenario_within_two_seconds(dashboard: Dashboard) -> None:
+    """Two seconds from the address to drawn curves, with an empty browser cache."""
+    start = time.monotonic()
+    dashboard.page.goto("/")
+    expect(dashboard.page.locator(".scatterlayer .trace").first).to_be_visible()
+    took = time.monotonic() - start
+    assert took < 2, f"first plots after {took:.2f} s"
+    expect(dashboard.page).to_have_title("100 mm bump, 50 → 22.5 km/h · Ridelab")
+    expect(dashboard.page.get_by_text("The paper’s scenario")).to_be_visible()
+    dashboard.expect_table_to_be_the_stored_run()
+
+
+def test_every_figure_of_the_backend_has_a_panel(dashboard: Dashboard) -> None:
+    dashboard.open()
+    names = dashboard.page.request.get("/api/v1/figures").json()["figures"]
+    panels = dashboard.page.locator("section[data-figure]")
+    expect(panels).to_have_count(len(names))
+    assert panels.evaluate_all("panels => panels.map(panel => panel.dataset.figure)") == [
+        figure["layout"]["meta"]["signal"] for figure in names.values()
+    ]
+
+
+def test_reload_restores_the_run_and_the_view(dashboard: Dashboard) -> None:
+    dashboard.open()
+    dashboard.page.get_by_text("Time", exact=True).click()
+    dashboard.page.get_by_role("button", name="LQR").last.click()
+    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
+    address, values = dashboard.page.url, dashboard.shown_values()
+    assert "axis=time" in address
+    assert "baseline=lqr" in address
+
+    dashboard.page.reload()
+    dashboard.expect_curves()
+    assert dashboard.page.url == address
+    assert dashboard.shown_values() == values
+    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
+    expect(dashboard.page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(dashboard.status).to_contain_text(STORED)
+
+
+def test_a_run_that_is_not_there_says_so_and_offers_the_paper(dashboard: Dashboard) -> None:
+    dashboard.page.goto("/r/AAAAAAAAAAAAAAAAAAAAAA")
+    expect(dashboard.page.get_by_role("heading", name="There is no run at this address")).to_be_visible()
+    dashboard.page.get_by_role("button", name="Open the paper’s scenario").click()
+    dashboard.expect_curves()
+    dashboard.expect_table_to_be_the_stored_run()
+
+
+def test_colour_scheme_follows_the_system_and_the_toggle_keeps(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    scheme = page.locator("html[data-mantine-color-scheme]")
+    page.emulate_media(color_scheme="dark")
+    dashboard.open()
+    expect(scheme).to_have_attribute("data-mantine-color-scheme", "dark")
+    page.get_by_role("button", name="Use light colours").click()
+    expect(scheme).to_have_attribute("data-mantine-color-scheme", "light")
+    page.reload()
+    dashboard.expect_curves()
+    expect(scheme).to_have_attribute("data-mantine-color-scheme", "light")
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (820, 1180), (390, 844)])
+def test_nothing_is_wider_than_the_window(dashboard: Dashboard, width: int, height: int) -> None:
+    dashboard.page.set_viewport_size({"width": width, "height": height})
+    dashboard.page.goto("/")
+    expect(dashboard.results).to_be_visible()
+    assert dashboard.page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def test_on_a_phone_the_form_leaves_the_plots_in_sight(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto("/")
+    page.get_by_role("button", name="Edit scenario").click()
+    slider = dashboard.slider("Height")
+    expect(slider).to_be_visible()
+    box = page.get_by_role("dialog").bounding_box()
+    assert box is not None
+    assert box["y"] > 0.4 * 844
+
+
+def test_the_api_documentation_needs_no_other_server(dashboard: Dashboard) -> None:
+    asked: list[str] = []
+    dashboard.page.on("request", lambda request: asked.append(request.url))
+    dashboard.page.goto("/docs")
+    expect(dashboard.page.locator("#swagger-ui .opblock").first).to_be_visible()
+    assert [url for url in asked if not url.startswith((dashboard.url, "data:"))] == []
