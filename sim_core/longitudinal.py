@@ -159,6 +159,7 @@ def _planned(stretch: Stretch) -> Drive:
         v += h * (push - chain.resistance(middle) - chain.deceleration(pressure_middle, middle))
         pressure = demand + (pressure - demand) * keep
     table = np.array(rows).T
+    table[3:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
     time = stretch.detection / stretch.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
     return Drive(
         initial_speed=stretch.initial_speed,

@@ -53,13 +53,23 @@ def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
     if bump.shape == "half_sine":
         return np.asarray(h * np.sin(pi * s))
     if bump.shape == "circular":
-        radius = (w**2 / 4 + h**2) / (2 * abs(h))
-        arc = np.sqrt(np.maximum(radius**2 - (w * (s - 0.5)) ** 2, 0.0)) - (radius - abs(h))
-        return np.asarray(np.copysign(np.maximum(arc, 0.0), h))
+        radius, along = w * (w / abs(h)) / 8 + abs(h) / 2, w * (s - 0.5)
+        depth = radius * np.sqrt(np.maximum(1 - (along / radius) ** 2, 0.0)) + radius - abs(h)
+        return np.asarray(np.copysign((w**2 / 4 - along**2) / depth, h))
     ramp = np.clip(4 * np.minimum(s, 1 - s), 0.0, 1.0)  # 0 to 1 within a quarter of the width at either end
     if bump.shape == "trapezoid":
         return np.asarray(h * ramp)
     return np.asarray(h / 2 * (1 - np.cos(pi * ramp)))  # flat_top
+
+
+def kinks(bump: Bump) -> tuple[float, ...]:
+    """Where the bump's slope jumps [m]; a tyre load may peak just there."""
+    shares: tuple[float, ...] = ()
+    if bump.shape in ("half_sine", "circular"):
+        shares = (0.0, 1.0)
+    elif bump.shape == "trapezoid":
+        shares = (0.0, 0.25, 0.75, 1.0)
+    return tuple(bump.start + share * bump.width for share in shares) if bump.height else ()
 
 
 def stationary_deviation(roughness: float) -> float:
