@@ -27,7 +27,7 @@ def smooth_scenario(car: Vehicle, bump: Bump, speed_kmh: float) -> Scenario:
     )
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(vehicles, bumps, between(10, 100))
 def test_peaks_of_any_car_bump_and_speed(car: Vehicle, bump: Bump, speed_kmh: float) -> None:
     """Within 0.3 % of an adaptive solver, for every shape, kinked ones included.

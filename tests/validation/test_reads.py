@@ -1,0 +1,150 @@
+"""A result is a pure function of exactly the fields its strategy says it reads."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sim_core.result import StrategyResult
+from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed
+from sim_core.simulation import simulate
+from sim_core.strategies import STRATEGIES, part_read
+
+ROOT = Path(__file__).parents[2]
+
+# A short, lively run: limits bind, the car brakes, every stage occurs.
+BASE = Scenario(
+    road=Road(length=60, bump=Bump(start=40, width=3, height=0.09)),
+    speed=Speed(initial_speed_kmh=45, detection_distance=30),
+    mpc=Mpc(prediction_horizon=12, control_horizon=8, force_limit=2500, deflection_limit=0.05),
+)
+OTHER = {
+    "cosine": "half_sine",
+    "lookahead": "wheelbase",
+    "daqp": "osqp",
+    "guarded": "fuzzy",
+}
+
+
+def leaves(value: Any, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]:
+    """Paths of all fields that hold a plain value."""
+    if isinstance(value, dict):
+        return [leaf for key, item in value.items() for leaf in leaves(item, (*path, key))]
+    return [path]
+
+
+def altered(value: Any) -> Any:
+    """Another value of the same kind, within every limit."""
+    if isinstance(value, str):
+        return OTHER[value]
+    if isinstance(value, list):
+        return [altered(item) for item in value]
+    if value is None:
+        return 5000.0
+    return value - 1 if isinstance(value, int) else value * 0.93
+
+
+def with_leaf(path: tuple[str, ...]) -> Scenario:
+    """The base scenario with that one field changed."""
+    document = json.loads(BASE.model_dump_json())
+    place = document
+    for key in path[:-1]:
+        place = place[key]
+    place[path[-1]] = altered(place[path[-1]])
+    if path == ("actuator", "bandwidth"):
+        place["bandwidth"] = 8.0
+    return Scenario.model_validate(document)
+
+
+LEAVES = leaves(json.loads(BASE.model_dump_json()))
+
+
+def is_read(strategy: str, path: tuple[str, ...]) -> bool:
+    dotted = ".".join(path)
+    return any(dotted == name or dotted.startswith(f"{name}.") for name in STRATEGIES[strategy].reads)
+
+
+def same(one: StrategyResult, two: StrategyResult) -> bool:
+    """Bit for bit: every figure and every sample."""
+    return one.summary() == two.summary() and all(
+        np.array_equal(one.series[name], two.series[name]) for name in one.series
+    )
+
+
+def test_the_walk_finds_every_field() -> None:
+    assert len(LEAVES) > 45
+    assert ("road", "bump", "height") in LEAVES
+    assert ("mpc", "stage_weights", "cruise") in LEAVES
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_fields_not_read_change_nothing_at_all(strategy: str) -> None:
+    base = simulate(BASE, strategy)
+    unread = [path for path in LEAVES if not is_read(strategy, path)]
+    assert unread
+    for path in unread:
+        changed = with_leaf(path)
+        assert changed != BASE
+        assert part_read(changed, strategy) == part_read(BASE, strategy), path
+        assert same(simulate(changed, strategy), base), path
+
+
+# Fields that are read but need not show in this scenario.
+SILENT = {
+    ("speed", "controller"),  # the guard only acts where fuzzy alone would be late
+    ("brake", "threshold_speed"),  # tanh is 1 to the last bit at any speed driven here
+    ("mpc", "solver"),  # either finds the same optimum
+    ("road", "seed"),
+}
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
+    base = simulate(BASE, strategy)
+    silent = []
+    for path in LEAVES:
+        if not is_read(strategy, path):
+            continue
+        changed = with_leaf(path)
+        assert part_read(changed, strategy) != part_read(BASE, strategy), path
+        if path not in SILENT and same(simulate(changed, strategy), base):
+            silent.append(".".join(path))
+    # Parts are read whole; these of their fields do nothing for these strategies here.
+    allowed = {"vehicle.cg_height"} if STRATEGIES[strategy].speed != "planned" else set()
+    assert set(silent) <= allowed
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
+    """What is cached between runs changes none of them, whatever order they come in and whatever a caller does."""
+    first = simulate(BASE, strategy)
+    kept = {name: values.copy() for name, values in first.series.items()}
+    simulate(with_leaf(("road", "bump", "height")), strategy)
+    for other in STRATEGIES:
+        simulate(BASE, other)
+    for values in first.series.values():
+        if values.flags.writeable:
+            values *= 0
+    again = simulate(BASE, strategy)
+    assert all(np.array_equal(again.series[name], kept[name]) for name in kept)
+
+
+def test_a_fresh_process_gives_the_same_bits() -> None:
+    """Nothing depends on what ran before, hash seeds or the order of strategies."""
+    code = (
+        "import hashlib, sys; from sim_core.presets import preset; from sim_core.simulation import simulate\n"
+        "for name in sys.argv[1:]:\n"
+        "    run = simulate(preset('paper'), name)\n"
+        "    print(name, hashlib.sha256(b''.join(v.tobytes() for v in run.series.values())).hexdigest(), run.metrics)"
+    )
+
+    def lines(names: list[str]) -> list[str]:
+        run = subprocess.run([sys.executable, "-c", code, *names], cwd=ROOT, capture_output=True, text=True, check=True)
+        return sorted(run.stdout.splitlines())
+
+    names = list(STRATEGIES)
+    assert lines(names) == lines(names[::-1])
