@@ -57,7 +57,7 @@ def test_undo_redo_and_reset(dashboard: Dashboard) -> None:
     page.get_by_role("button", name="Redo").click()
     expect(dashboard.entry("Width")).to_have_value("2.5")
 
-    page.get_by_role("button", name="Reset Width to the paper's 4.00000 m").click()
+    page.get_by_role("button", name="Reset Width to the paper's 4\u00a0m").click()
     expect(dashboard.entry("Width")).to_have_value("4")
     expect(page.get_by_text("The paper’s scenario")).to_be_visible()
 

@@ -33,7 +33,7 @@ async function request(path: string, init: RequestInit): Promise<unknown> {
   if (!response.ok) {
     const problem = readProblem(response.status, body, response.headers.get("retry-after"));
     if (problem.status === 502 || problem.status === 504) connection.lost("down");
-    else if (problem.status === 503 || problem.status === 429) connection.lost("busy");
+    else if (problem.status === 503 || problem.status === 429) connection.lost("busy", problem.retryAfter ?? 0);
     throw problem;
   }
   if (body === undefined) throw new ApiProblem(502, "The server's answer could not be read", []);

@@ -1,26 +1,21 @@
 /** Whether the server answers: one small store, written by every request, read by the banner. */
 
-export type ConnectionState = "ok" | "down" | "busy";
+import { createStore } from "../state/store";
 
-type Listener = () => void;
+export type Trouble = "down" | "busy";
 
-function createConnection() {
-  let state: ConnectionState = "ok";
-  const listeners = new Set<Listener>();
-  const set = (next: ConnectionState) => {
-    if (next === state) return;
-    state = next;
-    for (const listener of listeners) listener();
-  };
-  return {
-    get: () => state,
-    subscribe: (listener: Listener) => {
-      listeners.add(listener);
-      return () => void listeners.delete(listener);
-    },
-    ok: () => set("ok"),
-    lost: (kind: "down" | "busy") => set(kind),
-  };
+export interface Connection {
+  readonly trouble: Trouble | null;
+  /** How long the server asked to be left alone [s]. */
+  readonly wait: number;
 }
 
-export const connection = createConnection();
+const FINE: Connection = { trouble: null, wait: 0 };
+const store = createStore<Connection>(FINE);
+
+export const connection = {
+  get: store.get,
+  subscribe: store.subscribe,
+  ok: () => store.set(FINE),
+  lost: (trouble: Trouble, wait = 0) => store.set({ trouble, wait }),
+};

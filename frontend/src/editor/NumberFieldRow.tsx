@@ -2,7 +2,7 @@
 
 import { Switch } from "@mantine/core";
 import { useId } from "react";
-import { formatWithUnit } from "../units/format";
+import { formatExact } from "../units/format";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
 import { typicalValue } from "./limits";
@@ -17,7 +17,7 @@ export function NumberFieldRow({ field }: { readonly field: NumberField }) {
   const id = useId();
   const leaf = useLeaf(field.pointer, field.standard);
   const isOff = leaf.value === null;
-  const standard = typeof field.standard === "number" ? formatWithUnit(field.standard, field.unit, 6) : OFF;
+  const standard = typeof field.standard === "number" ? formatExact(field.standard, field.unit) : OFF;
   return (
     <FieldFrame
       id={id}

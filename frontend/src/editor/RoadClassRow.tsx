@@ -2,7 +2,6 @@
 
 import { SegmentedControl, Text } from "@mantine/core";
 import { useId } from "react";
-import { formatWithUnit } from "../units/format";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
 import { NumberEntry } from "./NumberEntry";
@@ -36,7 +35,7 @@ export function RoadClassRow({ field }: { readonly field: NumberField }) {
       title={field.title}
       description={field.description}
       changed={leaf.changed}
-      standard={typeof field.standard === "number" ? formatWithUnit(field.standard, field.unit) : ""}
+      standard={typeof field.standard === "number" ? inMillionths(field.standard) : ""}
       error={leaf.error}
       onReset={() => leaf.commit(field.standard)}
       aside={<NumberEntry id={id} field={field} leaf={leaf} />}

@@ -1,6 +1,6 @@
 /** Hard limits of typed values, slider steps and slider scales. */
 
-import { formatInput, formatWithUnit, parseInput } from "../units/format";
+import { formatExact, parseInput } from "../units/format";
 import type { NumberField } from "./schema";
 
 export type Reading = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
@@ -17,8 +17,8 @@ export function readTyped(field: NumberField, text: string): Reading {
 }
 
 function limitText(field: NumberField): string {
-  const low = formatInput(field.minimum).replace("-", "−");
-  const high = formatWithUnit(field.maximum, field.unit, 6).replace(/(\.\d*?)0+(?=\D|$)/, "$1").replace(/\.(?=\D|$)/, "");
+  const low = formatExact(field.minimum, "1");
+  const high = formatExact(field.maximum, field.unit);
   if (field.exclusiveMinimum) return `Must be above ${low} and at most ${high}`;
   return `Must be from ${low} to ${high}`;
 }

@@ -5,7 +5,7 @@ import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "@tabler/icons-react";
 import { useCallback, useEffect, useState } from "react";
 import { probe, type Readiness } from "../api/client";
-import { connection } from "../api/connection";
+import { connection, type Trouble } from "../api/connection";
 import { useDesk } from "../state/context";
 import { useStore } from "../state/store";
 import classes from "./shell.module.css";
@@ -20,16 +20,22 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
 };
 
 export function ConnectionBanner() {
-  const state = useStore(connection);
-  return state === "ok" ? null : <Reconnecting />;
+  const { trouble, wait } = useStore(connection);
+  return trouble === null ? null : <Reconnecting trouble={trouble} asked={wait} />;
 }
 
-function Reconnecting() {
+interface Props {
+  readonly trouble: Trouble;
+  /** Seconds the server asked to wait. */
+  readonly asked: number;
+}
+
+function Reconnecting({ trouble, asked }: Props) {
   const { lab } = useDesk();
   const queries = useQueryClient();
   const [attempt, setAttempt] = useState(0);
-  const [wait, setWait] = useState(FIRST_WAIT_S);
-  const [readiness, setReadiness] = useState<Readiness>("down");
+  const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, asked));
+  const [readiness, setReadiness] = useState<Readiness>(trouble === "busy" ? "ready" : "down");
 
   const tryNow = useCallback(
     async (signal: AbortSignal) => {

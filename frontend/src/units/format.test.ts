@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { formatFixed, formatInput, formatNumber, parseInput, prettyUnit } from "./format";
+import { formatExact, formatFixed, formatInput, formatNumber, parseInput, prettyUnit } from "./format";
 
 describe("numbers", () => {
   it("are shown with significant digits", () => {
@@ -19,6 +19,14 @@ describe("numbers", () => {
   it("are read as people type them, and never guessed", () => {
     expect(["0.12", " -3 ", "−3", "1e-9", "0,125", "2,5", ".5"].map(parseInput)).toEqual([0.12, -3, -3, 1e-9, 0.125, 2.5, 0.5]);
     expect(["", "5,000", "1.2.3", "0x10", "Infinity", "NaN", "12m"].map(parseInput)).toEqual(Array(7).fill(null));
+  });
+});
+
+describe("defaults and limits", () => {
+  it("are exact", () => {
+    expect([4, -1, 1536.7, 268000, 64e-6].map((value) => formatExact(value, "m^3"))).toEqual([
+      "4\u00a0m³", "−1\u00a0m³", "1536.7\u00a0m³", "268\u202f000\u00a0m³", "6.4e-5\u00a0m³",
+    ]);
   });
 });
 

@@ -64,6 +64,14 @@ export function parseInput(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
+/** Every digit a value has, with its unit: for defaults and limits. */
+export function formatExact(value: number, unit: string): string {
+  const text = withMinus(formatInput(value));
+  const number = /^−?\d{5,}$/.test(text) ? grouped(text) : text;
+  const shown = prettyUnit(unit);
+  return shown === "" ? number : `${number}\u00a0${shown}`;
+}
+
 export function formatWithUnit(value: number, unit: string, digits = 3): string {
   const shown = prettyUnit(unit);
   return shown === "" ? formatNumber(value, digits) : `${formatNumber(value, digits)}\u00a0${shown}`;
