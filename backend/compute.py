@@ -21,6 +21,8 @@ logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
 GRACE = 15.0  # beyond the task's own time limit: then the slot itself is stuck [s]
+WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
+WATCH = 0.25  # between two looks at a slot that computes [s]
 PATIENCE = 60.0  # for a free worker [s]
 ATTEMPTS = 2
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
@@ -63,12 +65,12 @@ class Workers:
         """Run `function(*args)` in a worker; a task whose worker dies is tried once more.
 
         Raises:
-            WorkerLostError: Two workers died over it.
+            WorkerLostError: Two workers died over it (or every one was found dead).
             WorkerTimeoutError: It took longer than the limit.
             WorkersBusyError: None came free within a minute.
         """
         deaths = 0
-        while deaths < ATTEMPTS:
+        for _ in range(self._count + ATTEMPTS):
             slot = await self._free_slot()
             if not slot.active:  # died while idle: not this task's doing
                 self._discard(slot)
@@ -77,9 +79,13 @@ class Workers:
             attempt = self._chore(self._attempt(slot, function, args))
             try:
                 return await asyncio.shield(attempt)
-            except (ProcessExpired, BrokenProcessPool):
+            except BrokenProcessPool:
+                logger.warning("A worker was found dead before it took a task")
+            except ProcessExpired:
                 deaths += 1
                 logger.warning("A worker died during a task (%d of %d attempts)", deaths, ATTEMPTS)
+                if deaths == ATTEMPTS:
+                    break
             except TimeoutError:
                 raise WorkerTimeoutError from None
         raise WorkerLostError
@@ -88,7 +94,7 @@ class Workers:
         """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
         healthy = False
         try:
-            result: T = await asyncio.wait_for(self._schedule(slot, function, args), self._timeout + GRACE)
+            result = await self._landed(slot, function, args, self._timeout)
             healthy = True
             return result
         except (ProcessExpired, BrokenProcessPool, TimeoutError):
@@ -101,6 +107,20 @@ class Workers:
                 self._idle.put_nowait(slot)
             else:
                 self._discard(slot)
+
+    async def _landed(self, slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> T:
+        """The task's result; a slot that breaks just as it takes a task would leave it unanswered for ever."""
+        try:
+            future = asyncio.wrap_future(slot.schedule(function, args=args, timeout=timeout))
+        except RuntimeError as error:  # the slot broke since it was looked at
+            raise BrokenProcessPool(str(error)) from None
+        for _ in range(int((timeout + GRACE) / WATCH)):
+            done, _ = await asyncio.wait({future}, timeout=WATCH)
+            if done:
+                return future.result()
+            if not slot.active:
+                raise BrokenProcessPool("The slot broke")
+        raise TimeoutError
 
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
@@ -117,12 +137,6 @@ class Workers:
         except TimeoutError:
             raise WorkersBusyError from None
 
-    def _schedule(self, slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...]) -> "asyncio.Future[T]":
-        try:
-            return asyncio.wrap_future(slot.schedule(function, args=args, timeout=self._timeout))
-        except RuntimeError as error:  # the slot broke since it was looked at
-            raise BrokenProcessPool(str(error)) from None
-
     def _discard(self, slot: ProcessPool) -> None:
         if slot not in self._slots:  # the service is closing, and ends it
             return
@@ -135,7 +149,7 @@ class Workers:
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
             slot = ProcessPool(max_workers=1, initializer=worker.start, context=multiprocessing.get_context("spawn"))
             try:
-                await self._schedule(slot, worker.warm_up, ())
+                await self._landed(slot, worker.warm_up, (), WARM_UP)
             except asyncio.CancelledError:
                 await asyncio.shield(asyncio.to_thread(_end, slot))
                 raise

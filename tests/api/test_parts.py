@@ -1,0 +1,249 @@
+"""The service's parts by themselves: digests, strict JSON, settings, memory, store."""
+
+import json
+import math
+import os
+import sqlite3
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from hypothesis import given
+from hypothesis import strategies as st
+
+from backend import digest, strict_json
+from backend.memory import Memory
+from backend.settings import Settings, SettingsError
+from backend.store import Store, StoredResult, metadata, wal_is_safe
+from backend.worker import Outcome
+from sim_core.scenario import Lqr, Mpc, Road, Scenario
+from sim_core.strategies import STRATEGIES
+
+
+def test_a_result_depends_on_what_its_strategy_reads_and_nothing_else() -> None:
+    paper = Scenario()
+    edited = {
+        "lqr weights": Scenario(lqr=Lqr(weights=(2, 1, 1))),
+        "prediction horizon": Scenario(mpc=Mpc(prediction_horizon=25)),
+        "seed": Scenario(road=Road(seed=2)),
+    }
+    changed = {
+        name: {s for s in STRATEGIES if digest.result_key(paper, s) != digest.result_key(scenario, s)}
+        for name, scenario in edited.items()
+    }
+    assert changed == {
+        "lqr weights": {"lqr"},
+        "prediction horizon": {"lv", "suspension_only"},
+        "seed": set(STRATEGIES),
+    }
+    assert len({digest.result_key(paper, s) for s in STRATEGIES}) == len(STRATEGIES)
+
+
+def test_keys_are_the_same_in_every_process() -> None:
+    """Sets and dictionaries have another order under another hash seed; keys must not."""
+    code = "from backend.digest import *; print(result_key(Scenario(), 'lv'), run_id(Scenario(), ['lv', 'lqr']))"
+    printed = {
+        subprocess.run(
+            [sys.executable, "-c", code],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            cwd=Path(__file__).parents[2],
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(printed) == 1
+    assert printed.pop().split() == [digest.result_key(Scenario(), "lv"), digest.run_id(Scenario(), ["lqr", "lv"])]
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) -> None:
+    assert digest.canonical({"a": value}) == digest.canonical({"a": value + 0.0 if value else 0})
+    if value.is_integer() and abs(value) < 2**53:
+        assert digest.canonical([value]) == digest.canonical([int(value)])
+    other = math.nextafter(value, math.inf)
+    if math.isfinite(other) and other != value:
+        assert digest.canonical([value]) != digest.canonical([other])
+
+
+JSON_VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text(),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
+    max_leaves=20,
+)
+
+
+@given(JSON_VALUES)
+def test_strict_json_reads_what_json_writes(value: Any) -> None:
+    try:
+        text = json.dumps(value, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        return  # half a surrogate pair, which no UTF-8 text holds
+    assert strict_json.parse(text) == value
+
+
+@given(st.binary(max_size=200))
+def test_strict_json_answers_any_bytes_with_a_value_or_its_error(body: bytes) -> None:
+    try:
+        value = strict_json.parse(body)
+    except strict_json.StrictJSONError as error:
+        value, status = None, error.status
+    else:
+        status = 200
+    assert status in (200, 400, 422)
+    assert status != 200 or json.loads(body) == value
+
+
+def test_settings_come_from_the_environment_and_the_command_line_wins(tmp_path: Path) -> None:
+    environment = {"RIDELAB_WORKERS": "3", "RIDELAB_DATA_DIR": "/elsewhere", "PATH": "/bin"}
+    settings = Settings.from_environment(environment, data_dir=tmp_path, database_url=None)
+    assert (settings.workers, settings.data_dir) == (3, tmp_path)
+    assert settings.store_url == f"sqlite:///{tmp_path}/ridelab.sqlite"
+    assert Settings.from_environment({"RIDELAB_DATABASE_URL": "postgresql://h/d"}).store_url == "postgresql://h/d"
+
+
+@pytest.mark.parametrize(("name", "value"), [("WORKERS", "0"), ("RUN_TIMEOUT", "soon"), ("COLOUR", "red")])
+def test_a_bad_setting_is_named(name: str, value: str) -> None:
+    with pytest.raises(SettingsError, match=f"RIDELAB_{name}"):
+        Settings.from_environment({f"RIDELAB_{name}": value})
+
+
+def outcome(samples: int, points: int = 800) -> Outcome:
+    series = np.zeros((15, samples), dtype=np.float32)
+    return Outcome(status="ok", summary={}, compute_ms=1.0, points=points, series=series)
+
+
+def test_memory_is_bounded_and_the_least_used_goes_first() -> None:
+    item = outcome(1000)
+    memory = Memory(3 * item.size)
+    for key in "abc":
+        memory.put(key, item)
+    assert memory.get("a", 800) is item
+    memory.put("d", item)
+    assert [memory.get(key, 800) is not None for key in "abcd"] == [True, False, True, True]
+    memory.put("huge", outcome(10_000))
+    assert memory.get("huge", 800) is None
+    assert memory.get("a", 800) is item
+
+
+def test_memory_answers_only_for_the_points_it_has() -> None:
+    memory = Memory(10**6)
+    memory.put("a", outcome(100, 800))
+    assert memory.get("a", 2000) is None
+    assert memory.get("a", None) is not None, "without series any will do"
+    memory.put("a", outcome(200, 2000))
+    assert memory.get("a", 800) is None
+    assert memory.get("a", 2000) is not None
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Any:
+    store = Store(f"sqlite:///{tmp_path}/new/folder/ridelab.sqlite")
+    store.migrate()
+    yield store
+    store.close()
+
+
+def results(*keys: str) -> list[StoredResult]:
+    return [StoredResult(key=key, strategy="lv", status="ok", summary={"a": [1.5]}, compute_ms=2.0) for key in keys]
+
+
+def save(store: Store, run_id: str, *keys: str) -> Any:
+    return store.save_run(
+        run_id=run_id, core_version="1", schema_version=1, scenario={"road": 1}, outcomes=results(*keys)
+    )
+
+
+def test_the_migrations_make_the_tables_the_code_uses(store: Store) -> None:
+    with store.engine.connect() as connection:
+        assert compare_metadata(MigrationContext.configure(connection), metadata) == []
+
+
+def test_migrating_again_and_from_many_threads_changes_nothing(tmp_path: Path) -> None:
+    stores = [Store(f"sqlite:///{tmp_path}/ridelab.sqlite") for _ in range(4)]
+    threads = [threading.Thread(target=store.migrate) for store in stores]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    saved = save(stores[0], "run", "a")
+    for store in stores:
+        store.migrate()
+        assert store.load_run("run") == saved
+        store.close()
+
+
+def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
+    first = save(store, "one", "a", "b")
+    assert [item.key for item in first.results] == ["a", "b"]
+    changed = [StoredResult(key="a", strategy="lv", status="ok", summary={}, compute_ms=9.0)]
+    second = store.save_run(run_id="two", core_version="1", schema_version=1, scenario={}, outcomes=changed)
+    assert second.results == first.results[:1]
+    again = store.save_run(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
+    assert again == first
+
+
+def test_unknown_runs_and_results_are_absent(store: Store) -> None:
+    save(store, "one", "a")
+    assert store.load_run("none") is None
+    assert set(store.load_results(["a", "none"])) == {"a"}
+
+
+def test_many_writers_wait_for_each_other(tmp_path: Path) -> None:
+    stores = [Store(f"sqlite:///{tmp_path}/ridelab.sqlite") for _ in range(3)]
+    stores[0].migrate()
+    failures: list[BaseException] = []
+
+    def write(number: int, store: Store) -> None:
+        try:
+            for item in range(10):
+                save(store, f"{number}-{item}", f"r{item}", f"own-{number}-{item}")
+        except BaseException as error:
+            failures.append(error)
+            raise
+
+    threads = [threading.Thread(target=write, args=pair) for pair in enumerate(stores)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures
+    assert all(stores[0].load_run(f"{number}-{item}") for number in range(3) for item in range(10))
+    for store in stores:
+        store.close()
+
+
+def test_sqlite_is_set_up_for_durability(store: Store) -> None:
+    expected = "wal" if wal_is_safe(sqlite3.sqlite_version_info) else "delete"
+    with store.engine.connect() as connection:
+        assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == expected
+        assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 2, "FULL"
+        assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+        assert connection.exec_driver_sql("PRAGMA busy_timeout").scalar() >= 5000
+
+
+@pytest.mark.parametrize(
+    ("version", "safe"),
+    [
+        ((3, 40, 1), False),
+        ((3, 44, 5), False),
+        ((3, 44, 6), True),
+        ((3, 45, 0), False),
+        ((3, 50, 6), False),
+        ((3, 50, 7), True),
+        ((3, 51, 0), False),
+        ((3, 51, 2), False),
+        ((3, 51, 3), True),
+        ((3, 52, 0), True),
+        ((4, 0, 0), True),
+    ],
+)
+def test_wal_is_used_only_with_its_fix(version: tuple[int, ...], safe: bool) -> None:
+    assert wal_is_safe(version) is safe
