@@ -1,0 +1,92 @@
+"""The service, a real process on a free port: what HTTP, the store and the workers add to the core's own time."""
+
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import httpx
+
+from benchmarks.timing import table
+
+TOGETHER = ["lv", "lqr", "passive"]
+REPEATS = 15
+
+
+@contextmanager
+def server() -> Iterator[httpx.Client]:
+    """A client of a server with an empty store; the server ends with the block."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", folder]
+        process = subprocess.Popen(  # noqa: S603 - our own module, no shell
+            command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1], env=os.environ
+        )
+        try:
+            address = next(iter(process.stdout or [])).split()[-1]
+            with httpx.Client(base_url=address, timeout=60, trust_env=False) as client:
+                yield client
+        finally:
+            process.terminate()
+            process.wait(15)
+
+
+def timed(client: httpx.Client, method: str, path: str, **options: Any) -> tuple[float, httpx.Response]:
+    """Milliseconds of one request, its body read, and the answer."""
+    begin = perf_counter()
+    answer = client.request(method, path, **options)
+    taken = (perf_counter() - begin) * 1000
+    answer.raise_for_status()
+    return taken, answer
+
+
+def run() -> None:
+    """Print the table."""
+    with server() as client:
+        rows = []
+        first, answer = timed(client, "POST", "/api/v1/runs", json={"scenario": {}, "strategies": TOGETHER})
+        rows.append(["POST /runs, first of all", first, _compute_ms(answer), first - _compute_ms(answer)])
+        fresh = [_new_run(client, seed) for seed in range(1, REPEATS + 1)]
+        rows.append(["POST /runs, new road", *_medians(fresh)])
+        stored = []
+        for seed in range(1, REPEATS + 1):
+            taken, _ = timed(client, "POST", "/api/v1/runs", json=_request(seed))
+            stored.append((taken, 0.0))
+        rows.append(["POST /runs, stored", *_medians(stored)])
+        run_id = answer.json()["id"]
+        rows.append(
+            [
+                "GET /runs/{id}",
+                *_medians([(timed(client, "GET", f"/api/v1/runs/{run_id}")[0], 0.0) for _ in range(REPEATS)]),
+            ]
+        )
+        live = []
+        for i in range(REPEATS):
+            body = {"scenario": {"road": {"bump": {"height": 0.08 + i / 1000}}}, "strategies": TOGETHER}
+            taken, answer = timed(client, "POST", "/api/v1/live", json=body)
+            live.append((taken, _compute_ms(answer)))
+        rows.append(["POST /live, another height", *_medians(live)])
+    table("The service: lv + lqr + passive, medians", ["", "ms", "computing, ms", "on top, ms"], rows)
+
+
+def _request(seed: int) -> dict[str, Any]:
+    return {"scenario": {"road": {"seed": 5000 + seed}}, "strategies": TOGETHER}
+
+
+def _new_run(client: httpx.Client, seed: int) -> tuple[float, float]:
+    taken, answer = timed(client, "POST", "/api/v1/runs", json=_request(seed))
+    return taken, _compute_ms(answer)
+
+
+def _compute_ms(answer: httpx.Response) -> float:
+    return sum(float(entry["compute_ms"]) for entry in answer.json()["strategies"].values() if not entry.get("cached"))
+
+
+def _medians(pairs: list[tuple[float, float]]) -> tuple[float, float, float]:
+    taken, computing = (statistics.median(column) for column in zip(*pairs, strict=True))
+    return taken, computing, taken - computing

@@ -1,0 +1,139 @@
+"""The core: against the plain loop, by strategy, by what changed since the last run, by horizon and by length."""
+
+from collections.abc import Callable
+from statistics import median
+
+import numpy as np
+
+from benchmarks import plain_osqp_loop
+from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
+from sim_core.presets import preset
+from sim_core.scenario import Scenario
+from sim_core.signals import PAPER_SIGNALS
+from sim_core.simulation import simulate
+
+TOGETHER = ("lv", "lqr", "passive")
+PAPER = preset("paper")
+_COLD = """
+from time import perf_counter
+t0 = perf_counter()
+from sim_core.presets import preset
+from sim_core.simulation import simulate
+t1 = perf_counter()
+for name in {names!r}:
+    simulate(preset("paper"), name)
+print((t1 - t0) * 1000, (perf_counter() - t1) * 1000)
+"""
+
+
+def changed(scenario: Scenario, part: str, **fields: object) -> Scenario:
+    """The scenario with fields of one part replaced."""
+    return scenario.model_copy(update={part: getattr(scenario, part).model_copy(update=fields)})
+
+
+def new_roads(scenario: Scenario, count: int, first_seed: int) -> list[Scenario]:
+    """The scenario on roads nothing else here drives."""
+    return [changed(scenario, "road", seed=first_seed + i) for i in range(count)]
+
+
+def runs(*names: str) -> Callable[[Scenario], None]:
+    """Work for `median_ms`: those strategies, one after another."""
+
+    def work(scenario: Scenario) -> None:
+        for name in names:
+            simulate(scenario, name)
+
+    return work
+
+
+def against_plain_loop() -> None:
+    """LV by sim_core and by the plain loop, roads new to both, one after the other."""
+    duration = simulate(PAPER, "lv").travel_time  # both share imports and matrices from here on
+    core, plain, worst, unsolved, steps = [], [], 0.0, 0, 1
+    for scenario in new_roads(PAPER, 3, 1000):
+        core.append(median_ms(runs("lv"), [scenario]))
+        loop = plain_osqp_loop.run(scenario)
+        plain.append(loop.seconds * 1000)
+        unsolved, steps = unsolved + loop.unsolved, loop.steps
+        series = simulate(scenario, "lv").series
+        for column, name in enumerate(PAPER_SIGNALS):
+            gap = np.abs(loop.output[:, column] - series[name][: len(loop.output)]).max()
+            worst = max(worst, float(gap / np.abs(series[name]).max()))
+    ours, theirs = median(core), median(plain)
+    table(
+        "LV over the paper's scenario, a new road each time",
+        ["", "ms a run", "simulated s per s", "µs a control step"],
+        [
+            ["sim_core", ours, duration / ours * 1000, ours / steps * 1000],
+            ["plain OSQP loop", theirs, duration / theirs * 1000, theirs / steps * 1000],
+        ],
+    )
+    print(f"  sim_core is {theirs / ours:.0f} times faster (goal: 20)")
+    print(f"  outputs differ by at most {worst:.2%} of their peak; steps OSQP left unsolved: {unsolved}")
+
+
+def by_strategy() -> None:
+    """Each strategy alone and three together: first in a new process, on a new road, the same again."""
+    rows, imports, seed = [], [], 2000
+    for names in (("passive",), ("speed_only",), ("lqr",), ("suspension_only",), ("lv",), TOGETHER):
+        cold = [fresh_process(_COLD.format(names=names)) for _ in range(3)]
+        imports += [importing for importing, _ in cold]
+        new, again = median_ms(runs(*names), new_roads(PAPER, 7, seed)), median_ms(runs(*names), [PAPER] * 7)
+        rows.append([" + ".join(names), median(first for _, first in cold), new, again])
+        seed += 100
+    table("Milliseconds a run (imports apart)", ["", "first in a process", "new road", "same again"], rows)
+    print(f"  importing the core takes {median(imports):.0f} ms")
+
+
+def by_change() -> None:
+    """Three strategies together after one field changed, as when somebody drags a slider."""
+    bump, stages = PAPER.road.bump, PAPER.mpc.stage_weights
+    drags = {
+        "bump height": [
+            changed(PAPER, "road", bump=bump.model_copy(update={"height": 0.08 + i / 1000})) for i in range(9)
+        ],
+        "target speed": [changed(PAPER, "speed", target_speed_kmh=20 + i / 10) for i in range(9)],
+        "LV bump weights": [
+            changed(PAPER, "mpc", stage_weights=stages.model_copy(update={"bump": (1.0, 1.0, 5 + i / 10)}))
+            for i in range(9)
+        ],
+        "force limit": [changed(PAPER, "mpc", force_limit=4000.0 + i) for i in range(9)],
+        "body mass": [changed(PAPER, "vehicle", body_mass=1200.0 + i) for i in range(9)],
+    }
+    rows = [[label, median_ms(runs(*TOGETHER), scenarios)] for label, scenarios in drags.items()]
+    table("lv + lqr + passive after one field changed", ["changed", "ms"], rows)
+
+
+def by_horizon() -> None:
+    """LV against the prediction horizon, control horizon two thirds of it."""
+    rows: list[tuple[str, float, float, float]] = []
+    for horizon in (30, 60, 120):
+        moves = horizon * 2 // 3
+        scenario = changed(PAPER, "mpc", prediction_horizon=horizon, control_horizon=moves)
+        first = median_ms(runs("lv"), [changed(scenario, "vehicle", body_mass=1271.0 + i / 10) for i in range(3)])
+        new = median_ms(runs("lv"), new_roads(scenario, 5, 4000))
+        rows.append((f"Np {horizon}, Nc {moves}", first, new, new / (rows[0][2] if rows else new)))
+    table("LV against the horizon", ["", "new car, ms", "new road, ms", "to Np 30"], rows)
+
+
+def by_length() -> None:
+    """LV, and three together, against the road's length."""
+    rows: list[tuple[str, float, float, float]] = []
+    for length in (150.0, 300.0, 600.0, 1200.0):
+        scenario = changed(PAPER, "road", length=length)
+        lv = median_ms(runs("lv"), new_roads(scenario, 5, 5000))
+        three = median_ms(runs(*TOGETHER), new_roads(scenario, 5, 6000))
+        rows.append((f"{length:.0f} m", lv, three, lv / (rows[0][1] if rows else lv)))
+    table("Against the road's length, a new road each time", ["", "lv, ms", "three, ms", "lv to 150 m"], rows)
+
+
+def run() -> None:
+    """All of it."""
+    print(f"The core's imports take {peak_memory_mb():.0f} MB")
+    against_plain_loop()
+    by_strategy()
+    by_change()
+    by_horizon()
+    print(f"\nPeak memory so far: {peak_memory_mb():.0f} MB")
+    by_length()
+    print(f"\nPeak memory after the long roads too, caches full: {peak_memory_mb():.0f} MB")

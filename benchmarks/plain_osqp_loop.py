@@ -1,0 +1,106 @@
+"""LV control as one usually writes it: condense once, then per step a warm-started OSQP solve and ten plant steps.
+
+The same problem as sim_core's: the same matrices (forces in kN, slacks in cm: fairly scaled), road, speed plan,
+preview, limits and weights by stage, and the same outputs on the same fine grid. What it lacks is what sim_core adds:
+skipping the solver where no limit binds, driving many steps at once, and keeping what runs share.
+"""
+
+from dataclasses import dataclass
+from time import perf_counter
+
+import numpy as np
+import osqp
+from numpy.typing import NDArray
+from scipy.sparse import csc_matrix, triu
+
+from sim_core.cost import CostTerms
+from sim_core.half_car import discrete
+from sim_core.longitudinal import drive
+from sim_core.mpc import SLACK_LINEAR, Horizon, MpcDesign, design
+from sim_core.preview import preview_windows
+from sim_core.scenario import Scenario
+from sim_core.simulation import fine_step
+from sim_core.stages import coordinated_weights, segments, spans
+from sim_core.strategies import strategy
+from sim_core.track import track
+
+Array = NDArray[np.float64]
+NEWTON_PER_KILO, CM_PER_M = 1000.0, 100.0
+SETTINGS = {"eps_abs": 1e-5, "eps_rel": 1e-5, "max_iter": 10_000, "verbose": False}
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlainRun:
+    """Outputs on the fine grid from x = 0 on (n, 8), control steps, how many OSQP left unsolved, and seconds taken."""
+
+    output: Array
+    steps: int
+    unsolved: int
+    seconds: float
+
+
+class OsqpStage:
+    """One stage's QP, set up once and updated in every step."""
+
+    def __init__(self, chosen: MpcDesign) -> None:
+        self.design, shape = chosen, chosen.shape
+        rows = csc_matrix(np.vstack([np.eye(len(shape.H)), shape.A]))
+        self.lower = np.concatenate([shape.low, np.full(len(shape.A), -np.inf)])
+        self.q = np.zeros(len(shape.H))
+        self.q[-2:] = SLACK_LINEAR / CM_PER_M
+        self.solver = osqp.OSQP()
+        upper = np.concatenate([shape.high, chosen.row_limits])
+        self.solver.setup(P=csc_matrix(triu(shape.H)), q=self.q, A=rows, l=self.lower, u=upper, **SETTINGS)
+
+    def force(self, given: Array) -> tuple[Array, bool]:
+        """First force [N] for [state; previous command; preview], and whether OSQP calls it solved."""
+        self.q[:-2] = self.design.linear @ given
+        upper = np.concatenate([self.design.shape.high, self.design.row_limits - self.design.rows_given @ given])
+        self.solver.update(q=self.q, l=self.lower, u=upper)
+        result = self.solver.solve()
+        return result.x[:2] * NEWTON_PER_KILO, result.info.status_val == osqp.SolverStatus.OSQP_SOLVED
+
+
+def run(scenario: Scenario) -> PlainRun:
+    """LV over the scenario, set-up included in the time."""
+    begin = perf_counter()
+    chosen, mpc, car = strategy("lv"), scenario.mpc, scenario.vehicle
+    motion = drive(scenario, chosen.speed)
+    way = track(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario))
+    windows = preview_windows(mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, car.wheelbase)
+    horizon = Horizon(
+        prediction=mpc.prediction_horizon,
+        control=mpc.control_horizon,
+        force_limit=mpc.force_limit,
+        force_change_weight=mpc.force_change_weight,
+    )
+    problems = {}
+    for stage in ("cruise", "brake", "bump"):
+        terms = CostTerms(
+            vehicle=car,
+            speed=motion.initial_speed,
+            sample_time=mpc.sample_time,
+            weights=coordinated_weights(scenario, chosen, stage),
+            deflection_weight=mpc.deflection_weight,
+            deflection_limit=mpc.deflection_limit,
+            force_weight=mpc.force_weight,
+        )
+        problems[stage] = OsqpStage(design(terms, horizon))
+    plant = discrete(car, way.fine_step)
+    disturbance = way.disturbance.reshape(-1, way.fine, 3)
+
+    x, u, unsolved, outputs = np.zeros(8), np.zeros(2), 0, []
+    for stage, first, last in segments(spans(scenario, chosen, motion), way.position):
+        for k in range(first, last):
+            u, solved = problems[stage].force(np.concatenate([x, u, windows[k]]))
+            u = np.clip(u, -mpc.force_limit, mpc.force_limit)
+            unsolved += not solved
+            for w in disturbance[k]:
+                outputs.append(plant.C @ x + plant.D @ u + plant.F @ w)
+                x = plant.A @ x + plant.B @ u + plant.E @ w
+    return PlainRun(
+        output=np.array(outputs)[way.kept],
+        steps=len(disturbance),
+        unsolved=unsolved,
+        seconds=perf_counter() - begin,
+    )
