@@ -72,6 +72,11 @@ def kinks(bump: Bump) -> tuple[float, ...]:
     return tuple(bump.start + share * bump.width for share in shares) if bump.height else ()
 
 
+def detail(bump: Bump) -> float:
+    """Length over which the bump rises and falls once [m]: its width, or its two ramps put together."""
+    return bump.width / 2 if bump.shape in ("flat_top", "trapezoid") else bump.width
+
+
 def stationary_deviation(roughness: float) -> float:
     """Standard deviation of the endless road [m]: root of the PSD's integral, Gd n0² π / (2 n00)."""
     return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))

@@ -13,6 +13,7 @@ from sim_core.mpc import Horizon, MpcController, design
 from sim_core.plant import plant
 from sim_core.preview import preview_windows
 from sim_core.result import StrategyResult
+from sim_core.road import detail
 from sim_core.scenario import Actuator, Scenario, Weights
 from sim_core.stages import coordinated_weights, segments, spans
 from sim_core.strategies import Strategy, SuspensionPolicy, strategy
@@ -52,7 +53,7 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
 
 
 def fine_step(scenario: Scenario) -> float:
-    """Longest fine step [s]: 60 over the bump at the initial speed, 0.1 rad of the stiffest wheel mode, 1 ms.
+    """Longest fine step [s]: 60 over the bump, or over its two ramps, at the initial speed, 0.1 rad of the stiffest wheel mode, 1 ms.
 
     Between the ends of a fine step the road is linear and the car exact, so only the bump's curvature and the
     sampling of peaks need it short; tests/validation holds peaks against an adaptive solver.
@@ -62,7 +63,7 @@ def fine_step(scenario: Scenario) -> float:
         (vehicle.front_tyre_stiffness + vehicle.front_spring) / vehicle.front_wheel_mass,
         (vehicle.rear_tyre_stiffness + vehicle.rear_spring) / vehicle.rear_wheel_mass,
     )
-    over_bump = bump.width / (60 * scenario.speed.initial_speed_kmh * KMH) if bump.height else COARSEST
+    over_bump = detail(bump) / (60 * scenario.speed.initial_speed_kmh * KMH) if bump.height else COARSEST
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump)))
 
 
