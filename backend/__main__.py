@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from backend.settings import Settings
+    from fastapi import FastAPI
 
 DEADLINE = 9.0  # an ordered end takes at most so long [s]; SIGTERM promises ten
 
@@ -28,15 +28,20 @@ def main(arguments: list[str] | None = None) -> int:
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
     options = parser.parse_args(arguments)
 
+    from sqlalchemy.exc import SQLAlchemyError
+
+    from backend.app import create_app
     from backend.settings import Settings, SettingsError
 
     try:
         settings = Settings.from_environment(os.environ, data_dir=options.data_dir)
+        settings.data_dir.mkdir(parents=True, exist_ok=True)
+        app = create_app(settings)
         listener = _listen(options.host, options.port)
-    except (SettingsError, OSError) as error:
+    except (SettingsError, SQLAlchemyError, ImportError, OSError) as error:
         print(f"Ridelab does not start: {error}", file=sys.stderr)
         return 2
-    return _serve(settings, listener, options.host)
+    return _serve(app, listener, options.host)
 
 
 def _listen(host: str, port: int) -> socket.socket:
@@ -49,10 +54,8 @@ def _listen(host: str, port: int) -> socket.socket:
     return listener
 
 
-def _serve(settings: "Settings", listener: socket.socket, host: str) -> int:
+def _serve(app: "FastAPI", listener: socket.socket, host: str) -> int:
     import uvicorn
-
-    from backend.app import create_app
 
     class Server(uvicorn.Server):
         """Says where it listens, and ends in time whatever hangs."""
@@ -70,7 +73,7 @@ def _serve(settings: "Settings", listener: socket.socket, host: str) -> int:
             super().handle_exit(sig, frame)  # type: ignore[arg-type]
 
     config = uvicorn.Config(
-        create_app(settings), log_level="warning", access_log=False, timeout_graceful_shutdown=3, server_header=False
+        app, log_level="warning", access_log=False, timeout_graceful_shutdown=3, server_header=False
     )
     server = Server(config)
     server.run(sockets=[listener])

@@ -41,6 +41,7 @@ def create_app(settings: Settings) -> FastAPI:
         middleware=[Middleware(GuardMiddleware), Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1)],
     )
     app.state.settings = settings
+    app.state.store = Store(settings.store_url)
     problems.register(app)
     for router in (runs.computing, runs.runs, schema.schema, health.health):
         app.include_router(router)
@@ -52,9 +53,9 @@ def create_app(settings: Settings) -> FastAPI:
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     settings: Settings = app.state.settings
+    store: Store = app.state.store
     workers = Workers(settings.workers, timeout=settings.run_timeout)
     workers.start()
-    store = Store(settings.store_url)
     try:
         await store.call(store.migrate)
         await asyncio.to_thread(schema.warm)

@@ -1,4 +1,4 @@
-"""Results with their time histories, kept in memory while there is room."""
+"""Results, with the time histories they were asked for, kept in memory while there is room."""
 
 from collections import OrderedDict
 
@@ -22,10 +22,15 @@ class Memory:
         return outcome
 
     def put(self, key: str, outcome: Outcome) -> None:
-        """Keep a result in place of another of that key; one larger than all that is allowed is not kept."""
-        replaced = self._items.pop(key, None)
-        if replaced is not None:
-            self._size -= replaced.size
+        """Keep a result in place of another of that key, unless that has series and this has none.
+
+        One larger than all that is allowed is not kept.
+        """
+        present = self._items.get(key)
+        if present is not None and outcome.points is None:
+            return
+        if present is not None:
+            self._size -= self._items.pop(key).size
         if outcome.size > self._limit:
             return
         self._items[key] = outcome

@@ -85,9 +85,8 @@ class Results:
         this = asyncio.current_task()
         try:
             outcomes = await self._workers.call(worker.run, scenario, list(fresh), points)
-            if points is not None:
-                for name, key in fresh.items():
-                    self._memory.put(key, outcomes[name])
+            for name, key in fresh.items():  # those without series too: until they are committed nothing else has them
+                self._memory.put(key, outcomes[name])
             return outcomes
         finally:
             self._flights = {key: flight for key, flight in self._flights.items() if flight is not this}

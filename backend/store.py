@@ -108,9 +108,6 @@ class Store:
     THREADS = 4
 
     def __init__(self, url: str) -> None:
-        parsed = make_url(url)
-        if parsed.get_backend_name() == "sqlite" and parsed.database:
-            Path(parsed.database).parent.mkdir(parents=True, exist_ok=True)
         self.engine = _engine(url)
         self._writing = self.engine.execution_options(writing=True)
         self._threads = ThreadPoolExecutor(self.THREADS, thread_name_prefix="store")
@@ -121,6 +118,9 @@ class Store:
 
     def migrate(self) -> None:
         """Bring the database to the newest schema; safe when several processes start at once."""
+        url = self.engine.url
+        if url.get_backend_name() == "sqlite" and url.database:
+            Path(url.database).parent.mkdir(parents=True, exist_ok=True)
         config = Config()
         config.set_main_option("script_location", "backend:migrations")
         with self._writing.begin() as connection:

@@ -15,7 +15,7 @@ from fastapi import FastAPI
 from backend.app import create_app
 from backend.settings import Settings
 
-ROAD = {"length": 131.7, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
+ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
 @dataclass

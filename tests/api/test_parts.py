@@ -141,6 +141,8 @@ def test_memory_answers_only_for_the_points_it_has() -> None:
     memory.put("a", outcome(200, 2000))
     assert memory.get("a", 800) is None
     assert memory.get("a", 2000) is not None
+    memory.put("a", Outcome(status="ok", summary={}, compute_ms=1.0))
+    assert memory.get("a", 2000) is not None, "one without series does not drive out one with"
 
 
 @pytest.fixture

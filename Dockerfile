@@ -1,0 +1,32 @@
+# syntax=docker/dockerfile:1
+# The dashboard, built with the lock file's packages.
+FROM node:24-slim AS frontend
+WORKDIR /build
+COPY frontend/package.json frontend/package-lock.json ./
+RUN npm ci --no-audit --no-fund
+COPY frontend/ ./
+RUN npm run build
+
+# The runtime's packages, each held to its hash.
+FROM python:3.11-slim AS packages
+RUN python -m venv /opt/ridelab
+COPY requirements.lock ./
+RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements.lock
+
+FROM python:3.11-slim
+COPY --from=packages /opt/ridelab /opt/ridelab
+WORKDIR /app
+COPY sim_core/ sim_core/
+COPY backend/ backend/
+COPY --from=frontend /build/dist frontend/dist/
+# Bytecode now: the file system is read-only later. /data belongs to the user, and so does a new volume mounted there.
+RUN /opt/ridelab/bin/python -m compileall -q sim_core backend \
+    && mkdir /data \
+    && chown 10001:10001 /data
+ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data
+USER 10001:10001
+VOLUME /data
+EXPOSE 8000
+HEALTHCHECK --interval=10s --timeout=3s --start-period=30s --retries=3 \
+    CMD ["python", "-c", "import urllib.request; urllib.request.urlopen('http://127.0.0.1:8000/healthz', timeout=2)"]
+CMD ["python", "-m", "backend", "--host", "0.0.0.0", "--port", "8000"]
