@@ -53,7 +53,7 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
 
 
 def fine_step(scenario: Scenario) -> float:
-    """Longest fine step [s]: 60 over the bump, or over its two ramps, at the initial speed, 0.1 rad of the stiffest wheel mode, 1 ms.
+    """Longest fine step [s]: 60 over the bump (or its two ramps) at the initial speed, 0.1 rad of the wheels, 1 ms.
 
     Between the ends of a fine step the road is linear and the car exact, so only the bump's curvature and the
     sampling of peaks need it short; tests/validation holds peaks against an adaptive solver.
