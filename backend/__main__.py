@@ -50,7 +50,11 @@ def _listen(host: str, port: int) -> socket.socket:
     # IPPROTO_TCP, or asyncio does not recognise TCP, leaves Nagle's algorithm on, and each answer takes 40 ms more.
     listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    listener.bind((host, port))
+    try:
+        listener.bind((host, port))
+    except OSError:
+        listener.close()
+        raise
     return listener
 
 

@@ -6,10 +6,14 @@ import socket
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import httpx
 import psutil
+import pytest
+
+from backend.__main__ import main
 
 # A second or two of one core: long enough to kill a worker in the middle.
 LONG: dict[str, Any] = {"road": {"length": 60.3, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
@@ -126,27 +130,21 @@ def test_two_services_share_one_database_file(start: Any) -> None:
                 assert {k: v for k, v in entry.items() if k != "cached"} == stored[0]["strategies"][name]
 
 
-def test_a_start_that_cannot_work_says_why(start: Any, tmp_path: Any) -> None:
-    import subprocess
-    import sys
-
+def test_a_start_that_cannot_work_says_why(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     def fails(*arguments: str, **environment: str) -> str:
-        import os
-
-        run = subprocess.run(
-            [sys.executable, "-m", "backend", "--data-dir", str(tmp_path), *arguments],
-            env={**os.environ, **environment},
-            capture_output=True,
-            text=True,
-            timeout=30,
-            check=False,
-        )
-        assert run.returncode != 0
-        return run.stderr
+        with monkeypatch.context() as patch:
+            for name, value in environment.items():
+                patch.setenv(name, value)
+            assert main(["--data-dir", str(tmp_path), *arguments]) == 2
+        message = capsys.readouterr().err
+        assert message.startswith("Ridelab does not start: ")
+        return message
 
     with socket.create_server(("127.0.0.1", 0)) as taken:
         assert "in use" in fails("--port", str(taken.getsockname()[1]))
     assert "RIDELAB_WORKERS" in fails("--port", "0", RIDELAB_WORKERS="many")
-    assert "does not start" in fails("--port", "0", RIDELAB_DATABASE_URL="no database")
+    assert "URL" in fails("--port", "0", RIDELAB_DATABASE_URL="no database")
     (tmp_path / "file").touch()
-    assert "does not start" in fails("--port", "0", "--data-dir", str(tmp_path / "file"))
+    assert "file" in fails("--port", "0", "--data-dir", str(tmp_path / "file"))
