@@ -1,9 +1,9 @@
-"""One server and one browser for all; a fresh page, with its errors watched, for each test."""
+"""One server and one browser for all; a fresh page, its errors watched, for each test."""
 
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, expect, sync_playwright
 
 from tests.browser.chromium import launch
 from tests.browser.dashboard import Dashboard
@@ -31,13 +31,21 @@ def browser() -> Iterator[Browser]:
         browser.close()
 
 
-@pytest.fixture
-def dashboard(browser: Browser, server: Server) -> Iterator[Dashboard]:
-    """A page at a laptop's size; the test fails when a script on it does."""
+@pytest.fixture(scope="session")
+def context(browser: Browser, server: Server) -> Iterator[BrowserContext]:
+    """One browser profile at a laptop's size: scripts are compiled once for all tests."""
     context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=server.url, color_scheme="light")
     context.set_default_timeout(WAIT_MS)
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def dashboard(context: BrowserContext, server: Server) -> Iterator[Dashboard]:
+    """A fresh page; the test fails when a script on it does."""
     page = context.new_page()
     dashboard = Dashboard(page, server.url)
     yield dashboard
-    context.close()
+    page.evaluate("localStorage.clear()")
+    page.close()
     assert dashboard.failures == []

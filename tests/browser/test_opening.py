@@ -87,6 +87,21 @@ def test_nothing_is_wider_than_the_window(dashboard: Dashboard, width: int, heig
     assert dashboard.page.evaluate("document.documentElement.scrollWidth") <= width
 
 
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (820, 1180), (390, 844)])
+def test_nothing_jumps_while_loading(dashboard: Dashboard, width: int, height: int) -> None:
+    """Cumulative layout shift, which is good up to 0.1; a table or a plot without its place kept is over that."""
+    dashboard.page.set_viewport_size({"width": width, "height": height})
+    dashboard.page.add_init_script(
+        """window.shift = 0;
+        new PerformanceObserver(list => { for (const entry of list.getEntries()) window.shift += entry.value; })
+          .observe({type: 'layout-shift', buffered: true});"""
+    )
+    dashboard.page.goto("/")
+    expect(dashboard.results).to_be_visible()
+    expect(dashboard.page.locator("section[data-figure]").first).to_be_attached()
+    assert dashboard.page.evaluate("window.shift") < 0.05
+
+
 def test_on_a_phone_the_form_leaves_the_plots_in_sight(dashboard: Dashboard) -> None:
     page = dashboard.page
     page.set_viewport_size({"width": 390, "height": 844})

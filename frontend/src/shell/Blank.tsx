@@ -58,8 +58,8 @@ export function CouldNotLoad({ message, onRetry }: { readonly message: string; r
 export function Loading() {
   return (
     <div className={classes.results} aria-busy aria-label="Loading results">
-      <Skeleton height={214} radius={8} />
-      <Skeleton height={160} radius={8} />
+      <Skeleton className={classes.loadingTable ?? ""} radius={8} />
+      <Skeleton className={classes.loadingCar ?? ""} radius={8} />
       <div className={classes.loadingGrid}>
         {Array.from({ length: 6 }, (_, index) => (
           <Skeleton key={index} height={210} radius={8} />

@@ -21,10 +21,14 @@ interface Props {
 
 export function StatusLine({ place }: Props) {
   const shown = useLab((state) => state.shown);
-  if (!shown) return null;
   return (
-    <Text className={classes.status} data-place={place} data-testid={`status-${place}`} data-source={shown.source} title={`Computed by core ${shown.coreVersion}`}>
-      {describe(shown)}
+    <Text
+      className={classes.status}
+      data-place={place}
+      data-testid={`status-${place}`}
+      title={shown ? `Computed by core ${shown.coreVersion}` : ""}
+    >
+      {shown ? describe(shown) : "\u00a0"}
     </Text>
   );
 }

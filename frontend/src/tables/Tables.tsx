@@ -2,7 +2,7 @@
 
 import { Button } from "@mantine/core";
 import { IconChevronDown, IconChevronUp } from "@tabler/icons-react";
-import { useElementSize } from "@mantine/hooks";
+import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
@@ -17,16 +17,16 @@ interface Props {
   readonly figures: Readonly<Record<string, FigureTemplate>>;
 }
 
-/** Both halves of the comparison side by side need this much. */
-const LEAST_WIDTH_PX = 760;
+/** Windows too narrow, beside the form, for both halves of the comparison side by side. */
+const NARROW = "(max-width: 67.99em)";
 
 export function Tables({ scene, catalogue, figures }: Props) {
   const [more, setMore] = useState(false);
   const id = useId();
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
-  const { ref, width } = useElementSize<HTMLElement>();
+  const narrow = useMediaQuery(NARROW, false, { getInitialValueInEffect: false });
   const compare = (signals: readonly SignalKey[], caption: string) =>
-    width > 0 && width < LEAST_WIDTH_PX ? (
+    narrow ? (
       VIEWS.map((view) => (
         <NarrowTable key={view.window} {...{ scene, catalogue, figures, signals, view }} heading={headingOf(view, catalogue)} />
       ))
@@ -34,7 +34,7 @@ export function Tables({ scene, catalogue, figures }: Props) {
       <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />
     );
   return (
-    <section ref={ref} className={classes.card} aria-label="Comparison">
+    <section className={classes.card} aria-label="Comparison">
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
         <div id={id} className={classes.more}>
