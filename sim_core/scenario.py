@@ -5,72 +5,14 @@ SI units, except speeds a person types, which end in `_kmh`. Defaults are the pa
 and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
 """
 
-from typing import Annotated, Any, Literal, Self
+from typing import Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from sim_core.fields import Part, Weights, count, quantity, weights
+
 SCHEMA_VERSION = 1
-
-
-def quantity(
-    default: float | None,
-    unit: str,
-    title: str,
-    description: str,
-    *,
-    soft: tuple[float, float],
-    ge: float | None = None,
-    gt: float | None = None,
-    le: float,
-) -> Any:
-    """A number with a unit: hard limits `ge`/`gt` to `le`, slider range `soft`."""
-    return Field(
-        default,
-        ge=ge,
-        gt=gt,
-        le=le,
-        title=title,
-        description=description,
-        json_schema_extra={"unit": unit, "soft_range": list(soft)},
-    )
-
-
-class Part(BaseModel):
-    """Base of every part: frozen, hashable, strict about names and types, no NaN or infinity."""
-
-    model_config = ConfigDict(
-        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, hide_input_in_errors=True
-    )
-
-
-def _not_all_zero(weights: tuple[float, float, float]) -> tuple[float, float, float]:
-    if not any(weights):
-        raise PydanticCustomError("all_zero_weights", "At least one weight must be greater than 0")
-    return weights
-
-
-Weight = Annotated[float, Field(ge=0, le=1000)]
-# strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
-Weights = Annotated[
-    tuple[Weight, Weight, Weight],
-    Field(strict=False),
-    AfterValidator(_not_all_zero),
-]
-
-
-def weights(default: tuple[float, float, float], title: str, description: str) -> Any:
-    """Cost weights q1 (body acceleration), q2 (pitch acceleration), q3 (tyre load), each 0 to 1000."""
-    return Field(
-        default,
-        title=title,
-        description=description,
-        json_schema_extra={
-            "unit": "1",
-            "soft_range": [0, 10],
-            "item_titles": ["Body acceleration", "Pitch acceleration", "Tyre load"],
-        },
-    )
 
 
 class Vehicle(Part):
@@ -189,14 +131,7 @@ class Road(Part):
         ge=0,
         le=0.262144,
     )
-    seed: int = Field(
-        1,
-        ge=0,
-        le=2**32 - 1,
-        title="Seed",
-        description="Same seed, same road.",
-        json_schema_extra={"unit": "1", "soft_range": [1, 20]},
-    )
+    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=2**32 - 1)
     length: float = quantity(
         150,
         "m",
@@ -247,13 +182,8 @@ class Brake(Part):
     piston_area: float = quantity(
         0.0025, "m^2", "Piston area", "Contact area A of one brake.", soft=(0.001, 0.006), ge=1e-4, le=0.1
     )
-    brakes: int = Field(
-        2,
-        ge=1,
-        le=8,
-        title="Brakes",
-        description="How many share the torque; one per axle of the half-car.",
-        json_schema_extra={"unit": "1", "soft_range": [1, 4]},
+    brakes: int = count(
+        2, "Brakes", "How many share the torque; one per axle of the half-car.", soft=(1, 4), ge=1, le=8
     )
     threshold_speed: float = quantity(
         0.1, "m/s", "Threshold speed", "Sliding speed v_d of the smoothed friction.", soft=(0.01, 0.5), ge=0.001, le=5
@@ -326,22 +256,8 @@ class Mpc(Part):
     sample_time: float = quantity(
         0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05
     )
-    prediction_horizon: int = Field(
-        30,
-        ge=1,
-        le=200,
-        title="Prediction horizon",
-        description="Np, in steps.",
-        json_schema_extra={"unit": "1", "soft_range": [5, 60]},
-    )
-    control_horizon: int = Field(
-        20,
-        ge=1,
-        le=100,
-        title="Control horizon",
-        description="Nc, moves; at most Np.",
-        json_schema_extra={"unit": "1", "soft_range": [1, 40]},
-    )
+    prediction_horizon: int = count(30, "Prediction horizon", "Np, in steps.", soft=(5, 60), ge=1, le=200)
+    control_horizon: int = count(20, "Control horizon", "Nc, moves; at most Np.", soft=(1, 40), ge=1, le=100)
     preview: Preview = Field(
         "lookahead",
         title="Preview",

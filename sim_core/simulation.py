@@ -5,6 +5,7 @@ import numpy as np
 from sim_core.closed_loop import ClosedLoop
 from sim_core.controller import Controller, PassiveController
 from sim_core.cost import CostTerms
+from sim_core.fields import Weights
 from sim_core.half_car import OUTPUTS
 from sim_core.longitudinal import CONTROL_STEP, KMH, Drive, drive
 from sim_core.lqr import LqrController, regulator
@@ -14,7 +15,7 @@ from sim_core.plant import plant
 from sim_core.preview import preview_windows
 from sim_core.result import StrategyResult
 from sim_core.road import detail
-from sim_core.scenario import Actuator, Scenario, Weights
+from sim_core.scenario import Actuator, Scenario
 from sim_core.stages import coordinated_weights, segments, spans
 from sim_core.strategies import Strategy, SuspensionPolicy, strategy
 from sim_core.track import Track, track

@@ -11,7 +11,7 @@ _PER_PLAN_STEP = 3e-6
 _PER_FINE_STEP = 4e-7
 _PER_PREDICTED_NUMBER = 1e-9  # control step × checked row × preview column
 _PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves; grows with the square of the moves
-_SHARE_OF_QPS = 0.3  # of the control steps in which a limit may bind
+_SHARE_OF_QPS = 1.0  # of the control steps: in a worst case a limit binds in every one
 
 
 def duration(scenario: Scenario, name: str) -> float:

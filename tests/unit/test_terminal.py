@@ -83,3 +83,9 @@ def test_estimate_grows_with_what_costs() -> None:
     assert estimate(Scenario(mpc=Mpc(prediction_horizon=120)), "lv") > 2 * plain
     assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 10 * plain
     assert estimate(Scenario(), "passive") < plain
+
+
+def test_reference_page_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["fields"]) == 0
+    page = Path(__file__).parents[2] / "docs" / "scenario.md"
+    assert page.read_text(encoding="utf-8") == capsys.readouterr().out

@@ -1,0 +1,76 @@
+"""Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
+
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic_core import PydanticCustomError
+
+
+def quantity(
+    default: float | None,
+    unit: str,
+    title: str,
+    description: str,
+    *,
+    soft: tuple[float, float],
+    ge: float,
+    le: float,
+) -> Any:
+    """A number with a unit: hard limits `ge` to `le`, slider range `soft`."""
+    return Field(
+        default,
+        ge=ge,
+        le=le,
+        title=title,
+        description=description,
+        json_schema_extra={"unit": unit, "soft_range": list(soft)},
+    )
+
+
+class Part(BaseModel):
+    """Base of every part: frozen, hashable, strict about names and types, no NaN or infinity."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, hide_input_in_errors=True
+    )
+
+
+def _not_all_zero(weights: tuple[float, float, float]) -> tuple[float, float, float]:
+    if not any(weights):
+        raise PydanticCustomError("all_zero_weights", "At least one weight must be greater than 0")
+    return weights
+
+
+Weight = Annotated[float, Field(ge=0, le=1000)]
+# strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
+Weights = Annotated[
+    tuple[Weight, Weight, Weight],
+    Field(strict=False),
+    AfterValidator(_not_all_zero),
+]
+
+
+def weights(default: tuple[float, float, float], title: str, description: str) -> Any:
+    """Cost weights q1 (body acceleration), q2 (pitch acceleration), q3 (tyre load), each 0 to 1000."""
+    return Field(
+        default,
+        title=title,
+        description=description,
+        json_schema_extra={
+            "unit": "1",
+            "soft_range": [0, 10],
+            "item_titles": ["Body acceleration", "Pitch acceleration", "Tyre load"],
+        },
+    )
+
+
+def count(default: int, title: str, description: str, *, soft: tuple[int, int], ge: int, le: int) -> Any:
+    """A whole number without a unit."""
+    return Field(
+        default,
+        ge=ge,
+        le=le,
+        title=title,
+        description=description,
+        json_schema_extra={"unit": "1", "soft_range": list(soft)},
+    )
