@@ -10,6 +10,7 @@ from math import ceil
 import numpy as np
 
 from sim_core.brake import BrakeChain, brake_chain
+from sim_core.caching import kept
 from sim_core.fuzzy_speed import torque_surface
 from sim_core.result import FloatArray
 from sim_core.road import RUN_IN
@@ -121,7 +122,7 @@ def _constant(speed: float) -> Drive:
     )
 
 
-@lru_cache(maxsize=256)
+@kept(32)
 def _planned(stretch: Stretch) -> Drive:
     """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
 

@@ -6,11 +6,11 @@ that solves it wherever no limit binds (the unconstrained optimum that meets eve
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
+from sim_core.caching import kept
 from sim_core.controller import Controller, LinearLaw
 from sim_core.cost import KILO, CostTerms, stage_cost
 from sim_core.half_car import DISTURBANCES, FORCES, STATES, discrete
@@ -74,7 +74,7 @@ def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> P
     return Prediction(z_given=z_given, z_moves=z_moves, end_given=x_given, end_moves=x_moves)
 
 
-@lru_cache(maxsize=32)
+@kept(32)
 def _prediction(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
     return predict(vehicle, sample_time, horizon, moves)
 
@@ -97,7 +97,7 @@ class Horizon:
     force_change_weight: float
 
 
-@lru_cache(maxsize=256)
+@kept(64)
 def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     """Condense one stage's problem: interval costs, terminal cost (the stage's Riccati solution), limits.
 

@@ -4,11 +4,10 @@ none: the road ahead is taken as level. wheelbase: the rear axle will meet what 
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
 """
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from sim_core.caching import kept
 from sim_core.half_car import DISTURBANCES
 from sim_core.longitudinal import Drive
 from sim_core.result import FloatArray
@@ -17,7 +16,7 @@ from sim_core.scenario import Preview, Road
 from sim_core.track import Track
 
 
-@lru_cache(maxsize=6)
+@kept(48)
 def preview_windows(
     mode: Preview, road: Road, drive: Drive, track: Track, horizon: int, wheelbase: float
 ) -> FloatArray:

@@ -21,7 +21,7 @@ _NO_LIMIT = 1e30  # what both solvers take as infinity
 _OSQP_SETTINGS = {
     "eps_abs": 1e-6,
     "eps_rel": 1e-6,
-    "max_iter": 20_000,
+    "max_iter": 2000,
     "polishing": True,  # exact once the active set is right: agrees with DAQP to 1e-13
     "scaled_termination": False,
     "verbose": False,

@@ -4,12 +4,12 @@ Every strategy drives the same road whatever its speed, and the rear axle the fr
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import exp, pi, sqrt
 
 import numpy as np
 from scipy.signal import lfilter
 
+from sim_core.caching import kept
 from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Road
 
@@ -82,7 +82,7 @@ def stationary_deviation(roughness: float) -> float:
     return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
 
 
-@lru_cache(maxsize=64)
+@kept(16)
 def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
     """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points.
 

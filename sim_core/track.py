@@ -4,11 +4,11 @@ Strategies that drive alike share it: it is made once per road, drive and step, 
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import ceil
 
 import numpy as np
 
+from sim_core.caching import kept
 from sim_core.half_car import DISTURBANCES
 from sim_core.longitudinal import Drive, run_in_steps
 from sim_core.result import FloatArray
@@ -48,7 +48,7 @@ class Track:
         return self.step / self.fine
 
 
-@lru_cache(maxsize=12)
+@kept(48)
 def track(road: Road, wheelbase: float, drive: Drive, step: float, longest_fine_step: float) -> Track:
     """Sample a drive (control step and longest fine step in s, wheelbase in m)."""
     surface, duration = profile(road), drive.time_at(road.length)

@@ -11,7 +11,7 @@ _PER_PLAN_STEP = 3e-6
 _PER_FINE_STEP = 4e-7
 _PER_PREDICTED_NUMBER = 1e-9  # control step × checked row × preview column
 _PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves; grows with the square of the moves
-_SHARE_OF_QPS = 1.0  # of the control steps: in a worst case a limit binds in every one
+_PER_LIMITED_STEP = 1e-4  # decided singly, without a QP
 
 
 def duration(scenario: Scenario, name: str) -> float:
@@ -35,9 +35,11 @@ def estimate(scenario: Scenario, name: str) -> float:
     cost = _START + time / fine_step(scenario) * _PER_FINE_STEP
     if chosen.speed is SpeedPolicy.PLANNED:
         cost += time / CONTROL_STEP * _PER_PLAN_STEP
+    if chosen.suspension is SuspensionPolicy.LQR:
+        cost += time / mpc.sample_time * _PER_LIMITED_STEP
     if chosen.suspension in (SuspensionPolicy.MPC_BY_ROAD, SuspensionPolicy.MPC_BY_STAGE):
         steps = time / mpc.sample_time
         rows, columns = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
         qp = _PER_QP[mpc.solver] * max(1.0, mpc.control_horizon / 20) ** 2 * max(1.0, mpc.prediction_horizon / 30)
-        cost += steps * (rows * columns * _PER_PREDICTED_NUMBER + _SHARE_OF_QPS * qp)
+        cost += steps * (rows * columns * _PER_PREDICTED_NUMBER + qp)  # as if a limit bound in every step
     return cost
