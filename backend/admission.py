@@ -4,10 +4,9 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
-from sim_core.workload import estimate
-
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
+from sim_core.workload import estimate
 
 RETRY_AFTER = 2  # [s]
 

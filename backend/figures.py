@@ -41,6 +41,7 @@ STYLES: dict[str, Style] = {
 SHOWN_UNITS: dict[str, tuple[str, float]] = {"m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
 NEUTRAL = "#868E96"  # reference lines and stages: 3:1 on white and on #1a1b1e
 STAGE_FILLS = {"brake": "rgba(213, 94, 0, 0.10)", "bump": "rgba(0, 114, 178, 0.13)"}  # cruise stays clear
+BAND_FILL = "rgba(134, 142, 150, 0.2)"
 AXES = ("position", "time")
 _AXIS = {"zeroline": True, "gridcolor": "rgba(134, 142, 150, 0.25)", "zerolinecolor": "rgba(134, 142, 150, 0.5)"}
 
@@ -141,6 +142,9 @@ def _template(panel: Panel) -> dict[str, Any]:
             "reference_labels": {key: REFERENCES[key].label for key, _ in panel.references},
             "band": list(panel.band) if panel.band else None,
             "axes": {key: _axis_title(key) for key in AXES},
+            "stage_fills": STAGE_FILLS,
+            "band_fill": BAND_FILL,
+            "neutral": NEUTRAL,
         },
         xaxis={"title": {"text": _axis_title(AXES[0])}, **_AXIS},
         yaxis={"title": {"text": f"{title} [{unit}]"}, **_AXIS},
@@ -204,4 +208,4 @@ def _across(low: float, high: float, label: str) -> dict[str, Any]:
     shape = {"xref": "paper", "yref": "y", "x0": 0, "x1": 1, "y0": low, "y1": high, "layer": "below", "name": label}
     if low == high:
         return {**shape, "type": "line", "line": {"color": NEUTRAL, "dash": "dash", "width": 1}}
-    return {**shape, "type": "rect", "line": {"width": 0}, "fillcolor": "rgba(134, 142, 150, 0.15)"}
+    return {**shape, "type": "rect", "line": {"width": 0}, "fillcolor": BAND_FILL}

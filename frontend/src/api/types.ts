@@ -64,6 +64,10 @@ export interface FigureMeta {
   readonly band: readonly string[] | null;
   /** Titles of the two x axes. */
   readonly axes: Readonly<Record<string, string>>;
+  /** What stands behind the curves: a colour for each shaded stage, for a band, for reference lines. */
+  readonly stage_fills: Readonly<Record<string, string>>;
+  readonly band_fill: string;
+  readonly neutral: string;
 }
 
 export interface FigureTrace {

@@ -32,6 +32,9 @@ const template: FigureTemplate = {
   data: ["lv", "passive"].map((strategy) => ({ meta: { strategy, signal: "load" }, line: { color: "#0072B2" } })),
   layout: {
     meta: {
+      stage_fills: { bump: "rgba(0, 0, 255, 0.1)" },
+      band_fill: "grey",
+      neutral: "grey",
       title: "Load", unit: "kN", scale: 1e-3, signal: "load", band: null, axes: {}, reference_labels: {},
       reference_factors: { front_static_load: [-1] },
     },

@@ -7,9 +7,6 @@ import { stretchesBelow } from "./samples";
 
 export type Shape = Readonly<Record<string, unknown>>;
 
-const NEUTRAL = "#868e96";
-const STAGE_FILLS: Readonly<Record<string, string>> = { brake: "rgba(213, 94, 0, 0.10)", bump: "rgba(0, 114, 178, 0.13)" };
-const BAND_FILL = "rgba(134, 142, 150, 0.2)";
 const AIRBORNE_OPACITY = 0.28;
 /** Height of the marks that tell when each strategy is on the bump, as a part of the panel. */
 const MARK = 0.022;
@@ -39,7 +36,7 @@ export function stageShapes(
 ): readonly Shape[] {
   const staged = stagedStrategy(summaries, strategies);
   const shading = (staged === undefined ? [] : (summaries[staged]?.stages ?? [])).flatMap((span): Shape[] => {
-    const fill = STAGE_FILLS[span.stage];
+    const fill = template.layout.meta.stage_fills[span.stage];
     return fill === undefined ? [] : [upright(...spanEnds(axis, span), fill)];
   });
   if (axis === "distance") return shading;
@@ -54,7 +51,7 @@ export function stageShapes(
 
 function colourOf(template: FigureTemplate, strategy: StrategyId): string {
   const colour = template.data.find(({ meta }) => meta.strategy === strategy)?.line?.color;
-  return typeof colour === "string" ? colour : NEUTRAL;
+  return typeof colour === "string" ? colour : template.layout.meta.neutral;
 }
 
 /** Where a tyre's dynamic load falls below minus its static load: there the wheel would leave the road. */
@@ -98,8 +95,8 @@ function band(meta: FigureMeta, used: readonly Summary[]): readonly [number, num
 export function referenceShapes(meta: FigureMeta, used: readonly Summary[]): readonly Shape[] {
   const across = { xref: "paper", yref: "y", x0: 0, x1: 1, layer: "below" };
   const lines = referenceValues(meta, used).map((y) => ({
-    ...across, type: "line", y0: y, y1: y, line: { color: NEUTRAL, dash: "dash", width: 1 },
+    ...across, type: "line", y0: y, y1: y, line: { color: meta.neutral, dash: "dash", width: 1 },
   }));
   const target = band(meta, used);
-  return target ? [...lines, { ...across, type: "rect", y0: target[0], y1: target[1], line: { width: 0 }, fillcolor: BAND_FILL }] : lines;
+  return target ? [...lines, { ...across, type: "rect", y0: target[0], y1: target[1], line: { width: 0 }, fillcolor: meta.band_fill }] : lines;
 }

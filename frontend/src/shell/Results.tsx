@@ -27,11 +27,12 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
+  const meta = Object.values(figures)[0]?.layout.meta;
   return (
     <div className={classes.results} data-stale={stale || undefined} data-testid="results" data-source={scene.shown.source}>
       <Tables scene={scene} catalogue={catalogue} figures={figures} />
       <CarView scene={scene} />
-      <StageLegend scene={scene} catalogue={catalogue} />
+      {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
       <PlotGrid figures={figures} scene={scene} />
     </div>
   );

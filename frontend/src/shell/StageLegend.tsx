@@ -1,12 +1,18 @@
 /** What the shading and the lines behind the curves mean. */
 
-import type { Catalogue } from "../api/types";
+import type { Catalogue, FigureMeta } from "../api/types";
 import { stagedStrategy } from "../plots/shapes";
 import type { Scene } from "../state/scene";
 import classes from "./shell.module.css";
 
-export function StageLegend({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
-  const stages = catalogue.stages.filter(({ key }) => key === "brake" || key === "bump");
+interface Props {
+  readonly scene: Scene;
+  readonly catalogue: Catalogue;
+  readonly meta: FigureMeta;
+}
+
+export function StageLegend({ scene, catalogue, meta }: Props) {
+  const stages = catalogue.stages.filter(({ key }) => key in meta.stage_fills);
   const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
   const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const several = scene.axis === "time" && scene.ids.length > 1;
@@ -14,11 +20,11 @@ export function StageLegend({ scene, catalogue }: { readonly scene: Scene; reado
     <p className={classes.legend}>
       {stages.map(({ key, label, description }) => (
         <span key={key} title={description}>
-          <span className={classes.fill} data-stage={key} /> {label}
+          <span className={classes.fill} style={{ background: meta.stage_fills[key] }} /> {label}
         </span>
       ))}
       <span>
-        <span className={classes.dashes} /> limit, static load or target
+        <span className={classes.dashes} style={{ borderTopColor: meta.neutral }} /> limit, static load or target
       </span>
       {airborne && (
         <span>
