@@ -4,6 +4,7 @@ import asyncio
 import os
 import time
 from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import psutil
@@ -25,7 +26,9 @@ def with_workers(count: int, timeout: float, use: Callable[[Workers], Awaitable[
             await workers.close()
             assert time.monotonic() - begin < 8, "SIGTERM promises ten seconds"
 
-    asyncio.run(main())
+    # A thread of its own: the browser tests' driver leaves an event loop running in this one.
+    with ThreadPoolExecutor(1) as thread:
+        thread.submit(lambda: asyncio.run(main())).result()
 
 
 def test_a_worker_outlives_errors_but_not_its_time_limit() -> None:
