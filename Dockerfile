@@ -2,7 +2,7 @@
 # The dashboard, built with the lock file's packages.
 FROM node:24-slim AS frontend
 WORKDIR /build
-COPY frontend/package.json frontend/package-lock.json ./
+COPY frontend/.npmrc frontend/package.json frontend/package-lock.json ./
 RUN npm ci --no-audit --no-fund
 COPY frontend/ ./
 RUN npm run build
