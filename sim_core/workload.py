@@ -10,7 +10,7 @@ _START = 0.005
 _PER_PLAN_STEP = 3e-6
 _PER_FINE_STEP = 4e-7
 _PER_PREDICTED_NUMBER = 1e-9  # control step × checked row × preview column
-_PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves; grows with the square of the moves
+_PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves and 30 steps; grows as below
 _PER_LIMITED_STEP = 1e-4  # decided singly, without a QP
 
 
@@ -40,6 +40,7 @@ def estimate(scenario: Scenario, name: str) -> float:
     if chosen.suspension in (SuspensionPolicy.MPC_BY_ROAD, SuspensionPolicy.MPC_BY_STAGE):
         steps = time / mpc.sample_time
         rows, columns = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
-        qp = _PER_QP[mpc.solver] * max(1.0, mpc.control_horizon / 20) ** 2 * max(1.0, mpc.prediction_horizon / 30)
+        longer, further = max(1.0, mpc.control_horizon / 20), max(1.0, mpc.prediction_horizon / 30)
+        qp = _PER_QP[mpc.solver] * longer**1.5 * further**0.75
         cost += steps * (rows * columns * _PER_PREDICTED_NUMBER + qp)  # as if a limit bound in every step
     return cost
