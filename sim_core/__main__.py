@@ -26,10 +26,13 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m sim_core", description="Ridelab's simulation core in a terminal.")
     commands = parser.add_subparsers(dest="command")
     run = commands.add_parser("run", help="every strategy over one scenario (the default)")
-    for command in (parser, run):
-        command.add_argument("--preset", default="paper", help=f"one of {', '.join(PRESETS)}")
-        command.add_argument("--scenario", type=Path, help="a scenario's JSON file instead of a preset")
-        command.add_argument("--baseline", default="passive", help="strategy the changes refer to")
+    # The subcommand's defaults are suppressed: they would overwrite what stood before it.
+    for command, default in ((parser, None), (run, argparse.SUPPRESS)):
+        command.add_argument("--preset", default=default or "paper", help=f"one of {', '.join(PRESETS)}")
+        command.add_argument(
+            "--scenario", type=Path, default=default, help="a scenario's JSON file instead of a preset"
+        )
+        command.add_argument("--baseline", default=default or "passive", help="strategy the changes refer to")
     check = commands.add_parser("margins", help="LQR against LV, as in Tables 9-10, on the paper's scenario")
     check.add_argument("--seeds", type=int, default=10, help="roads 1 to this (10)")
     check.add_argument("--preview", default="lookahead", choices=("lookahead", "wheelbase", "none"))
@@ -42,8 +45,17 @@ def main(arguments: list[str] | None = None) -> int:
             print(page(), end="")
         else:
             scenario = preset(chosen.preset) if chosen.scenario is None else _load(chosen.scenario)
-            _print_run(scenario, chosen.baseline)
-    except (RidelabError, ValidationError, OSError, ValueError) as error:
+            _print_run(
+                scenario,
+                f"preset {chosen.preset}" if chosen.scenario is None else str(chosen.scenario),
+                chosen.baseline,
+            )
+    except ValidationError as error:
+        for item in error.errors():
+            field = item.get("ctx", {}).get("field") or ".".join(map(str, item["loc"]))
+            print(f"{field}: {item['msg']}", file=sys.stderr)
+        return 2
+    except (RidelabError, OSError, ValueError) as error:
         print(error, file=sys.stderr)
         return 2
     return 0
@@ -53,29 +65,29 @@ def _load(path: Path) -> Scenario:
     return Scenario.model_validate_json(path.read_text(encoding="utf-8"))
 
 
-def _print_run(scenario: Scenario, baseline: str) -> None:
+def _print_run(scenario: Scenario, name: str, baseline: str) -> None:
     results, times = {}, {}
-    for name in STRATEGIES:
+    for strategy in STRATEGIES:
         start = perf_counter()
-        results[name] = simulate(scenario, name)
-        times[name] = (perf_counter() - start) * 1000
+        results[strategy] = simulate(scenario, strategy)
+        times[strategy] = (perf_counter() - start) * 1000
     if baseline not in results:
         raise ValueError(f"Unknown baseline; there are {', '.join(STRATEGIES)}")
-    print(f"Ridelab core {__version__}; changes against {STRATEGIES[baseline].label}")
+    print(f"Ridelab core {__version__}, {name}; changes against {STRATEGIES[baseline].label}")
     for window, statistic, title in _COLUMNS:
         print(f"\n{title}")
         header = "".join(f"{f'{SIGNALS[s].label} [{SIGNALS[s].unit}]':>36}" for s in PAPER_SIGNALS)
         print(f"{'':26}{header}")
-        for name, result in results.items():
+        for strategy, result in results.items():
             cells = "".join(_cell(result, results[baseline], window, s, statistic) for s in PAPER_SIGNALS)
-            print(f"{STRATEGIES[name].label:26}{cells}")
+            print(f"{STRATEGIES[strategy].label:26}{cells}")
     print(f"\n{'':26}{'travel time':>14}{'at the bump':>14}{'airborne':>12}{'over travel':>14}{'QPs':>8}{'run':>12}")
-    for name, result in results.items():
+    for strategy, result in results.items():
         events = result.events
         print(
-            f"{STRATEGIES[name].label:26}{result.travel_time:>12.2f} s{result.arrival_speed_kmh:>9.1f} km/h"
+            f"{STRATEGIES[strategy].label:26}{result.travel_time:>12.2f} s{result.arrival_speed_kmh:>9.1f} km/h"
             f"{events['airborne_ms']:>9.0f} ms{events['travel_exceeded_mm']:>11.1f} mm"
-            f"{events['qp_solves']:>8}{times[name]:>9.1f} ms"
+            f"{events['qp_solves']:>8}{times[strategy]:>9.1f} ms"
         )
 
 

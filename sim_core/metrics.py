@@ -45,6 +45,7 @@ def evaluate(
         for window, kept in windows.items()
     }
     static = scenario.vehicle.static_loads
+    bump_end = scenario.road.bump.start + scenario.road.bump.width + scenario.vehicle.wheelbase
     planned = strategy.speed is SpeedPolicy.PLANNED
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     rough = metrics["rough_road"]
@@ -65,6 +66,7 @@ def evaluate(
         events={
             **_airborne(recording, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
+            "bump_complete": bump_end <= scenario.road.length,
             "travel_exceeded_mm": _travel_exceeded(scenario, series),
             "limited_steps": limited_steps,
             "qp_solves": report.solves,

@@ -317,7 +317,10 @@ class Scenario(Part):
         if self.mpc.control_horizon > self.mpc.prediction_horizon:
             raise _at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
         if self.road.bump.start + self.road.bump.width > self.road.length:
-            raise _at("road.bump.start", "The bump must end before the road does (start + width at most road.length)")
+            raise _at(
+                "road.bump.start",
+                "The bump must end before the road does: position and width together at most the road's length",
+            )
         bump = self.road.bump
         if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
             raise _at("road.bump.height", "A circular bump's height must not exceed half its width")

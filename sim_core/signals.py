@@ -163,13 +163,19 @@ EVENTS = _catalogue(
         key="target_reached",
         label="Target speed reached",
         unit="1",
-        description="within the target band at the bump; null where there is no target",
+        description="within the target band at the bump, or nothing to brake for; null without a target",
+    ),
+    Quantity(
+        key="bump_complete",
+        label="Bump crossed completely",
+        unit="1",
+        description="false where the road ends before the rear axle has left the bump: its peaks are then up to there",
     ),
     Quantity(
         key="travel_exceeded_mm",
-        label="Travel over the limit",
+        label="Travel over the limit, whole run",
         unit="mm",
-        description="largest deflection beyond mpc.deflection_limit, 0 if held",
+        description="largest deflection beyond mpc.deflection_limit anywhere, also while braking; 0 if held",
     ),
     Quantity(
         key="limited_steps",

@@ -69,10 +69,11 @@ async def get_series(
     encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
 ) -> Response:
     """Time histories in SI units; time and position always come along."""
+    names = _names("strategy", strategy, STRATEGIES)
     content = await service.series(
         run_id,
         client,
-        strategies=_names("strategy", strategy, STRATEGIES),
+        strategies=names,
         signals=_names("signals", signals, SIGNALS),
         points=points,
         file_format=file_format,
@@ -80,7 +81,9 @@ async def get_series(
     )
     headers = {"Cache-Control": "public, max-age=3600"}
     if file_format != "json":
-        headers["Content-Disposition"] = f'attachment; filename="ridelab-{run_id}.{file_format}"'
+        headers["Content-Disposition"] = (
+            f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
+        )
     return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
 
 

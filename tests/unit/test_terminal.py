@@ -37,6 +37,15 @@ def test_scenario_file_and_errors(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert main(["margins", "--seeds", "0"]) == 2
 
 
+def test_options_count_before_and_after_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    printed = []
+    for arguments in (["--preset", "pothole"], ["--preset", "pothole", "run"], ["run", "--preset", "pothole"]):
+        assert main(arguments) == 0
+        printed.append(capsys.readouterr().out.split("travel time")[0])  # what follows has timings
+    assert "preset pothole" in printed[0]
+    assert printed[0] == printed[1] == printed[2]
+
+
 def test_margins_command_says_which_cells_are_reached(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["margins", "--seeds", "1", "--preview", "none"]) == 0
     printed = capsys.readouterr().out
@@ -75,6 +84,12 @@ def test_printed_margins_are_the_papers() -> None:
 )
 def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> None:
     assert simulate(scenario, strategy).travel_time <= duration(scenario, strategy) + 1e-6
+
+
+def test_a_road_that_ends_on_the_bump_is_told() -> None:
+    on_it = Scenario(road=Road(length=105))
+    assert simulate(on_it, "passive").events["bump_complete"] is False
+    assert simulate(Scenario(), "passive").events["bump_complete"] is True
 
 
 def test_estimate_grows_with_what_costs() -> None:

@@ -21,6 +21,7 @@ interface Props {
 
 export function StatusLine({ place }: Props) {
   const shown = useLab((state) => state.shown);
+  const behind = useLab((state) => state.stale && !state.busy);
   return (
     <Text
       className={classes.status}
@@ -28,7 +29,7 @@ export function StatusLine({ place }: Props) {
       data-testid={`status-${place}`}
       title={shown ? `Computed by core ${shown.coreVersion}` : ""}
     >
-      {shown ? describe(shown) : "\u00a0"}
+      {shown ? (behind ? "The last result, not yet of the form’s values" : describe(shown)) : "\u00a0"}
     </Text>
   );
 }
