@@ -60,8 +60,11 @@ def torque_surface() -> TorqueSurface:
             fired[index] = np.fmax(fired[index], strength)
 
     aggregated = np.fmin(fired[0][..., None], torque[0])
+    clipped = np.empty_like(aggregated)
     for index in range(1, len(SETS)):
-        aggregated = np.fmax(aggregated, np.fmin(fired[index][..., None], torque[index]))
-    moment = np.trapezoid(aggregated * torque_universe, dx=1.0, axis=-1)
-    centroid = moment / np.trapezoid(aggregated, dx=1.0, axis=-1)
+        np.fmin(fired[index][..., None], torque[index], out=clipped)
+        np.fmax(aggregated, clipped, out=aggregated)
+    trapezoid = np.ones_like(torque_universe)
+    trapezoid[[0, -1]] = 0.5
+    centroid = (aggregated @ (trapezoid * torque_universe)) / (aggregated @ trapezoid)
     return TorqueSurface(tuple(tuple(map(float, row)) for row in centroid))
