@@ -95,3 +95,10 @@ def test_every_signal_has_a_sample_at_every_time_up_to_the_end(strategy: str, le
     assert length - 0.02 < result.series["position"][-1] <= length + 1e-6
     assert result.series["time"][-1] <= result.travel_time + 1e-6
     assert result.stages[-1].end_time == pytest.approx(result.travel_time)
+
+
+def test_the_speed_guard_changes_nothing_on_the_papers_scenario() -> None:
+    guarded, fuzzy = simulate(PAPER, "lv"), simulate(Scenario(speed=Speed(controller="fuzzy")), "lv")
+    assert guarded.summary() == fuzzy.summary()
+    for name, values in guarded.series.items():
+        assert (values == fuzzy.series[name]).all(), name
