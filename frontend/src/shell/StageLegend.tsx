@@ -5,6 +5,9 @@ import { stagedStrategy } from "../plots/shapes";
 import type { Scene } from "../state/scene";
 import classes from "./shell.module.css";
 
+/** A swatch is small: the shading three times over, so that it can be told apart. */
+const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
+
 interface Props {
   readonly scene: Scene;
   readonly catalogue: Catalogue;
@@ -20,7 +23,7 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
     <p className={classes.legend}>
       {stages.map(({ key, label, description }) => (
         <span key={key} title={description}>
-          <span className={classes.fill} style={{ background: meta.stage_fills[key] }} /> {label}
+          <span className={classes.fill} style={{ background: layered(meta.stage_fills[key]) }} /> {label}
         </span>
       ))}
       <span>
