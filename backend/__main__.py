@@ -74,7 +74,7 @@ def _serve(app: "FastAPI", listener: socket.socket, host: str) -> int:
             timer = threading.Timer(DEADLINE, os._exit, (1,))
             timer.daemon = True
             timer.start()
-            super().handle_exit(sig, frame)  # type: ignore[arg-type]
+            super().handle_exit(sig, frame)  # type: ignore[arg-type]  # uvicorn wants FrameType
 
     config = uvicorn.Config(
         app, log_level="warning", access_log=False, timeout_graceful_shutdown=3, server_header=False

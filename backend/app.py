@@ -46,7 +46,7 @@ def create_app(settings: Settings) -> FastAPI:
     for router in (runs.computing, runs.runs, schema.schema, health.health):
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
-    app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
+    app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
     return app
 
 

@@ -153,7 +153,7 @@ class Workers:
             except asyncio.CancelledError:
                 await asyncio.shield(asyncio.to_thread(_end, slot))
                 raise
-            except Exception:
+            except Exception:  # whatever kept it from starting, the service goes on trying
                 logger.exception("A worker did not start")
                 await asyncio.to_thread(_end, slot)
                 await asyncio.sleep(delay)
@@ -177,5 +177,5 @@ class Workers:
 
 def _end(slot: ProcessPool) -> None:
     with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
-        slot.stop()  # type: ignore[no-untyped-call]
+        slot.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
         slot.join()

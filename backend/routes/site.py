@@ -42,7 +42,7 @@ class HashedFiles(StaticFiles):
 
     def file_response(self, *args: object, **kwargs: object) -> Response:
         """The framework's response, immutable."""
-        response: Response = super().file_response(*args, **kwargs)  # type: ignore[arg-type]
+        response: Response = super().file_response(*args, **kwargs)  # type: ignore[arg-type]  # passed on as they came
         response.headers["Cache-Control"] = IMMUTABLE
         return response
 
