@@ -46,7 +46,7 @@ class Results:
         found: dict[str, Found] = {}
         if points is None:
             unknown = [key for key in keys.values() if self._memory.get(key, None) is None]
-            kept = await self._store.call(self._store.load_results, unknown) if unknown else {}
+            kept = await self._store.call(self._store.runs.load_results, unknown) if unknown else {}
             found = {name: _from_store(kept[key]) for name, key in keys.items() if key in kept}
         for name, key in keys.items():
             remembered = self._memory.get(key, points)

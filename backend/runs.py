@@ -41,13 +41,13 @@ class Runs:
         names = ordered(strategies)
         self._admission.check(scenario, names)
         run_id = digest.run_id(scenario, names)
-        stored = await self._store.call(self._store.load_run, run_id)
+        stored = await self._store.call(self._store.runs.load, run_id)
         if stored is not None:
             return run_answer(stored, cached=dict.fromkeys(names, True))
         found = await self._results.get(scenario, names, client, points=None)
         outcomes = [_to_store(scenario, name, found[name].outcome) for name in names]
         saved = await self._store.call(
-            self._store.save_run,
+            self._store.runs.save,
             run_id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
@@ -142,7 +142,7 @@ class Runs:
         return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
 
     async def _stored(self, run_id: str) -> StoredRun:
-        stored = await self._store.call(self._store.load_run, run_id)
+        stored = await self._store.call(self._store.runs.load, run_id)
         if stored is None:
             raise ProblemError(404, "There is no run of this id.")
         return stored

@@ -20,7 +20,9 @@ from hypothesis import strategies as st
 from backend import digest, strict_json
 from backend.memory import Memory
 from backend.settings import Settings, SettingsError
-from backend.store import Store, StoredResult, metadata, wal_is_safe
+from backend.store import Store, StoredResult
+from backend.store.database import wal_is_safe
+from backend.store.tables import metadata
 from backend.worker import Outcome
 from sim_core.scenario import Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
@@ -158,7 +160,7 @@ def results(*keys: str) -> list[StoredResult]:
 
 
 def save(store: Store, run_id: str, *keys: str) -> Any:
-    return store.save_run(
+    return store.runs.save(
         run_id=run_id, core_version="1", schema_version=1, scenario={"road": 1}, outcomes=results(*keys)
     )
 
@@ -178,7 +180,7 @@ def test_migrating_again_and_from_many_threads_changes_nothing(tmp_path: Path) -
     saved = save(stores[0], "run", "a")
     for store in stores:
         store.migrate()
-        assert store.load_run("run") == saved
+        assert store.runs.load("run") == saved
         store.close()
 
 
@@ -186,16 +188,16 @@ def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
     first = save(store, "one", "a", "b")
     assert [item.key for item in first.results] == ["a", "b"]
     changed = [StoredResult(key="a", strategy="lv", status="ok", summary={}, compute_ms=9.0)]
-    second = store.save_run(run_id="two", core_version="1", schema_version=1, scenario={}, outcomes=changed)
+    second = store.runs.save(run_id="two", core_version="1", schema_version=1, scenario={}, outcomes=changed)
     assert second.results == first.results[:1]
-    again = store.save_run(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
+    again = store.runs.save(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
     assert again == first
 
 
 def test_unknown_runs_and_results_are_absent(store: Store) -> None:
     save(store, "one", "a")
-    assert store.load_run("none") is None
-    assert set(store.load_results(["a", "none"])) == {"a"}
+    assert store.runs.load("none") is None
+    assert set(store.runs.load_results(["a", "none"])) == {"a"}
 
 
 def test_many_writers_wait_for_each_other(tmp_path: Path) -> None:
@@ -217,7 +219,7 @@ def test_many_writers_wait_for_each_other(tmp_path: Path) -> None:
     for thread in threads:
         thread.join()
     assert not failures
-    assert all(stores[0].load_run(f"{number}-{item}") for number in range(3) for item in range(10))
+    assert all(stores[0].runs.load(f"{number}-{item}") for number in range(3) for item in range(10))
     for store in stores:
         store.close()
 

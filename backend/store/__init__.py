@@ -1,0 +1,17 @@
+"""What is kept: one `Store` over one database, a file for each kind of thing it holds.
+
+Methods are synchronous and short; services run them through `Store.call`.
+"""
+
+from backend.store.database import Database
+from backend.store.runs import RunStore, StoredResult, StoredRun
+
+__all__ = ["Store", "StoredResult", "StoredRun"]
+
+
+class Store(Database):
+    """The database with everything in it."""
+
+    def __init__(self, url: str) -> None:
+        super().__init__(url)
+        self.runs = RunStore(self)

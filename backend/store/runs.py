@@ -1,0 +1,133 @@
+"""Runs and each strategy's result once, by its content's key."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any
+
+import orjson
+from sqlalchemy import Connection, Row, select
+
+from backend.store.database import Database, insert_new
+from backend.store.tables import results, run_results, runs
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoredResult:
+    """One strategy's result without its series; `summary` holds plain JSON values."""
+
+    key: str
+    strategy: str
+    status: str
+    summary: dict[str, Any]
+    compute_ms: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoredRun:
+    """A run and its results in the order they are shown; immutable once stored."""
+
+    id: str
+    core_version: str
+    schema_version: int
+    scenario: dict[str, Any]
+    results: tuple[StoredResult, ...]
+
+
+class RunStore:
+    """Reads and writes runs; safe for several threads and several processes."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def load(self, run_id: str) -> StoredRun | None:
+        """The run of that id, if it is stored."""
+        with self._database.reading() as connection:
+            return _load_run(connection, run_id)
+
+    def load_results(self, keys: Iterable[str]) -> dict[str, StoredResult]:
+        """Those of the results that are stored, by key."""
+        with self._database.reading() as connection:
+            rows = connection.execute(select(results).where(results.c.key.in_(list(keys)))).all()
+        return {row.key: _result(row) for row in rows}
+
+    def save(
+        self,
+        *,
+        run_id: str,
+        core_version: str,
+        schema_version: int,
+        scenario: Mapping[str, Any],
+        outcomes: Sequence[StoredResult],
+    ) -> StoredRun:
+        """Commit a run and what is not yet stored of its results; returns it as it stands in the database.
+
+        Where another process stored the same run first, that one stays: content-addressed results never change.
+        """
+        now = datetime.now(UTC)
+        with self._database.writing() as connection:
+            insert_new(connection, results, [result_row(item, core_version, now) for item in outcomes])
+            insert_new(
+                connection,
+                runs,
+                [
+                    {
+                        "id": run_id,
+                        "core_version": core_version,
+                        "schema_version": schema_version,
+                        "scenario": orjson.dumps(scenario).decode(),
+                        "created_at": now,
+                    }
+                ],
+            )
+            members = [
+                {"run_id": run_id, "position": position, "result_key": item.key}
+                for position, item in enumerate(outcomes)
+            ]
+            insert_new(connection, run_results, members)
+            stored = _load_run(connection, run_id)
+        if stored is None:
+            raise RuntimeError("A run was not there right after it was stored")
+        return stored
+
+
+def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
+    head = connection.execute(select(runs).where(runs.c.id == run_id)).one_or_none()
+    if head is None:
+        return None
+    members = connection.execute(
+        select(results)
+        .join(run_results, run_results.c.result_key == results.c.key)
+        .where(run_results.c.run_id == run_id)
+        .order_by(run_results.c.position)
+    ).all()
+    return StoredRun(
+        id=head.id,
+        core_version=head.core_version,
+        schema_version=head.schema_version,
+        scenario=orjson.loads(head.scenario),
+        results=tuple(_result(row) for row in members),
+    )
+
+
+def _result(row: Row[Any]) -> StoredResult:
+    return StoredResult(
+        key=row.key,
+        strategy=row.strategy,
+        status=row.status,
+        summary=orjson.loads(row.summary),
+        compute_ms=row.compute_ms,
+    )
+
+
+def result_row(item: StoredResult, core_version: str, now: datetime) -> dict[str, Any]:
+    """A result as a row of its table."""
+    return {
+        "key": item.key,
+        "strategy": item.strategy,
+        "core_version": core_version,
+        "status": item.status,
+        "summary": orjson.dumps(item.summary).decode(),
+        "compute_ms": item.compute_ms,
+        "created_at": now,
+    }

@@ -1,0 +1,89 @@
+"""The tables; the migrations in backend/migrations make them, and a test holds the two together."""
+
+from sqlalchemy import Column, DateTime, Float, ForeignKey, Index, Integer, MetaData, String, Table, Text
+
+metadata = MetaData(
+    naming_convention={
+        "pk": "pk_%(table_name)s",
+        "fk": "fk_%(table_name)s_%(column_0_name)s",
+        "ix": "ix_%(column_0_label)s",
+        "uq": "uq_%(table_name)s_%(column_0_name)s",
+    }
+)
+
+results = Table(
+    "results",
+    metadata,
+    Column("key", String(43), primary_key=True),
+    Column("strategy", String(64), nullable=False),
+    Column("core_version", String(32), nullable=False),
+    Column("status", String(16), nullable=False),
+    Column("summary", Text, nullable=False),
+    Column("compute_ms", Float, nullable=False),
+    Column("created_at", DateTime(timezone=True), nullable=False),
+)
+
+runs = Table(
+    "runs",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("core_version", String(32), nullable=False),
+    Column("schema_version", Integer, nullable=False),
+    Column("scenario", Text, nullable=False),
+    Column("created_at", DateTime(timezone=True), nullable=False),
+)
+
+run_results = Table(
+    "run_results",
+    metadata,
+    Column("run_id", String(22), ForeignKey("runs.id"), primary_key=True),
+    Column("position", Integer, primary_key=True),
+    Column("result_key", String(43), ForeignKey("results.key"), nullable=False, index=True),
+)
+
+batches = Table(
+    "batches",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("state", String(16), nullable=False),
+    Column("reason", Text, nullable=True),
+    Column("core_version", String(32), nullable=False),
+    Column("schema_version", Integer, nullable=False),
+    Column("scenario", Text, nullable=False),
+    Column("strategies", Text, nullable=False),
+    Column("sweep", Text, nullable=False),
+    Column("fields", Text, nullable=False),
+    Column("estimated_cost", Float, nullable=False),
+    Column("total", Integer, nullable=False),
+    Column("done", Integer, nullable=False),
+    Column("failed", Integer, nullable=False),
+    Column("idempotency_key", String(255), nullable=True, unique=True),
+    Column("request_hash", String(43), nullable=False),
+    Column("created_at", DateTime(timezone=True), nullable=False),
+    Column("started_at", DateTime(timezone=True), nullable=True),
+    Column("finished_at", DateTime(timezone=True), nullable=True),
+    Index("ix_batches_state", "state"),
+)
+
+# One row a run: a point of the sweep under one strategy. `changes` are the values of the batch's `fields` there.
+batch_runs = Table(
+    "batch_runs",
+    metadata,
+    Column("batch_id", String(22), ForeignKey("batches.id"), primary_key=True),
+    Column("position", Integer, primary_key=True),
+    Column("changes", Text, nullable=False),
+    Column("strategy", String(64), nullable=False),
+    Column("status", String(16), nullable=False),
+    Column("result_key", String(43), nullable=True),
+    Column("reason", Text, nullable=True),
+    Index("ix_batch_runs_batch_id_result_key", "batch_id", "result_key"),
+)
+
+batch_events = Table(
+    "batch_events",
+    metadata,
+    Column("batch_id", String(22), ForeignKey("batches.id"), primary_key=True),
+    Column("number", Integer, primary_key=True),
+    Column("kind", String(16), nullable=False),
+    Column("data", Text, nullable=False),
+)
