@@ -1,8 +1,8 @@
-"""Time histories of a run as a file: JSON, CSV or Parquet; made again from its scenario, in a worker."""
+"""Time histories of a run as a file: JSON, CSV or Parquet; pinned, or made again from its scenario; in a worker."""
 
 import io
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -10,6 +10,7 @@ import orjson
 import pyarrow as pa
 from pyarrow import csv, parquet
 
+from backend import pins
 from backend.series import ROWS, SeriesArray, as_json, pack
 from sim_core.scenario import Scenario
 from sim_core.signals import SIGNALS
@@ -37,7 +38,17 @@ class Export:
 
 def render(scenario: Scenario, export: Export) -> bytes:
     """Simulate and render."""
-    members = {name: pack(simulate(scenario, name), export.points) for name in export.strategies}
+    return _rendered({name: pack(simulate(scenario, name), export.points) for name in export.strategies}, export)
+
+
+def render_pinned(pinned: Mapping[str, bytes], breaks: Mapping[str, Sequence[float]], export: Export) -> bytes:
+    """Render what is pinned (arguments as for `pins.opened`); signals that were not pinned are left out."""
+    members = pins.opened(pinned, breaks, export.points)
+    there = [key for key in export.signals if not any(np.isnan(array[ROWS[key]]).all() for array in members.values())]
+    return _rendered(members, replace(export, signals=there))
+
+
+def _rendered(members: Mapping[str, SeriesArray], export: Export) -> bytes:
     if export.file_format == "csv":
         return render_csv(members, export)
     if export.file_format == "parquet":

@@ -1,11 +1,12 @@
 """Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Literal
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend import digest, exports, figures, series
+from backend import digest, exports, figures, pins, series
 from backend.admission import Admission
 from backend.compute import Workers
 from backend.problems import ProblemError
@@ -15,6 +16,7 @@ from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.strategies import STRATEGIES
+from sim_core.versions import NewerScenarioError, restored
 
 FIGURE_POINTS = 2000
 
@@ -107,13 +109,13 @@ class Runs:
             encoding: How JSON holds numbers.
 
         Raises:
-            ProblemError: 404, 410 or 422.
+            ProblemError: 404, 410, 422 or, where computing is needed, 429 and 503.
         """
         stored = await self._stored(run_id)
-        scenario, succeeded = _repeatable(stored)
-        names = succeeded if strategies is None else ordered(strategies)
-        if not set(names) <= set(succeeded) or (strategies is None and len(names) != 1):
-            message = f"This run has time histories of {', '.join(succeeded) or 'no strategy'}; name some of them"
+        keys = await self._with_histories(stored)
+        names = list(keys) if strategies is None else ordered(strategies)
+        if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
+            message = f"This run has time histories of {', '.join(keys) or 'no strategy'}; name some of them"
             raise ProblemError(422, message, errors=[{"parameter": "strategy", "pointer": "", "message": message}])
         export = exports.Export(
             strategies=names,
@@ -123,6 +125,10 @@ class Runs:
             encoding=encoding,
             provenance={"run": stored.id, "core_version": stored.core_version},
         )
+        pinned = await self._pinned({name: keys[name] for name in names})
+        if pinned is not None:
+            return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
+        scenario = Scenario.model_validate(stored.scenario)
         with self._admission.computing(client, scenario, names):
             return await self._workers.call(exports.render, scenario, export)
 
@@ -134,9 +140,27 @@ class Runs:
         """
         if name is not None and name not in figures.PANELS:
             raise ProblemError(404, f"There is no such figure; there are {', '.join(figures.PANELS)}.")
-        scenario, succeeded = _repeatable(await self._stored(run_id))
-        found = await self._results.get(scenario, succeeded, client, points=FIGURE_POINTS)
-        outcomes = {strategy: item.outcome for strategy, item in found.items()}
+        stored = await self._stored(run_id)
+        keys = await self._with_histories(stored)
+        pinned = await self._pinned(keys)
+        if pinned is None:
+            found = await self._results.get(
+                Scenario.model_validate(stored.scenario), list(keys), client, points=FIGURE_POINTS
+            )
+            outcomes = {strategy: item.outcome for strategy, item in found.items()}
+        else:
+            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
+            outcomes = {
+                item.strategy: Outcome(
+                    status=item.status,
+                    summary=item.summary,
+                    compute_ms=item.compute_ms,
+                    points=FIGURE_POINTS,
+                    series=arrays[item.strategy],
+                )
+                for item in stored.results
+                if item.strategy in arrays
+            }
         if name is not None:
             return figures.filled(name, outcomes, axis)
         return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
@@ -145,7 +169,32 @@ class Runs:
         stored = await self._store.call(self._store.runs.load, run_id)
         if stored is None:
             raise ProblemError(404, "There is no run of this id.")
-        return stored
+        return replace(stored, scenario=todays(stored))
+
+    async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
+        """Result keys of those strategies whose time histories are there just as they were, or can be made so.
+
+        Raises:
+            ProblemError: 410, another core version computed the run and nothing is pinned.
+        """
+        keys = {item.strategy: item.key for item in stored.results if item.status == "ok"}
+        if stored.core_version == CORE_VERSION:
+            return keys
+        pinned = await self._store.call(self._store.links.pinned, keys.values())
+        if not pinned:
+            raise ProblemError(
+                410,
+                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
+                "histories cannot be made again, and no link pinned them. Its metrics stay; post its scenario to run "
+                "it on this version.",
+                kind="other-core-version",
+            )
+        return {name: key for name, key in keys.items() if key in pinned}
+
+    async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
+        """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
+        found = await self._store.call(self._store.links.load_pins, keys.values())
+        return {name: found[key] for name, key in keys.items()} if set(keys.values()) <= set(found) else None
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:
@@ -173,20 +222,25 @@ def run_answer(stored: StoredRun, *, cached: Mapping[str, bool] | None = None) -
     }
 
 
-def _repeatable(stored: StoredRun) -> tuple[Scenario, list[str]]:
-    """The scenario, and those strategies whose time histories can be made again just as they were.
+def todays(stored: StoredRun) -> dict[str, Any]:
+    """The run's scenario as today's schema has it.
 
     Raises:
-        ProblemError: 410, another core version computed the run.
+        ProblemError: 503, a newer version of the service stored it.
     """
-    if stored.core_version != CORE_VERSION:
-        raise ProblemError(
-            410,
-            f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
-            "histories cannot be made again. Its metrics stay; post its scenario to run it on this version.",
-            kind="other-core-version",
-        )
-    return Scenario.model_validate(stored.scenario), [item.strategy for item in stored.results if item.status == "ok"]
+    try:
+        return restored(stored.scenario, stored.schema_version).model_dump(mode="json")
+    except NewerScenarioError as error:
+        raise ProblemError(503, f"{error.message}.", kind="newer-schema", retry_after=60) from None
+
+
+def _breaks(stored: StoredRun) -> dict[str, list[float]]:
+    """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
+    return {
+        item.strategy: [span["start_time"] for span in item.summary["stages"][1:]]
+        for item in stored.results
+        if item.status == "ok"
+    }
 
 
 def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:

@@ -4,9 +4,10 @@ Methods are synchronous and short; services run them through `Store.call`.
 """
 
 from backend.store.database import Database
+from backend.store.links import LinkStore, StoredLink
 from backend.store.runs import RunStore, StoredResult, StoredRun
 
-__all__ = ["Store", "StoredResult", "StoredRun"]
+__all__ = ["Store", "StoredLink", "StoredResult", "StoredRun"]
 
 
 class Store(Database):
@@ -15,3 +16,4 @@ class Store(Database):
     def __init__(self, url: str) -> None:
         super().__init__(url)
         self.runs = RunStore(self)
+        self.links = LinkStore(self)

@@ -1,6 +1,6 @@
 """The tables; the migrations in backend/migrations make them, and a test holds the two together."""
 
-from sqlalchemy import Column, DateTime, Float, ForeignKey, Index, Integer, MetaData, String, Table, Text
+from sqlalchemy import Column, DateTime, Float, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, Text
 
 metadata = MetaData(
     naming_convention={
@@ -86,4 +86,23 @@ batch_events = Table(
     Column("number", Integer, primary_key=True),
     Column("kind", String(16), nullable=False),
     Column("data", Text, nullable=False),
+)
+
+links = Table(
+    "links",
+    metadata,
+    Column("slug", String(22), primary_key=True),
+    Column("kind", String(8), nullable=False),
+    Column("run_id", String(22), ForeignKey("runs.id"), nullable=True),
+    Column("batch_id", String(22), ForeignKey("batches.id"), nullable=True),
+    Column("view", Text, nullable=False),
+    Column("created_at", DateTime(timezone=True), nullable=False),
+)
+
+pinned_series = Table(
+    "pinned_series",
+    metadata,
+    Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
+    Column("content", LargeBinary, nullable=False),
+    Column("created_at", DateTime(timezone=True), nullable=False),
 )

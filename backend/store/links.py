@@ -1,0 +1,77 @@
+"""Share links, and the time histories they pin, by result key."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any, Literal
+
+import orjson
+from sqlalchemy import select
+
+from backend.store.database import Database, insert_new
+from backend.store.tables import links, pinned_series
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoredLink:
+    """What a link opens: a run or a batch, and how it is looked at; immutable once stored."""
+
+    slug: str
+    kind: Literal["run", "batch"]
+    target: str
+    view: dict[str, Any]
+    created_at: datetime
+
+
+class LinkStore:
+    """Reads and writes links and pins; safe for several threads and several processes."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def save(self, link: StoredLink, pins: Mapping[str, bytes]) -> None:
+        """Commit a link and what is not yet pinned of its time histories (by result key), together."""
+        row = {
+            "slug": link.slug,
+            "kind": link.kind,
+            "run_id": link.target if link.kind == "run" else None,
+            "batch_id": link.target if link.kind == "batch" else None,
+            "view": orjson.dumps(link.view).decode(),
+            "created_at": link.created_at,
+        }
+        contents = [
+            {"result_key": key, "content": content, "created_at": link.created_at} for key, content in pins.items()
+        ]
+        with self._database.writing() as connection:
+            if contents:
+                insert_new(connection, pinned_series, contents)
+            connection.execute(links.insert(), [row])
+
+    def load(self, slug: str) -> StoredLink | None:
+        """The link of that slug, if there is one."""
+        with self._database.reading() as connection:
+            row = connection.execute(select(links).where(links.c.slug == slug)).one_or_none()
+        if row is None:
+            return None
+        # SQLite keeps no time zone; what was stored is UTC.
+        created = row.created_at if row.created_at.tzinfo else row.created_at.replace(tzinfo=UTC)
+        return StoredLink(
+            slug=row.slug,
+            kind=row.kind,
+            target=row.run_id or row.batch_id,
+            view=orjson.loads(row.view),
+            created_at=created.astimezone(UTC),
+        )
+
+    def pinned(self, keys: Iterable[str]) -> set[str]:
+        """Those of the results whose time histories are pinned."""
+        column = pinned_series.c.result_key
+        with self._database.reading() as connection:
+            return set(connection.execute(select(column).where(column.in_(list(keys)))).scalars())
+
+    def load_pins(self, keys: Iterable[str]) -> dict[str, bytes]:
+        """Pinned time histories by result key, as `backend.pins` wrote them; none for those that are not pinned."""
+        query = select(pinned_series.c.result_key, pinned_series.c.content)
+        with self._database.reading() as connection:
+            rows = connection.execute(query.where(pinned_series.c.result_key.in_(list(keys)))).all()
+        return {row.result_key: bytes(row.content) for row in rows}
