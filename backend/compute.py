@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 from pebble import ProcessExpired, ProcessPool
 
 from backend import worker
+from backend.telemetry import WORKER_FAILURES
 
 logger = logging.getLogger(__name__)
 
@@ -43,12 +44,14 @@ class WorkersBusyError(Exception):
 class Workers:
     """A fixed number of warm processes, handed out one task at a time, the last used first (its caches fit best)."""
 
-    def __init__(self, count: int, *, timeout: float) -> None:
+    def __init__(self, count: int, *, timeout: float, nice: int = 0) -> None:
         self._count = count
         self._timeout = timeout
+        self._nice = nice
         self._idle: asyncio.LifoQueue[ProcessPool] = asyncio.LifoQueue()
         self._slots: set[ProcessPool] = set()
         self._chores: set[asyncio.Task[Any]] = set()
+        self._waiting = 0
 
     def start(self) -> None:
         """Begin to spawn and warm every slot, and return."""
@@ -61,8 +64,16 @@ class Workers:
         """Whether a warm worker is there, busy or idle."""
         return any(slot.active for slot in self._slots)
 
-    async def call(self, function: Callable[..., T], *args: Any) -> T:
+    @property
+    def load(self) -> dict[str, int]:
+        """How many processes are busy and idle, and how many tasks wait for one."""
+        idle = self._idle.qsize()
+        return {"busy": max(0, len(self._slots) - idle), "idle": idle, "waiting": self._waiting}
+
+    async def call(self, function: Callable[..., T], *args: Any, ends_with_caller: bool = False) -> T:
         """Run `function(*args)` in a worker; a task whose worker dies is tried once more.
+
+        A caller that is cancelled leaves the task to its end, or (`ends_with_caller`) has the worker killed at once.
 
         Raises:
             WorkerLostError: Two workers died over it (or every one was found dead).
@@ -79,14 +90,20 @@ class Workers:
             attempt = self._chore(self._attempt(slot, function, args))
             try:
                 return await asyncio.shield(attempt)
+            except asyncio.CancelledError:
+                if ends_with_caller:
+                    attempt.cancel()
+                raise
             except BrokenProcessPool:
                 logger.warning("A worker was found dead before it took a task")
             except ProcessExpired:
                 deaths += 1
+                WORKER_FAILURES.labels("died").inc()
                 logger.warning("A worker died during a task (%d of %d attempts)", deaths, ATTEMPTS)
                 if deaths == ATTEMPTS:
                     break
             except TimeoutError:
+                WORKER_FAILURES.labels("timeout").inc()
                 raise WorkerTimeoutError from None
         raise WorkerLostError
 
@@ -132,10 +149,13 @@ class Workers:
         await asyncio.gather(*(asyncio.to_thread(_end, slot) for slot in slots))
 
     async def _free_slot(self) -> ProcessPool:
+        self._waiting += 1
         try:
             return await asyncio.wait_for(self._idle.get(), PATIENCE)
         except TimeoutError:
             raise WorkersBusyError from None
+        finally:
+            self._waiting -= 1
 
     def _discard(self, slot: ProcessPool) -> None:
         if slot not in self._slots:  # the service is closing, and ends it
@@ -147,7 +167,8 @@ class Workers:
     async def _add_slot(self) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
-            slot = ProcessPool(max_workers=1, initializer=worker.start, context=multiprocessing.get_context("spawn"))
+            context = multiprocessing.get_context("spawn")
+            slot = ProcessPool(max_workers=1, initializer=worker.start, initargs=(self._nice,), context=context)
             try:
                 await self._landed(slot, worker.warm_up, (), WARM_UP)
             except asyncio.CancelledError:

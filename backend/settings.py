@@ -3,7 +3,7 @@
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Self
+from typing import Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -37,7 +37,26 @@ class Settings(BaseModel):
         120, gt=0, description="Estimated cost [s of one core] accepted at once; beyond it 503."
     )
     max_client_requests: int = Field(64, ge=1, description="Computing requests one client may have open; then 429.")
+    batch_workers: int = Field(
+        default_factory=lambda: os.cpu_count() or 1,
+        ge=1,
+        le=256,
+        description="Processes for batches where no Dask scheduler is named.",
+    )
+    max_batch_runs: int = Field(100_000, ge=1, description="Runs one batch may have; beyond it 422.")
+    max_batch_cost: float = Field(
+        100_000, gt=0, description="Greatest estimated cost of one batch [s of one core]; beyond it 422."
+    )
+    max_unfinished_batches: int = Field(1000, ge=1, description="Batches waiting or running; beyond it 503.")
+    dask_scheduler: str | None = Field(None, description="Address of a Dask scheduler; without one it is embedded.")
+    dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
+    dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
+    dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
+    log_format: Literal["json", "console"] | None = Field(
+        None, description="Without one text on a terminal, else JSON."
+    )
+    log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
     series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for time histories.")
 
     @classmethod

@@ -6,15 +6,18 @@ Nothing of the web is imported here, so that a worker starts quickly and stays s
 import os
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from multiprocessing import parent_process
 from typing import Any
 
 import orjson
 
+from backend.chunk import ComputedRun, WaitingRun
+from backend.plan import scenario_at
 from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError
+from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulation import simulate
 from sim_core.strategies import STRATEGIES
@@ -43,8 +46,14 @@ class Outcome:
         return 8192 + (self.series.nbytes if self.series is not None else 0)
 
 
-def start() -> None:
-    """First thing in a new worker: end with the service, even when that was killed and could say nothing."""
+def start(nice: int) -> None:
+    """First thing in a new worker: end with the service, even when that was killed and could say nothing.
+
+    Args:
+        nice: How far behind other processes this one stands (0 to 19).
+    """
+    if nice:
+        os.nice(nice)
     parent = parent_process()
     if parent is not None:
 
@@ -72,6 +81,27 @@ def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> di
     return {strategy: _run_one(scenario, strategy, points) for strategy in strategies}
 
 
+def run_chunk(base: Mapping[str, Any], schema_version: int, runs: Sequence[WaitingRun]) -> list[ComputedRun]:
+    """Simulate them in order; runs of one point lie side by side and share its scenario, equal ones their result."""
+    computed: dict[str, ComputedRun] = {}
+    changes, scenario = None, None
+    for run in runs:
+        if run.key in computed:
+            continue
+        if scenario is None or run.changes != changes:
+            changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version)
+        begin = time.perf_counter()
+        try:
+            status, summary = "ok", summary_json(simulate(scenario, run.strategy)).decode()
+        except RidelabError as error:
+            status, summary = "failed", orjson.dumps({"reason": error.message}).decode()
+        elapsed = _elapsed_ms(begin)
+        computed[run.key] = ComputedRun(
+            key=run.key, strategy=run.strategy, status=status, summary=summary, compute_ms=elapsed
+        )
+    return list(computed.values())
+
+
 def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     begin = time.perf_counter()
     try:
@@ -79,10 +109,15 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     except RidelabError as error:
         elapsed = _elapsed_ms(begin)
         return Outcome(status="failed", summary={"reason": error.message}, compute_ms=elapsed, points=points)
-    summary = orjson.loads(orjson.dumps(result.summary(), option=orjson.OPT_SERIALIZE_NUMPY, default=dict))
+    summary = orjson.loads(summary_json(result))
     elapsed = _elapsed_ms(begin)
     series = None if points is None else pack(result, points)
     return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
+
+
+def summary_json(result: StrategyResult) -> bytes:
+    """A result without its series as JSON."""
+    return orjson.dumps(result.summary(), option=orjson.OPT_SERIALIZE_NUMPY, default=dict)
 
 
 def _elapsed_ms(begin: float) -> float:

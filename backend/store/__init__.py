@@ -3,11 +3,12 @@
 Methods are synchronous and short; services run them through `Store.call`.
 """
 
+from backend.store.batches import BatchStore, StoredBatch
 from backend.store.database import Database
 from backend.store.links import LinkStore, StoredLink
 from backend.store.runs import RunStore, StoredResult, StoredRun
 
-__all__ = ["Store", "StoredLink", "StoredResult", "StoredRun"]
+__all__ = ["Store", "StoredBatch", "StoredLink", "StoredResult", "StoredRun"]
 
 
 class Store(Database):
@@ -16,4 +17,5 @@ class Store(Database):
     def __init__(self, url: str) -> None:
         super().__init__(url)
         self.runs = RunStore(self)
+        self.batches = BatchStore(self)
         self.links = LinkStore(self)

@@ -1,0 +1,47 @@
+"""A batch's work in pieces: a run that waits, a chunk of them, a computed one. What travels, so nothing is imported."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WaitingRun:
+    """One run without a result; `changes` is JSON text: field -> value."""
+
+    position: int
+    changes: str
+    strategy: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ComputedRun:
+    """A run's result, its summary as JSON text as it will be stored."""
+
+    key: str
+    strategy: str
+    status: str
+    summary: str
+    compute_ms: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Chunk:
+    """Runs of one batch that go to one process together.
+
+    Attributes:
+        batch_id: Whose they are.
+        core_version: Of the service that asks; results of another would be stored under a wrong key.
+        schema_version: Of the base.
+        base: The batch's plain scenario.
+        runs: What to compute.
+        timeout: The whole chunk may take so long [s].
+    """
+
+    batch_id: str
+    core_version: str
+    schema_version: int
+    base: Mapping[str, Any]
+    runs: Sequence[WaitingRun]
+    timeout: float
