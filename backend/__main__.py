@@ -30,6 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     from sqlalchemy.exc import SQLAlchemyError
 
+    from backend import telemetry
     from backend.app import create_app
     from backend.settings import Settings, SettingsError
 
@@ -41,6 +42,7 @@ def main(arguments: list[str] | None = None) -> int:
     except (SettingsError, SQLAlchemyError, ImportError, OSError) as error:
         print(f"Ridelab does not start: {error}", file=sys.stderr)
         return 2
+    telemetry.configure(settings.log_format, settings.log_level)
     return _serve(app, listener, options.host)
 
 
@@ -76,9 +78,7 @@ def _serve(app: "FastAPI", listener: socket.socket, host: str) -> int:
             timer.start()
             super().handle_exit(sig, frame)  # type: ignore[arg-type]  # uvicorn wants FrameType
 
-    config = uvicorn.Config(
-        app, log_level="warning", access_log=False, timeout_graceful_shutdown=3, server_header=False
-    )
+    config = uvicorn.Config(app, log_config=None, access_log=False, timeout_graceful_shutdown=3, server_header=False)
     server = Server(config)
     server.run(sockets=[listener])
     return 0 if server.started else 1

@@ -20,6 +20,7 @@ from backend.runs import Runs
 from backend.security import GuardMiddleware
 from backend.settings import Settings
 from backend.store import Store
+from backend.telemetry import TelemetryMiddleware, service_registry
 from sim_core import __version__
 
 DESCRIPTION = """A what-if laboratory for active suspension over bumps.
@@ -38,7 +39,12 @@ def create_app(settings: Settings) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         lifespan=_lifespan,
-        middleware=[Middleware(GuardMiddleware), Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1)],
+        redirect_slashes=False,  # the address it would send people to comes from the request
+        middleware=[
+            Middleware(TelemetryMiddleware),
+            Middleware(GuardMiddleware),
+            Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1),
+        ],
     )
     app.state.settings = settings
     app.state.store = Store(settings.store_url)
@@ -67,6 +73,8 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         memory = Memory(settings.series_cache_bytes)
         results = Results(store=store, workers=workers, memory=memory, admission=admission)
         app.state.workers = workers
+        app.state.admission = admission
+        app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
         yield
     finally:

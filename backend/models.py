@@ -274,3 +274,4 @@ class Problem(Answer):
     status: int
     detail: str
     errors: list[ProblemPlace]
+    request_id: str = Field(description="Also in the header X-Request-ID and in the service's log")

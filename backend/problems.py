@@ -14,6 +14,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
 from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
+from backend.telemetry import REFUSED, STORE_ERRORS, request_id
 from sim_core.errors import RidelabError
 
 logger = logging.getLogger(__name__)
@@ -21,6 +22,7 @@ logger = logging.getLogger(__name__)
 MEDIA_TYPE = "application/problem+json"
 TYPES = "urn:problem-type:ridelab:"
 MOST_ERRORS = 50
+PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
 
 DETAILS = {
     400: "The request could not be read.",
@@ -69,12 +71,15 @@ def problem(
     headers: Mapping[str, str] | None = None,
 ) -> Response:
     """The response that says so."""
+    if kind and status in PROTECTING:
+        REFUSED.labels(kind).inc()
     content = {
         "type": f"{TYPES}{kind}" if kind else "about:blank",
         "title": HTTPStatus(status).phrase,
         "status": status,
         "detail": detail or DETAILS.get(status, HTTPStatus(status).phrase),
         "errors": list(errors),
+        "request_id": request_id(),
     }
     return Response(orjson.dumps(content), status, dict(headers or {}), MEDIA_TYPE)
 
@@ -118,7 +123,9 @@ async def _refused(_: Request, error: Exception) -> Response:
 
 
 async def _store(_: Request, error: Exception) -> Response:
-    logger.error("The database did not answer", exc_info=error)
+    STORE_ERRORS.inc()
+    # Its own text holds the statement's values; the driver's does not.
+    logger.error("The database did not answer: %s", getattr(error, "orig", None) or type(error).__name__)
     return problem(503, "The database does not answer.", kind="store-unavailable", headers={"Retry-After": "5"})
 
 

@@ -10,6 +10,7 @@ from backend.admission import Admission
 from backend.compute import Workers
 from backend.memory import Memory
 from backend.store import Store, StoredResult
+from backend.telemetry import CACHE, count_run
 from backend.worker import Outcome
 from sim_core.scenario import Scenario
 
@@ -53,6 +54,8 @@ class Results:
             if remembered is not None and name not in found:
                 found[name] = Found(outcome=remembered, cached=True)
         missing = {name: key for name, key in keys.items() if name not in found}
+        CACHE.labels("hit").inc(len(found))
+        CACHE.labels("miss").inc(len(missing))
         if missing:
             with self._admission.computing(client, scenario, missing):
                 found |= await self._compute(scenario, missing, points)
@@ -85,6 +88,8 @@ class Results:
         this = asyncio.current_task()
         try:
             outcomes = await self._workers.call(worker.run, scenario, list(fresh), points)
+            for outcome in outcomes.values():
+                count_run("interactive", outcome.status, outcome.summary)
             for name, key in fresh.items():  # those without series too: until they are committed nothing else has them
                 self._memory.put(key, outcomes[name])
             return outcomes

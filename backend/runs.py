@@ -12,6 +12,7 @@ from backend.compute import Workers
 from backend.problems import ProblemError
 from backend.results import Results
 from backend.store import Store, StoredResult, StoredRun
+from backend.telemetry import CACHE
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -45,6 +46,7 @@ class Runs:
         run_id = digest.run_id(scenario, names)
         stored = await self._store.call(self._store.runs.load, run_id)
         if stored is not None:
+            CACHE.labels("hit").inc(len(names))
             return run_answer(stored, cached=dict.fromkeys(names, True))
         found = await self._results.get(scenario, names, client, points=None)
         outcomes = [_to_store(scenario, name, found[name].outcome) for name in names]

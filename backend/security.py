@@ -3,6 +3,7 @@
 import logging
 
 from starlette.datastructures import MutableHeaders
+from starlette.requests import ClientDisconnect
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from backend.problems import problem
@@ -36,6 +37,8 @@ HEADERS = {
     "X-Frame-Options": "DENY",
 }
 
+MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
+
 
 class GuardMiddleware:
     """Adds the headers, answers HEAD where GET is, and turns an unforeseen exception into a 500 problem."""
@@ -66,8 +69,12 @@ class GuardMiddleware:
         inner = {**scope, "method": "GET"} if head else scope
         try:
             await self.app(inner, receive, guarded)
+        except ClientDisconnect:
+            return  # nobody is left to answer
         except Exception:
             logger.exception("An unforeseen error")
             if started:
                 raise  # too late for another answer: the server breaks the connection off
             await problem(500)(inner, receive, guarded)
+        finally:
+            scope.update({key: inner[key] for key in MATCHED if key in inner})  # for those outside, HEAD or GET

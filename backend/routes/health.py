@@ -1,6 +1,7 @@
 """Liveness and readiness, for those who operate the service."""
 
 from fastapi import APIRouter, Request, Response
+from prometheus_client.exposition import choose_encoder
 
 from backend import models
 from backend.routes.deps import RunsService, json_answer
@@ -27,3 +28,15 @@ async def readyz(request: Request, service: RunsService) -> Response:
     answer = json_answer({"status": "ready" if ready else "starting", **parts})
     answer.status_code = 200 if ready else 503
     return answer
+
+
+@health.get(
+    "/metrics",
+    operation_id="getMetrics",
+    response_class=Response,
+    responses={200: {"content": {"text/plain": {"schema": {"type": "string"}}, "application/openmetrics-text": {}}}},
+)
+async def metrics(request: Request) -> Response:
+    """Figures for Prometheus: counts, gauges and latencies, nothing of anybody's scenario."""
+    encode, media_type = choose_encoder(request.headers.get("accept", ""))
+    return Response(encode(request.app.state.metrics), headers={"Content-Type": media_type})

@@ -31,6 +31,7 @@ OPERATIONS = {
     "getFigures": ("get", "/api/v1/figures"),
     "getHealth": ("get", "/healthz"),
     "getReadiness": ("get", "/readyz"),
+    "getMetrics": ("get", "/metrics"),
 }
 
 

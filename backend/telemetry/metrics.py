@@ -1,0 +1,65 @@
+"""Counters, gauges and histograms, in a registry of their own.
+
+Labels take their values from short lists only (states, route templates, reasons): nothing of a scenario, an address
+or a client ever becomes a label.
+"""
+
+from collections.abc import Mapping
+from platform import python_version
+from typing import Any
+
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, ProcessCollector
+
+from sim_core import __version__
+
+REGISTRY = CollectorRegistry()
+ProcessCollector(registry=REGISTRY)
+
+# From a stored answer to the longest computation one request may ask for [s].
+LATENCY_BUCKETS = (0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 30, 90)
+
+RUNS = Counter("ridelab_runs", "Results computed, one a strategy", ["kind", "status"], registry=REGISTRY)
+CACHE = Counter("ridelab_cache", "Results asked for: there already, or computed", ["outcome"], registry=REGISTRY)
+SOLVER_FALLBACKS = Counter(
+    "ridelab_solver_fallbacks", "Control steps whose QP found no answer and fell back", registry=REGISTRY
+)
+WORKER_FAILURES = Counter(
+    "ridelab_worker_failures", "Worker processes lost during a task", ["reason"], registry=REGISTRY
+)
+STORE_ERRORS = Counter("ridelab_store_errors", "Requests the database did not answer", registry=REGISTRY)
+REFUSED = Counter("ridelab_refused", "Requests refused to protect the service", ["reason"], registry=REGISTRY)
+LATENCY = Histogram(
+    "ridelab_request_seconds",
+    "Time to the whole answer, of event streams to its beginning",
+    ["method", "route", "status"],
+    buckets=LATENCY_BUCKETS,
+    registry=REGISTRY,
+)
+BATCHES = Gauge(
+    "ridelab_batches", "Batches by state, as the replica that drives them sees it", ["state"], registry=REGISTRY
+)
+BATCH_QUEUE = Gauge("ridelab_batch_queue_runs", "Runs of open batches by state", ["state"], registry=REGISTRY)
+BUILD = Gauge("ridelab_build_info", "Always 1; the labels say what runs", ["version", "python"], registry=REGISTRY)
+
+for _kind in ("interactive", "batch"):
+    for _status in ("ok", "failed"):
+        RUNS.labels(_kind, _status)
+for _outcome in ("hit", "miss"):
+    CACHE.labels(_outcome)
+for _reason in ("died", "timeout"):
+    WORKER_FAILURES.labels(_reason)
+BUILD.labels(__version__, python_version()).set(1)
+
+
+def count_run(kind: str, status: str, summary: Mapping[str, Any]) -> None:
+    """Count one computed result.
+
+    Args:
+        kind: `interactive` or `batch`.
+        status: `ok` or `failed`.
+        summary: `StrategyResult.summary()`, or the reason of a failure.
+    """
+    RUNS.labels(kind, status).inc()
+    fallbacks = summary.get("events", {}).get("qp_fallbacks")
+    if fallbacks:
+        SOLVER_FALLBACKS.inc(fallbacks)

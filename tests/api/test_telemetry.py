@@ -1,0 +1,239 @@
+"""Metrics count what happened and nothing of whose; each request has a name and a log line."""
+
+import io
+import json
+import logging
+import re
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+import structlog
+from prometheus_client.parser import text_string_to_metric_families
+
+from backend.problems import problem
+from backend.telemetry import configure, count_run
+from backend.telemetry.logs import CONTROL
+from backend.telemetry.requests import SANE
+from sim_core import __version__
+from sim_core.scenario import Scenario
+
+MARK = "Zz9PlaintextMark"
+Samples = dict[tuple[str, tuple[tuple[str, str], ...]], float]
+
+
+def samples(client: httpx.Client) -> Samples:
+    response = client.get("/metrics")
+    assert response.status_code == 200
+    assert response.headers["content-type"].startswith("text/plain")
+    return {
+        (sample.name, tuple(sorted(sample.labels.items()))): sample.value
+        for family in text_string_to_metric_families(response.text)
+        for sample in family.samples
+    }
+
+
+def grown(before: Samples, after: Samples, name: str, **labels: str) -> float:
+    key = (name, tuple(sorted(labels.items())))
+    return after[key] - before.get(key, 0)
+
+
+def test_runs_and_the_cache_are_counted(service: Any) -> None:
+    before = samples(service.client)
+    scenario = {"road": {"length": 137.5, "bump": {"start": 90}}}
+    assert service.run(["passive", "lqr"], scenario).status_code == 200
+    between = samples(service.client)
+    assert grown(before, between, "ridelab_runs_total", kind="interactive", status="ok") == 2
+    assert grown(before, between, "ridelab_cache_total", outcome="miss") == 2
+    assert service.run(["passive"], scenario).status_code == 200
+    after = samples(service.client)
+    assert grown(between, after, "ridelab_runs_total", kind="interactive", status="ok") == 0
+    assert grown(between, after, "ridelab_cache_total", outcome="hit") == 1
+    assert grown(between, after, "ridelab_cache_total", outcome="miss") == 0
+
+
+def test_a_run_found_whole_in_the_store_is_a_hit_of_each_strategy(service: Any, run: dict[str, Any]) -> None:
+    before = samples(service.client)
+    assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
+    assert grown(before, samples(service.client), "ridelab_cache_total", outcome="hit") == len(run["strategies"])
+
+
+def test_solver_fallbacks_and_failures_are_counted(client: httpx.Client) -> None:
+    before = samples(client)
+    count_run("batch", "ok", {"events": {"qp_fallbacks": 3, "target_reached": True}})
+    count_run("batch", "ok", {"events": {"qp_fallbacks": 0}})
+    count_run("batch", "failed", {"reason": "refused"})
+    after = samples(client)
+    assert grown(before, after, "ridelab_solver_fallbacks_total") == 3
+    assert grown(before, after, "ridelab_runs_total", kind="batch", status="ok") == 2
+    assert grown(before, after, "ridelab_runs_total", kind="batch", status="failed") == 1
+
+
+def test_latency_goes_by_route_template_and_status_class(client: httpx.Client) -> None:
+    before = samples(client)
+    assert client.get(f"/api/v1/runs/{MARK}").status_code == 404
+    assert client.head("/api/v1/runs/other").status_code == 404
+    assert client.get(f"/{MARK}").status_code == 404
+    assert client.get(f"/assets/{MARK}.js").status_code == 404
+    assert client.request(MARK.upper(), "/healthz").status_code == 405
+    after = samples(client)
+
+    def count(method: str, route: str, status: str) -> float:
+        return grown(before, after, "ridelab_request_seconds_count", method=method, route=route, status=status)
+
+    assert count("GET", "/api/v1/runs/{id}", "4xx") == 1
+    assert count("HEAD", "/api/v1/runs/{id}", "4xx") == 1
+    assert count("GET", "none", "4xx") == 1
+    assert count("GET", "/assets/{file}", "4xx") == 1
+    assert count("other", "/healthz", "4xx") == 1
+
+
+def test_refusals_are_counted_by_reason(client: httpx.Client) -> None:
+    before = samples(client)
+    response = client.post("/api/v1/runs", content=b" " * 1_100_000, headers={"Content-Type": "application/json"})
+    assert response.status_code == 413
+    assert grown(before, samples(client), "ridelab_refused_total", reason="too-long") == 1
+
+
+def test_gauges_tell_what_is_held_now(service: Any) -> None:
+    with (
+        service.app.state.admission.streaming("192.0.2.1"),
+        service.app.state.admission.computing("192.0.2.1", Scenario(), ["passive"]),
+    ):
+        held = samples(service.client)
+    assert held["ridelab_open_streams", ()] == 1
+    assert held["ridelab_open_requests", ()] == 1
+    assert held["ridelab_admitted_cost_seconds", ()] > 0
+    assert held["ridelab_workers", (("state", "busy"),)] + held["ridelab_workers", (("state", "idle"),)] == 2
+    assert held["ridelab_worker_queue", ()] == 0
+    build = [dict(labels) for name, labels in held if name == "ridelab_build_info"]
+    assert [labels["version"] for labels in build] == [__version__]
+    assert any(name.startswith("process_resident_memory") for name, _ in held)
+
+
+def test_metrics_hold_nothing_of_anybodys_scenario(service: Any, run: dict[str, Any]) -> None:
+    service.client.get(f"/api/v1/runs/{run['id']}?{MARK}={MARK}", headers={"X-Request-ID": MARK})
+    service.client.post(f"/api/v1/runs?{MARK}", json={"scenario": {MARK: MARK}, "strategies": [MARK]})
+    text = service.client.get("/metrics").text
+    assert MARK not in text
+    assert run["id"] not in text
+    assert str(service.app.state.settings.data_dir) not in text
+    labels = {key for _, found in samples(service.client) for key, _ in found}
+    assert labels <= {"kind", "status", "outcome", "reason", "method", "route", "state", "version", "python", "le"}
+
+
+def test_prometheus_gets_the_format_it_asks_for(client: httpx.Client) -> None:
+    accept = "application/openmetrics-text;version=1.0.0"
+    response = client.get("/metrics", headers={"Accept": accept})
+    assert response.headers["content-type"].startswith("application/openmetrics-text")
+    assert response.text.endswith("# EOF\n")
+
+
+def test_a_requests_name_is_kept_where_it_is_harmless(client: httpx.Client) -> None:
+    for name in ("a", "trace-1_2.3", "x" * 64):
+        assert client.get("/healthz", headers={"X-Request-ID": name}).headers["x-request-id"] == name
+    for name in ("", "x" * 65, "a b", "a;b", "<script>", "a\tb", "é".encode("latin-1")):
+        made = client.get("/healthz", headers=[(b"X-Request-ID", name if isinstance(name, bytes) else name.encode())])
+        assert SANE.fullmatch(made.headers["x-request-id"])
+        assert made.headers["x-request-id"] not in (name, "a")
+    names = {client.get("/healthz").headers["x-request-id"] for _ in range(5)}
+    assert len(names) == 5
+
+
+@pytest.mark.parametrize("path", ["/nowhere", "/api/v1/runs/none", "/assets/none.js"])
+def test_a_problem_tells_its_requests_name(client: httpx.Client, path: str) -> None:
+    response = client.get(path, headers={"X-Request-ID": "trace-7"})
+    assert response.status_code == 404
+    assert response.headers["x-request-id"] == response.json()["request_id"] == "trace-7"
+
+
+def test_outside_a_request_a_problem_has_no_name() -> None:
+    assert json.loads(bytes(problem(404).body))["request_id"] == ""
+
+
+@pytest.fixture
+def logged(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
+    """Start logging in a form, into a text; afterwards logging is as it was."""
+    root = logging.getLogger()
+    handlers, level, text = root.handlers, root.level, io.StringIO()
+
+    def start(form: Any, least: Any = "info") -> io.StringIO:
+        monkeypatch.setattr(sys, "stderr", text)  # only now: pytest puts its own there before each test
+        configure(form, least)
+        return text
+
+    yield start
+    root.handlers, root.level = handlers, level
+    logging.captureWarnings(False)
+    structlog.reset_defaults()
+
+
+def lines(text: io.StringIO) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in text.getvalue().splitlines()]
+
+
+def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Client, logged: Any) -> None:
+    text = logged("json")
+    client.get(f"/api/v1/runs/{MARK}?{MARK}", headers={"X-Request-ID": "trace-8", "User-Agent": MARK})
+    client.get("/healthz")
+    found = [line for line in lines(text) if line["logger"] == "backend.access"]
+    assert len(found) == 1, "health is asked all the time and logged at level debug"
+    line = found[0]
+    assert line.pop("duration_ms") > 0
+    assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d+Z", line.pop("timestamp"))
+    assert line == {
+        "event": "request",
+        "level": "info",
+        "logger": "backend.access",
+        "request_id": "trace-8",
+        "method": "GET",
+        "route": "/api/v1/runs/{id}",
+        "status": 404,
+        "client": "127.0.0.1",
+    }
+    ours = [line for line in lines(text) if line["logger"] != "httpx"]
+    assert MARK not in json.dumps(ours), "addresses hold the secret of a link"
+
+
+def test_what_goes_wrong_is_logged_under_its_requests_name(
+    service: Any, logged: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def fail(*_: Any) -> None:
+        raise RuntimeError("for the log alone")
+
+    monkeypatch.setattr(service.app.state.runs, "create", fail)
+    text = logged("json")
+    response = service.client.post(
+        "/api/v1/runs", json={"strategies": ["passive"]}, headers={"X-Request-ID": "trace-9"}
+    )
+    assert response.status_code == 500
+    error = next(line for line in lines(text) if line["level"] == "error")
+    assert error["request_id"] == "trace-9"
+    assert "for the log alone" in error["exception"]
+    assert "for the log alone" not in response.text
+    access = next(line for line in lines(text) if line["logger"] == "backend.access")
+    assert (access["status"], access["route"]) == (500, "/api/v1/runs")
+
+
+FORGED = 'x\n{"event": "forged", "level": "error"}\r\x1b[2J\x00\u2028\u0085y'
+
+
+@pytest.mark.parametrize("form", ["json", "console"])
+def test_no_text_makes_a_line_of_its_own(logged: Any, form: str) -> None:
+    text = logged(form)
+    logging.getLogger("some.library").warning("it said %s", FORGED, extra={"more": FORGED})
+    structlog.stdlib.get_logger("backend.some").warning(FORGED, value=FORGED, nested={"deep": [FORGED]})
+    content = text.getvalue()
+    assert len(content.splitlines()) == 2, content
+    assert not set(content) & ({chr(code) for code in CONTROL} - {"\n"})
+    if form == "json":
+        assert [line["event"] for line in lines(text)] == ["it said " + FORGED, FORGED]
+
+
+def test_levels_and_forms_are_chosen(logged: Any) -> None:
+    text = logged(None, "error")
+    logging.getLogger("some").warning("quiet")
+    logging.getLogger("some").error("loud")
+    assert [line["event"] for line in lines(text)] == ["loud"], "no terminal: JSON"
