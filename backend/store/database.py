@@ -46,8 +46,8 @@ class Database:
         """A transaction that commits at the end of its block."""
         return self._writer.begin()
 
-    def migrate(self) -> None:
-        """Bring the database to the newest schema; safe when several processes start at once."""
+    def migrate(self, revision: str = "head") -> None:
+        """Bring the database up to the newest schema, or that step; safe when several processes start at once."""
         url = self.engine.url
         if url.get_backend_name() == "sqlite" and url.database:
             Path(url.database).parent.mkdir(parents=True, exist_ok=True)
@@ -57,7 +57,7 @@ class Database:
             if connection.dialect.name == "postgresql":
                 connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
             config.attributes["connection"] = connection
-            command.upgrade(config, "head")
+            command.upgrade(config, revision)
 
     def close(self) -> None:
         """Let the threads end and give every connection back."""
@@ -71,9 +71,14 @@ class Database:
 
 
 def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, Any]]) -> None:
-    """Insert the rows whose key is not there yet."""
+    """Insert the rows whose key is not there yet.
+
+    In the key's order, whoever inserts: PostgreSQL locks row by row, and two orders would wait for each other.
+    """
+    key = [column.name for column in table.primary_key]
+    ordered = sorted(rows, key=lambda row: [row[name] for name in key])
     insert = postgresql.insert if connection.dialect.name == "postgresql" else sqlite.insert
-    connection.execute(insert(table).on_conflict_do_nothing(), rows)
+    connection.execute(insert(table).on_conflict_do_nothing(), ordered)
 
 
 def _engine(url: URL) -> Engine:

@@ -1,28 +1,21 @@
-"""The service's parts by themselves: digests, strict JSON, settings, memory, store."""
+"""The service's parts by themselves: digests, strict JSON, settings, memory."""
 
 import json
 import math
 import os
-import sqlite3
 import subprocess
 import sys
-import threading
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from alembic.autogenerate import compare_metadata
-from alembic.migration import MigrationContext
 from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest, strict_json
 from backend.memory import Memory
 from backend.settings import Settings, SettingsError
-from backend.store import Store, StoredResult
-from backend.store.database import wal_is_safe
-from backend.store.tables import metadata
 from backend.worker import Outcome
 from sim_core.scenario import Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
@@ -145,109 +138,3 @@ def test_memory_answers_only_for_the_points_it_has() -> None:
     assert memory.get("a", 2000) is not None
     memory.put("a", Outcome(status="ok", summary={}, compute_ms=1.0))
     assert memory.get("a", 2000) is not None, "one without series does not drive out one with"
-
-
-@pytest.fixture
-def store(tmp_path: Path) -> Any:
-    store = Store(f"sqlite:///{tmp_path}/new/folder/ridelab.sqlite")
-    store.migrate()
-    yield store
-    store.close()
-
-
-def results(*keys: str) -> list[StoredResult]:
-    return [StoredResult(key=key, strategy="lv", status="ok", summary={"a": [1.5]}, compute_ms=2.0) for key in keys]
-
-
-def save(store: Store, run_id: str, *keys: str) -> Any:
-    return store.runs.save(
-        run_id=run_id, core_version="1", schema_version=1, scenario={"road": 1}, outcomes=results(*keys)
-    )
-
-
-def test_the_migrations_make_the_tables_the_code_uses(store: Store) -> None:
-    with store.engine.connect() as connection:
-        assert compare_metadata(MigrationContext.configure(connection), metadata) == []
-
-
-def test_migrating_again_and_from_many_threads_changes_nothing(tmp_path: Path) -> None:
-    stores = [Store(f"sqlite:///{tmp_path}/ridelab.sqlite") for _ in range(4)]
-    threads = [threading.Thread(target=store.migrate) for store in stores]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    saved = save(stores[0], "run", "a")
-    for store in stores:
-        store.migrate()
-        assert store.runs.load("run") == saved
-        store.close()
-
-
-def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
-    first = save(store, "one", "a", "b")
-    assert [item.key for item in first.results] == ["a", "b"]
-    changed = [StoredResult(key="a", strategy="lv", status="ok", summary={}, compute_ms=9.0)]
-    second = store.runs.save(run_id="two", core_version="1", schema_version=1, scenario={}, outcomes=changed)
-    assert second.results == first.results[:1]
-    again = store.runs.save(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
-    assert again == first
-
-
-def test_unknown_runs_and_results_are_absent(store: Store) -> None:
-    save(store, "one", "a")
-    assert store.runs.load("none") is None
-    assert set(store.runs.load_results(["a", "none"])) == {"a"}
-
-
-def test_many_writers_wait_for_each_other(tmp_path: Path) -> None:
-    stores = [Store(f"sqlite:///{tmp_path}/ridelab.sqlite") for _ in range(3)]
-    stores[0].migrate()
-    failures: list[BaseException] = []
-
-    def write(number: int, store: Store) -> None:
-        try:
-            for item in range(10):
-                save(store, f"{number}-{item}", f"r{item}", f"own-{number}-{item}")
-        except BaseException as error:
-            failures.append(error)
-            raise
-
-    threads = [threading.Thread(target=write, args=pair) for pair in enumerate(stores)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not failures
-    assert all(stores[0].runs.load(f"{number}-{item}") for number in range(3) for item in range(10))
-    for store in stores:
-        store.close()
-
-
-def test_sqlite_is_set_up_for_durability(store: Store) -> None:
-    expected = "wal" if wal_is_safe(sqlite3.sqlite_version_info) else "delete"
-    with store.engine.connect() as connection:
-        assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == expected
-        assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 2, "FULL"
-        assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
-        assert connection.exec_driver_sql("PRAGMA busy_timeout").scalar() >= 5000
-
-
-@pytest.mark.parametrize(
-    ("version", "safe"),
-    [
-        ((3, 40, 1), False),
-        ((3, 44, 5), False),
-        ((3, 44, 6), True),
-        ((3, 45, 0), False),
-        ((3, 50, 6), False),
-        ((3, 50, 7), True),
-        ((3, 51, 0), False),
-        ((3, 51, 2), False),
-        ((3, 51, 3), True),
-        ((3, 52, 0), True),
-        ((4, 0, 0), True),
-    ],
-)
-def test_wal_is_used_only_with_its_fix(version: tuple[int, ...], safe: bool) -> None:
-    assert wal_is_safe(version) is safe

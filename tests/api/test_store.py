@@ -1,0 +1,247 @@
+"""The store on both databases it knows: SQLite, and a real PostgreSQL."""
+
+import sqlite3
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from alembic.autogenerate import compare_metadata
+from alembic.migration import MigrationContext
+from alembic.script import ScriptDirectory
+from sqlalchemy import func, inspect, select
+from sqlalchemy.exc import IntegrityError, SQLAlchemyError
+
+import backend.migrations
+from backend.store import Store, StoredResult, StoredRun
+from backend.store.database import wal_is_safe
+from backend.store.tables import metadata, results
+from tests.servers.postgres import Postgres
+
+OpenStore = Callable[[], Store]
+
+
+@pytest.fixture
+def open_store(database_url: str) -> Iterator[OpenStore]:
+    """Opens the database once more, as another process would."""
+    opened: list[Store] = []
+
+    def open_one() -> Store:
+        opened.append(Store(database_url))
+        return opened[-1]
+
+    yield open_one
+    for store in opened:
+        store.close()
+
+
+@pytest.fixture
+def store(open_store: OpenStore) -> Store:
+    store = open_store()
+    store.migrate()
+    return store
+
+
+@pytest.fixture
+def sqlite_store(tmp_path: Path) -> Iterator[Store]:
+    store = Store(f"sqlite:///{tmp_path}/ridelab.sqlite")
+    store.migrate()
+    yield store
+    store.close()
+
+
+@pytest.fixture
+def server_store(postgres: Postgres) -> Iterator[Store]:
+    store = Store(postgres.new_database())
+    store.migrate()
+    yield store
+    store.close()
+    postgres.start()
+
+
+def outcomes(*keys: str) -> list[StoredResult]:
+    return [StoredResult(key=key, strategy="lv", status="ok", summary={"a": [1.5]}, compute_ms=2.0) for key in keys]
+
+
+def save(store: Store, run_id: str, *keys: str) -> StoredRun:
+    return store.runs.save(
+        run_id=run_id, core_version="1", schema_version=1, scenario={"road": "ä 😀"}, outcomes=outcomes(*keys)
+    )
+
+
+def in_threads(*calls: Callable[[], object]) -> list[BaseException]:
+    """Run all at once; what they raised."""
+    raised: list[BaseException] = []
+
+    def guarded(call: Callable[[], object]) -> None:
+        try:
+            call()
+        except (SQLAlchemyError, OSError, threading.BrokenBarrierError) as error:
+            raised.append(error)
+
+    threads = [threading.Thread(target=guarded, args=[call]) for call in calls]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return raised
+
+
+def test_the_migrations_make_the_tables_the_code_uses(store: Store) -> None:
+    with store.engine.connect() as connection:
+        context = MigrationContext.configure(connection, opts={"compare_type": True, "compare_server_default": True})
+        assert compare_metadata(context, metadata) == []
+
+
+def test_migrations_are_one_line_from_the_first_version() -> None:
+    script = ScriptDirectory(str(Path(backend.migrations.__file__).parent))
+    steps = [step.revision for step in reversed(list(script.walk_revisions()))]
+    assert steps == [f"{number:04}" for number in range(1, len(steps) + 1)]
+
+
+def test_a_database_of_the_first_version_keeps_its_rows(open_store: OpenStore, open_at: Callable[[str], Store]) -> None:
+    first = open_at("0001")
+    saved = save(first, "old", "b", "a")
+    now = open_store()
+    now.migrate()
+    assert now.runs.load("old") == saved
+    assert set(metadata.tables) <= set(inspect(now.engine).get_table_names())
+
+
+def test_each_step_goes_up_alone_and_the_last_is_what_the_code_uses(open_at: Callable[[str], Store]) -> None:
+    script = ScriptDirectory(str(Path(backend.migrations.__file__).parent))
+    for step in reversed(list(script.walk_revisions())):
+        store = open_at(step.revision)
+    with store.engine.connect() as connection:
+        assert compare_metadata(MigrationContext.configure(connection), metadata) == []
+
+
+@pytest.fixture
+def open_at(open_store: OpenStore) -> Callable[[str], Store]:
+    """Opens the database and brings it up to that step only."""
+
+    def open_one(revision: str) -> Store:
+        store = open_store()
+        store.migrate(revision)
+        return store
+
+    return open_one
+
+
+def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:
+    stores = [open_store() for _ in range(4)]
+    assert not in_threads(*(store.migrate for store in stores))
+    saved = save(stores[0], "run", "a")
+    for store in stores:
+        store.migrate()
+        assert store.runs.load("run") == saved
+
+
+def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
+    first = save(store, "one", "a", "b")
+    assert [item.key for item in first.results] == ["a", "b"]
+    assert first.scenario == {"road": "ä 😀"}
+    changed = [StoredResult(key="a", strategy="lv", status="ok", summary={}, compute_ms=9.0)]
+    second = store.runs.save(run_id="two", core_version="1", schema_version=1, scenario={}, outcomes=changed)
+    assert second.results == first.results[:1]
+    again = store.runs.save(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
+    assert again == first == store.runs.load("one")
+
+
+def test_unknown_runs_and_results_are_absent(store: Store) -> None:
+    save(store, "one", "a")
+    assert store.runs.load("none") is None
+    assert set(store.runs.load_results(["a", "none"])) == {"a"}
+    assert store.runs.load_results([]) == {}
+
+
+def test_many_writers_of_the_same_results_wait_for_each_other(open_store: OpenStore) -> None:
+    """Each in an order of its own, where a database that locks row by row meets deadlocks."""
+    stores = [open_store() for _ in range(4)]
+    stores[0].migrate()
+    shared, rounds = [f"r{number:04}" for number in range(1500)], range(3)
+    together = threading.Barrier(len(stores), timeout=60)
+
+    def write(number: int) -> None:
+        order = shared if number % 2 else shared[::-1]
+        for item in rounds:
+            together.wait()
+            save(stores[number], f"{number}-{item}", *(f"{key}-{item}" for key in order), f"own-{number}-{item}")
+
+    assert not in_threads(*(lambda number=number: write(number) for number in range(4)))
+    assert all(stores[0].runs.load(f"{number}-{item}") for number in range(4) for item in rounds)
+    with stores[0].reading() as connection:
+        assert connection.scalar(select(func.count()).select_from(results)) == len(rounds) * (len(shared) + 4)
+
+
+def test_what_fails_half_way_leaves_nothing(store: Store) -> None:
+    nameless: Any = None  # its results fit, its own row does not
+    with pytest.raises(IntegrityError):
+        save(store, nameless, "fits")
+    assert store.runs.load_results(["fits"]) == {}
+    save(store, "run", "fits")
+
+
+def test_a_database_that_went_away_is_said_and_found_again(postgres: Postgres, server_store: Store) -> None:
+    saved = save(server_store, "before", "a")
+    for end in (postgres.stop, postgres.kill):
+        end()
+        started = time.monotonic()
+        with pytest.raises(SQLAlchemyError):
+            server_store.ping()
+        with pytest.raises(SQLAlchemyError):
+            save(server_store, "during", "b")
+        assert time.monotonic() - started < 30, "it says so, it does not hang"
+        postgres.start()
+        server_store.ping()
+        assert server_store.runs.load("before") == saved
+        assert server_store.runs.load("during") is None
+    save(server_store, "during", "b")
+
+
+def test_a_connection_the_server_closed_is_replaced(postgres: Postgres, server_store: Store) -> None:
+    saved = save(server_store, "before", "a")
+    ended = postgres.execute("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE datname LIKE 'test_%'")
+    assert ended
+    assert server_store.runs.load("before") == saved
+
+
+def test_a_dead_client_is_noticed_by_the_server(server_store: Store) -> None:
+    """What it held (its advisory lock) is freed in far less than the 30 s a takeover may take."""
+    with server_store.engine.connect() as connection:
+        values = {
+            name: int(connection.exec_driver_sql(f"SHOW tcp_keepalives_{name}").scalar_one())
+            for name in ("idle", "interval", "count")
+        }
+    assert 0 < values["idle"] + values["interval"] * values["count"] <= 20
+
+
+def test_sqlite_is_set_up_for_durability(sqlite_store: Store) -> None:
+    expected = "wal" if wal_is_safe(sqlite3.sqlite_version_info) else "delete"
+    with sqlite_store.engine.connect() as connection:
+        assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == expected
+        assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 2, "FULL"
+        assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+        assert connection.exec_driver_sql("PRAGMA busy_timeout").scalar_one() >= 5000
+
+
+@pytest.mark.parametrize(
+    ("version", "safe"),
+    [
+        ((3, 40, 1), False),
+        ((3, 44, 5), False),
+        ((3, 44, 6), True),
+        ((3, 45, 0), False),
+        ((3, 50, 6), False),
+        ((3, 50, 7), True),
+        ((3, 51, 0), False),
+        ((3, 51, 2), False),
+        ((3, 51, 3), True),
+        ((3, 52, 0), True),
+        ((4, 0, 0), True),
+    ],
+)
+def test_wal_is_used_only_with_its_fix(version: tuple[int, ...], safe: bool) -> None:
+    assert wal_is_safe(version) is safe

@@ -1,0 +1,137 @@
+"""A real PostgreSQL of our own: its files in a new folder, a port of its own, gone afterwards."""
+
+import itertools
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from urllib.parse import quote
+
+import psutil
+import psycopg
+
+from tests.servers.programs import find, unprivileged
+
+USER = "ridelab"
+PASSWORD = "p@ss/wörd:1"  # noqa: S105 - with everything a URL has to escape
+# Nothing here outlives a power cut: a killed server loses nothing without fsync, and starts much faster.
+SETTINGS = {"fsync": "off", "full_page_writes": "off", "max_connections": "200", "unix_socket_directories": ""}
+
+
+class Postgres:
+    """A server that a test may stop, start and kill; the port stays the same."""
+
+    def __init__(self) -> None:
+        # Not in pytest's folder: that one only root may enter, and PostgreSQL does not run as root.
+        self.folder = Path(tempfile.mkdtemp(prefix="ridelab-postgres-"))
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self.port: int = probe.getsockname()[1]
+        self._as_user = unprivileged("postgres")
+        self._process: subprocess.Popen[bytes] | None = None
+        self._names = (f"test_{number}" for number in itertools.count())
+        if self._as_user:
+            os.chown(self.folder, self._as_user["user"], self._as_user["group"])
+        self._initialise()
+
+    @property
+    def running(self) -> bool:
+        """Whether the server's first process lives."""
+        return self._process is not None and self._process.poll() is None
+
+    @property
+    def log(self) -> str:
+        """What the server said so far."""
+        return (self.folder / "log").read_text(errors="replace")
+
+    def start(self, seconds: float = 60) -> None:
+        """Start, and wait until it answers; nothing where it runs already."""
+        if self.running:
+            return
+        options = [f"-c{name}={value}" for name, value in SETTINGS.items()]
+        command = [_program("postgres"), "-D", str(self.folder / "data"), "-h127.0.0.1", f"-p{self.port}", *options]
+        with (self.folder / "log").open("ab") as log:
+            self._process = subprocess.Popen(command, cwd=self.folder, stdout=log, stderr=log, **self._as_user)
+        end = time.monotonic() + seconds
+        while time.monotonic() < end and self.running:
+            try:
+                self._connect().close()
+            except psycopg.OperationalError:
+                time.sleep(0.05)
+            else:
+                return
+        raise RuntimeError(f"PostgreSQL did not start:\n{self.log[-3000:]}")
+
+    def stop(self) -> None:
+        """End it in order; open connections are closed."""
+        if self._process is not None:
+            self._process.send_signal(signal.SIGINT)
+            self._process.wait(60)
+            self._process = None
+
+    def kill(self) -> None:
+        """Kill -9 every process of it at once."""
+        if self._process is not None:
+            first = psutil.Process(self._process.pid)
+            for process in (first, *first.children(recursive=True)):
+                try:
+                    process.kill()
+                except psutil.NoSuchProcess:
+                    continue
+            self._process.wait()
+            self._process = None
+
+    def new_database(self) -> str:
+        """The SQLAlchemy URL of a new empty database; starts the server where somebody left it stopped."""
+        self.start()
+        name = next(self._names)
+        self.execute(f"CREATE DATABASE {name}")
+        return self.url(name)
+
+    def url(self, name: str) -> str:
+        """The SQLAlchemy URL of that database."""
+        address = f"{USER}:{quote(PASSWORD, safe='')}@127.0.0.1:{self.port}"
+        return f"postgresql+psycopg://{address}/{name}"
+
+    def execute(self, statement: str) -> list[tuple[object, ...]]:
+        """Run one statement as the administrator, outside a transaction; what it returns, if anything."""
+        with self._connect() as connection:
+            cursor = connection.execute(statement.encode())
+            return cursor.fetchall() if cursor.description else []
+
+    def remove(self) -> None:
+        """Kill it and delete its files."""
+        self.kill()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def _connect(self) -> psycopg.Connection[tuple[object, ...]]:
+        return psycopg.connect(
+            host="127.0.0.1",
+            port=self.port,
+            user=USER,
+            password=PASSWORD,
+            dbname="postgres",
+            connect_timeout=5,
+            autocommit=True,
+        )
+
+    def _initialise(self) -> None:
+        secret = self.folder / "password"
+        secret.write_text(PASSWORD)
+        secret.chmod(0o644)
+        options = [f"--username={USER}", f"--pwfile={secret}", "--auth=scram-sha-256", "--encoding=UTF8", "--locale=C"]
+        command = [_program("initdb"), f"--pgdata={self.folder / 'data'}", "--no-sync", *options]
+        done = subprocess.run(
+            command, cwd=self.folder, capture_output=True, text=True, timeout=120, check=False, **self._as_user
+        )
+        if done.returncode != 0:
+            raise RuntimeError(f"initdb failed:\n{done.stdout}{done.stderr}")
+
+
+def _program(name: str) -> str:
+    folders = sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)
+    return find(name, package="postgresql", folders=folders)
