@@ -12,10 +12,13 @@ from starlette.middleware.gzip import GZipMiddleware
 
 from backend import problems
 from backend.admission import Admission
+from backend.batches import Batches
 from backend.compute import Workers
+from backend.driver import Driver
+from backend.links import Links
 from backend.memory import Memory
 from backend.results import Results
-from backend.routes import health, runs, schema, site
+from backend.routes import batches, health, links, runs, schema, site
 from backend.runs import Runs
 from backend.security import GuardMiddleware
 from backend.settings import Settings
@@ -49,7 +52,16 @@ def create_app(settings: Settings) -> FastAPI:
     app.state.settings = settings
     app.state.store = Store(settings.store_url)
     problems.register(app)
-    for router in (runs.computing, runs.runs, schema.schema, health.health):
+    for router in (
+        runs.computing,
+        runs.runs,
+        batches.submitting,
+        batches.batches,
+        links.sharing,
+        links.links,
+        schema.schema,
+        health.health,
+    ):
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
     app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
@@ -62,6 +74,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     store: Store = app.state.store
     workers = Workers(settings.workers, timeout=settings.run_timeout)
     workers.start()
+    driver = Driver(store=store, settings=settings)
     try:
         await store.call(store.migrate)
         await asyncio.to_thread(schema.warm)
@@ -76,8 +89,12 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
+        app.state.links = Links(store=store, workers=workers, admission=admission)
+        app.state.batches = Batches(store=store, workers=workers, admission=admission, driver=driver, settings=settings)
+        driver.start()
         yield
     finally:
+        await driver.close()
         await workers.close()
         store.close()
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,3 +45,26 @@ class Chunk:
     base: Mapping[str, Any]
     runs: Sequence[WaitingRun]
     timeout: float
+
+
+Trouble = Literal["lost", "busy", "timeout", "version", "bug"]
+
+
+class ClusterLostError(Exception):
+    """The chunk was not computed because the cluster, or a part of it, went away; it may be handed out again."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Answer:
+    """What became of a chunk.
+
+    Attributes:
+        computed: Its results; None where it got none.
+        trouble: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
+            too long (`timeout`); the worker has another core version (`version`); an unforeseen exception (`bug`).
+        detail: More, for the log.
+    """
+
+    computed: list[ComputedRun] | None = None
+    trouble: Trouble | None = None
+    detail: str = ""

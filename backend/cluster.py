@@ -11,15 +11,14 @@ import asyncio
 import contextlib
 import logging
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import dask
 from distributed import Client, Scheduler, Security, SpecCluster, Worker, get_worker
 from distributed.http.routing import RoutingApplication
 from tornado.httpserver import HTTPServer
 
-from backend.chunk import Chunk, ComputedRun
+from backend.chunk import Answer, Chunk, ClusterLostError
 from backend.compute import WorkerLostError, Workers, WorkersBusyError, WorkerTimeoutError
 from backend.settings import Settings
 from backend.worker import run_chunk
@@ -37,29 +36,6 @@ QUIET = {
 
 _pools: dict[str, Workers] = {}  # of this process, by Dask worker: the embedded one, or the one this process is
 _running: dict[str, set[asyncio.Task[Any]]] = {}  # chunks under way in this process, by batch
-
-
-Trouble = Literal["lost", "busy", "timeout", "version", "bug"]
-
-
-class ClusterLostError(Exception):
-    """The chunk was not computed because the cluster, or a part of it, went away; it may be handed out again."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Answer:
-    """What became of a chunk.
-
-    Attributes:
-        computed: Its results; None where it got none.
-        trouble: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
-            too long (`timeout`); the worker has another core version (`version`); an unforeseen exception (`bug`).
-        detail: More, for the log.
-    """
-
-    computed: list[ComputedRun] | None = None
-    trouble: Trouble | None = None
-    detail: str = ""
 
 
 class Cluster:

@@ -11,20 +11,22 @@ import time
 from collections import Counter, deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import get_args
+from typing import TYPE_CHECKING, get_args
 
 import orjson
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import telemetry
-from backend.chunk import Chunk, ComputedRun, WaitingRun
-from backend.cluster import Answer, Cluster, ClusterLostError, Trouble
+from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun, Trouble, WaitingRun
 from backend.leadership import Leadership, LeadershipLostError
 from backend.plan import rekeyed
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import UNFINISHED, State
 from sim_core import __version__ as CORE_VERSION
+
+if TYPE_CHECKING:
+    from backend.cluster import Cluster
 
 logger = logging.getLogger(__name__)
 
@@ -135,6 +137,8 @@ class Driver:
 
     async def _with_cluster(self, leadership: Leadership) -> None:
         """Drive until the cluster or the lock is lost; the cluster stays warm while there is nothing to do."""
+        from backend.cluster import Cluster  # Dask takes half a second to import: not before there is a batch
+
         cluster = Cluster(self._settings)
         try:
             await cluster.start()
@@ -161,7 +165,7 @@ class Driver:
             await asyncio.wait_for(self._wake.wait(), LOOK)
         self._wake.clear()
 
-    async def _look(self, cluster: Cluster) -> None:
+    async def _look(self, cluster: "Cluster") -> None:
         """Begin what was accepted, end what was cancelled, here or by another service."""
         unfinished = {batch.id: batch for batch in await self._store.call(self._store.batches.unfinished)}
         for batch_id in self._driven.keys() - unfinished.keys():
@@ -174,7 +178,7 @@ class Driver:
                 await self._store.call(self._store.batches.start, batch_id)
                 self._driven[batch_id] = Progress(batch=batch)
 
-    async def _hand_out(self, cluster: Cluster) -> None:
+    async def _hand_out(self, cluster: "Cluster") -> None:
         """Keep every process busy, the batches taking turns; a batch without anything left is finished."""
         places = AHEAD * max(1, await cluster.slots())
         turns = deque(self._driven.values())
@@ -206,13 +210,13 @@ class Driver:
         else:
             progress.position = -1  # something waits after all: from the start
 
-    def _send(self, cluster: Cluster, progress: Progress, runs: list[WaitingRun]) -> None:
+    def _send(self, cluster: "Cluster", progress: Progress, runs: list[WaitingRun]) -> None:
         progress.on_their_way += 1
         chunk = asyncio.create_task(self._chunk(cluster, progress, runs))
         self._chunks.add(chunk)
         chunk.add_done_callback(self._chunks.discard)
 
-    async def _chunk(self, cluster: Cluster, progress: Progress, runs: list[WaitingRun]) -> None:
+    async def _chunk(self, cluster: "Cluster", progress: Progress, runs: list[WaitingRun]) -> None:
         """A chunk's way to the cluster and into the database."""
         chunk = Chunk(
             batch_id=progress.batch.id,

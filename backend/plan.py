@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from backend import digest
 from backend.chunk import WaitingRun
+from backend.sweeps import Sweep, points
 from sim_core import dotted
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -23,20 +24,19 @@ PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PlannedRun:
-    """One run of a batch before it is stored; `key` is None where `reason` says why it cannot run."""
-
-    changes: str
-    strategy: str
-    key: str | None
-    reason: str | None = None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """Every run of a batch in order, a point's strategies side by side, and their estimated cost [s of one core]."""
+    """A batch before it is stored.
 
-    runs: list[PlannedRun]
+    Attributes:
+        fields: Dotted names of the fields that change.
+        runs: Rows of the table of runs, a point's strategies side by side; one whose fields contradict each other
+            has failed already and says why.
+        cost: Estimated cost of all [s of one core].
+        dearest: The greatest of one run [s of one core].
+    """
+
+    fields: list[str]
+    runs: list[dict[str, Any]]
     cost: float
     dearest: float
 
@@ -68,22 +68,31 @@ def rekeyed(
     return keys
 
 
-def plan(base: Mapping[str, Any], strategies: Sequence[str], points: Sequence[Mapping[str, Any]]) -> Plan:
-    """Plan every point under every strategy; a point whose fields contradict each other is a failed run, no error."""
-    runs: list[PlannedRun] = []
+def plan(base: Mapping[str, Any], strategies: Sequence[str], sweep: Sweep) -> Plan:
+    """Plan every point under every strategy.
+
+    Raises:
+        SweepError: The sweep has fields or values that cannot be used.
+    """
+    fields, found = points(sweep, base)
+    runs: list[dict[str, Any]] = []
     cost = dearest = 0.0
-    for changes in points:
+    for changes in found:
         text = orjson.dumps(changes).decode()
         try:
             scenario = scenario_at(base, changes)
         except ValidationError as error:
-            reason = contradiction(error)
-            runs += [PlannedRun(changes=text, strategy=name, key=None, reason=reason) for name in strategies]
+            verdict = {"status": "failed", "result_key": None, "reason": contradiction(error)}
+            runs += [{"changes": text, "strategy": name, **verdict} for name in strategies]
             continue
-        costs = [estimate(scenario, name) for name in strategies]
-        cost, dearest = cost + sum(costs), max(dearest, *costs)
-        runs += [PlannedRun(changes=text, strategy=name, key=digest.result_key(scenario, name)) for name in strategies]
-    return Plan(runs=runs, cost=cost, dearest=dearest)
+        for name in strategies:
+            each = estimate(scenario, name)
+            cost, dearest = cost + each, max(dearest, each)
+            key = digest.result_key(scenario, name)
+            runs.append({"changes": text, "strategy": name, "status": "waiting", "result_key": key, "reason": None})
+    for position, run in enumerate(runs):
+        run["position"] = position
+    return Plan(fields=fields, runs=runs, cost=cost, dearest=dearest)
 
 
 def contradiction(error: ValidationError) -> str:
@@ -93,14 +102,15 @@ def contradiction(error: ValidationError) -> str:
     return f"{field}: {first['msg']}" if field else str(first["msg"])
 
 
-def pilot(base: Mapping[str, Any], strategies: Sequence[str], points: Sequence[Mapping[str, Any]]) -> float | None:
+def pilot(base: Mapping[str, Any], strategies: Sequence[str], sweep: Sweep) -> float | None:
     """Time of one point under all strategies [s], the median of some tried ones; None where trying takes too long."""
+    _, found = points(sweep, base)
     times = []
-    step = max(1, len(points) // PILOTS)
-    for changes in points[step // 2 :: step][:PILOTS]:
+    step = max(1, len(found) // PILOTS)
+    for changes in found[step // 2 :: step][:PILOTS]:
         try:
             scenario = scenario_at(base, changes)
-            if sum(estimate(scenario, name) for name in strategies) > PILOT_LIMIT * len(strategies):
+            if max(estimate(scenario, name) for name in strategies) > PILOT_LIMIT:
                 return None
             begin = time.perf_counter()
             for name in strategies:

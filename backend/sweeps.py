@@ -85,7 +85,7 @@ class SweepError(Exception):
     """Names or values a sweep cannot use; `errors` has a path and a message for each."""
 
     def __init__(self, errors: Sequence[tuple[list[str | int], str]]) -> None:
-        super().__init__("The sweep has fields that cannot be used")
+        super().__init__(errors)  # as it is: it travels from a worker process
         self.errors = errors
 
 

@@ -1,0 +1,182 @@
+"""Batches as tables: one row a run, with units in the header, made page by page so that memory stays flat."""
+
+import io
+from collections.abc import AsyncIterator, Iterable, Mapping, Sequence
+from typing import Any, Literal
+
+import orjson
+import pyarrow as pa
+from pyarrow import csv, parquet
+
+from backend.store import StoredBatch
+from backend.store.batches import BatchRow
+from sim_core import dotted
+from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+
+Format = Literal["json", "csv", "parquet"]
+Pages = AsyncIterator[list[BatchRow]]
+
+FIXED = ("run", "strategy", "status", "reason", "core_version")
+FIGURES: dict[str, tuple[tuple[str, ...], str]] = {
+    **{
+        f"{window}.{signal}.{statistic}": (("metrics", window, signal, statistic), SIGNALS[signal].unit)
+        for window in WINDOWS
+        for signal in METRIC_SIGNALS
+        for statistic in STATISTICS
+    },
+    **{f"comfort.{key}": (("comfort", key), item.unit) for key, item in COMFORT.items()},
+    **{f"events.{key}": (("events", key), item.unit) for key, item in EVENTS.items()},
+    **{key: ((key,), item.unit) for key, item in RUN_FIGURES.items()},
+}
+_FLAGS = {key for key in FIGURES if key.startswith("events.") and key.endswith(("target_reached", "bump_complete"))}
+
+
+def units(batch: StoredBatch) -> dict[str, str]:
+    """The unit of each column that has one."""
+    named = {name: dotted.fields()[name].unit for name in batch.fields if name in dotted.fields()}
+    return named | {key: unit for key, (_, unit) in FIGURES.items()}
+
+
+def columns(rows: Sequence[BatchRow], names: Iterable[str], figures: Iterable[str]) -> dict[str, list[Any]]:
+    """Some rows column by column: the fixed ones, the swept fields `names`, and `figures` (keys of `FIGURES`)."""
+    changes = [orjson.loads(row.changes) for row in rows]
+    found = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
+    table: dict[str, list[Any]] = {
+        "run": [row.position for row in rows],
+        "strategy": [row.strategy for row in rows],
+        "status": [row.status for row in rows],
+        "reason": [_reason(row, summary) for row, summary in zip(rows, found, strict=True)],
+        "core_version": [row.core_version for row in rows],
+    }
+    table |= {name: [change.get(name) for change in changes] for name in names}
+    for key in figures:
+        path, _ = FIGURES[key]
+        table[key] = [_at(summary, path) for summary in found]
+    return table
+
+
+async def as_json(batch: StoredBatch, pages: Pages) -> AsyncIterator[bytes]:
+    """`{"batch", …, "rows": [{"run", fields, "strategy", "status", "metrics", …}, …]}`."""
+    head = {
+        "batch": batch.id,
+        "core_version": batch.core_version,
+        "scenario": batch.scenario,
+        "sweep": batch.sweep,
+        "units": units(batch),
+    }
+    yield orjson.dumps(head)[:-1] + b',"rows":['
+    first = True
+    async for rows in pages:
+        text = b",".join(map(_json_row, rows))
+        yield text if first else b"," + text
+        first = False
+    yield b"]}"
+
+
+async def as_csv(batch: StoredBatch, pages: Pages) -> AsyncIterator[bytes]:
+    """A header with units, then a line a run, as spreadsheets read it."""
+    schema = _schema(batch)
+    options = csv.WriteOptions(include_header=True, quoting_header="none")
+    yield _csv(schema.empty_table(), options)
+    async for rows in pages:
+        yield _csv(_page(batch, rows, schema), csv.WriteOptions(include_header=False))
+
+
+async def as_parquet(batch: StoredBatch, pages: Pages) -> AsyncIterator[bytes]:
+    """The same table as Parquet, a row group a page; units are field metadata, the provenance is the file's."""
+    schema, sink = _schema(batch), _Drain()
+    writer = parquet.ParquetWriter(sink, schema, compression="zstd")
+    async for rows in pages:
+        writer.write_table(_page(batch, rows, schema))
+        yield sink.drained()
+    writer.close()
+    yield sink.drained()
+
+
+class _Drain(io.RawIOBase):
+    """A file that is written once from front to back and taken away as it grows."""
+
+    def __init__(self) -> None:
+        self._buffer = bytearray()
+        self._position = 0
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: Any) -> int:
+        piece = bytes(data)
+        self._buffer += piece
+        self._position += len(piece)
+        return len(piece)
+
+    def tell(self) -> int:
+        return self._position
+
+    def drained(self) -> bytes:
+        piece, self._buffer = bytes(self._buffer), bytearray()
+        return piece
+
+
+def _json_row(row: BatchRow) -> bytes:
+    head = {"run": row.position, **orjson.loads(row.changes), "strategy": row.strategy, "status": row.status}
+    if row.core_version is not None:
+        head |= {"core_version": row.core_version, "compute_ms": row.compute_ms}
+    if row.reason is not None:
+        head["reason"] = row.reason
+    text = orjson.dumps(head)
+    # What is stored is JSON already, {"metrics": …} or {"reason": …}: its members go in as they are.
+    return text if row.summary is None else text[:-1] + b"," + row.summary.encode()[1:]
+
+
+def _reason(row: BatchRow, summary: Mapping[str, Any]) -> str | None:
+    return row.reason if row.reason is not None else summary.get("reason")
+
+
+def _at(summary: Mapping[str, Any], path: Sequence[str]) -> Any:
+    found: Any = summary
+    for step in path:
+        found = found.get(step) if isinstance(found, Mapping) else None
+    return found
+
+
+def _schema(batch: StoredBatch) -> pa.Schema:
+    types = {"run": pa.int64(), **{name: _field_type(name) for name in batch.fields}}
+    types |= {key: pa.bool_() if key in _FLAGS else pa.float64() for key in FIGURES}
+    known = units(batch)
+    fields = [
+        pa.field(
+            f"{name} [{known[name]}]" if name in known else name,
+            types.get(name, pa.string()),
+            metadata={"key": name, **({"unit": known[name]} if name in known else {})},
+        )
+        for name in (*FIXED, *batch.fields, *FIGURES, "batch")
+    ]
+    provenance = {
+        "ridelab.batch": batch.id,
+        "ridelab.core_version": batch.core_version,
+        "ridelab.scenario": orjson.dumps(batch.scenario),
+        "ridelab.sweep": orjson.dumps(batch.sweep),
+    }
+    return pa.schema(fields, metadata=provenance)
+
+
+def _field_type(name: str) -> pa.DataType:
+    kind = dotted.fields()[name].kind if name in dotted.fields() else None
+    return {"number": pa.float64(), "integer": pa.int64()}.get(str(kind), pa.string())
+
+
+def _page(batch: StoredBatch, rows: Sequence[BatchRow], schema: pa.Schema) -> pa.Table:
+    table = columns(rows, batch.fields, FIGURES)
+    table["batch"] = [batch.id] * len(rows)
+    arrays = []
+    for field, values in zip(schema, table.values(), strict=True):
+        if field.type == pa.string():
+            values = [item if item is None or isinstance(item, str) else orjson.dumps(item).decode() for item in values]
+        arrays.append(pa.array(values, field.type))
+    return pa.Table.from_arrays(arrays, schema=schema)
+
+
+def _csv(table: pa.Table, options: csv.WriteOptions) -> bytes:
+    sink = io.BytesIO()
+    csv.write_csv(table, sink, options)
+    return sink.getvalue()

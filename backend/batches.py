@@ -1,0 +1,293 @@
+"""Batches: accepted whole or refused, then followed, cancelled and read while the driver computes them."""
+
+import asyncio
+import hashlib
+import secrets
+from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
+from datetime import UTC, datetime
+from typing import Any
+
+from fastapi.sse import format_sse_event
+
+from backend import batch_table, digest, plan
+from backend.admission import Admission
+from backend.batch_table import Format
+from backend.compute import Workers
+from backend.driver import Driver
+from backend.problems import ProblemError, pointer
+from backend.runs import ordered
+from backend.settings import Settings
+from backend.store import Store, StoredBatch
+from backend.store.batches import FINAL, UNFINISHED, BatchRow
+from backend.sweeps import Sweep, SweepError, shown_path, size
+from sim_core import __version__ as CORE_VERSION
+from sim_core import dotted
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+
+ID_BYTES = 16  # 22 characters
+PAGE = 500  # rows read in one transaction
+LOOK = 0.4  # between two looks for events [s]
+HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
+RECONNECT = 2000  # a browser that lost the stream comes back after so long [ms]
+RETRY_AFTER = 30
+
+
+class Batches:
+    """The one service of batches; its methods belong to the event loop."""
+
+    def __init__(
+        self, *, store: Store, workers: Workers, admission: Admission, driver: Driver, settings: Settings
+    ) -> None:
+        self._store = store
+        self._workers = workers
+        self._admission = admission
+        self._driver = driver
+        self._settings = settings
+
+    async def estimate(
+        self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str
+    ) -> dict[str, Any]:
+        """What that batch would be, as `Estimate`.
+
+        Raises:
+            ProblemError: 422, as `create`.
+        """
+        names = ordered(strategies)
+        self._check_size(sweep, names)
+        base = scenario.model_dump(mode="json")
+        with self._admission.computing(client, scenario, names):
+            planned = await self._planned(base, names, sweep)
+            seconds = await self._workers.call(plan.pilot, base, names, sweep)
+        failing = sum(run["result_key"] is None for run in planned.runs)
+        points = len(planned.runs) // len(names)
+        return {
+            "points": points,
+            "total": len(planned.runs),
+            "contradictory": failing,
+            "estimated_cost": planned.cost,
+            "estimated_seconds": None if seconds is None else seconds * points / self._settings.batch_workers,
+        }
+
+    async def create(
+        self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, key: str | None, client: str
+    ) -> dict[str, Any]:
+        """Accept a batch, as `Batch`: when this returns, it is committed.
+
+        Raises:
+            ProblemError: 409 where the idempotency key had another body, 422 for fields, values and limits,
+                429 and 503 where too much is waiting.
+        """
+        names = ordered(strategies)
+        base = scenario.model_dump(mode="json")
+        sent = sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
+        body = digest.canonical({"scenario": base, "strategies": names, "sweep": sent})
+        request_hash = hashlib.sha256(body).hexdigest()[:43]
+        if key is not None:
+            known = await self._store.call(self._store.batches.by_idempotency_key, key)
+            if known is not None:
+                return _same(known, request_hash)
+        self._check_size(sweep, names)
+        await self._check_room()
+        with self._admission.computing(client, scenario, names):
+            planned = await self._planned(base, names, sweep)
+        batch = StoredBatch(
+            id=secrets.token_urlsafe(ID_BYTES),
+            state="queued",
+            reason=None,
+            core_version=CORE_VERSION,
+            schema_version=SCHEMA_VERSION,
+            scenario=base,
+            strategies=names,
+            sweep=sent,
+            fields=planned.fields,
+            estimated_cost=planned.cost,
+            total=len(planned.runs),
+            done=0,
+            failed=sum(run["result_key"] is None for run in planned.runs),
+            request_hash=request_hash,
+            created_at=datetime.now(UTC),
+            started_at=None,
+            finished_at=None,
+        )
+        stored, new = await self._store.call(self._store.batches.create, batch, planned.runs, key)
+        if not new:
+            return _same(stored, request_hash)
+        self._driver.wake()
+        return batch_answer(stored)
+
+    async def get(self, batch_id: str) -> dict[str, Any]:
+        """The batch as it stands, as `Batch`.
+
+        Raises:
+            ProblemError: 404.
+        """
+        return batch_answer(await self._stored(batch_id))
+
+    async def newest(self, limit: int) -> dict[str, Any]:
+        """The batches accepted last, as `Batches`."""
+        return {"batches": [batch_answer(batch) for batch in await self._store.call(self._store.batches.newest, limit)]}
+
+    async def cancel(self, batch_id: str) -> dict[str, Any]:
+        """Cancel what waits and what runs; what is finished stays. A finished batch is answered as it is.
+
+        Raises:
+            ProblemError: 404.
+        """
+        await self._stored(batch_id)
+        await self._store.call(self._store.batches.cancel, batch_id)
+        self._driver.wake()
+        return await self.get(batch_id)
+
+    async def events(self, batch_id: str, after: int, client: str) -> AsyncIterator[bytes]:
+        """Server-sent events behind number `after`, as they happen, until the batch has ended.
+
+        Raises:
+            ProblemError: 404, or 429 and 503 where too many streams are open.
+        """
+        await self._stored(batch_id)
+        place = self._admission.streaming(client)
+        place.__enter__()
+
+        async def stream() -> AsyncIterator[bytes]:
+            try:
+                yield f"retry: {RECONNECT}\n\n".encode()
+                async for event in self._follow(batch_id, after):
+                    yield event
+            finally:
+                place.__exit__(None, None, None)
+
+        return stream()
+
+    async def table(self, batch_id: str, figures: Sequence[str]) -> dict[str, Any]:
+        """Every row column by column, with those figures, as `BatchTable`.
+
+        Raises:
+            ProblemError: 404.
+        """
+        batch = await self._stored(batch_id)
+        whole: dict[str, list[Any]] = batch_table.columns([], batch.fields, figures)
+        async for rows in self._pages(batch.id):
+            page = await asyncio.to_thread(batch_table.columns, rows, batch.fields, figures)
+            for name, values in page.items():
+                whole[name] += values
+        known = batch_table.units(batch)
+        return {
+            "batch": batch.id,
+            "state": batch.state,
+            "units": {name: known[name] for name in whole if name in known},
+            "columns": whole,
+        }
+
+    async def results(self, batch_id: str, file_format: Format) -> tuple[StoredBatch, AsyncIterator[bytes]]:
+        """The batch and its rows in that format, piece by piece.
+
+        Raises:
+            ProblemError: 404.
+        """
+        batch = await self._stored(batch_id)
+        render: Callable[[StoredBatch, AsyncIterator[list[BatchRow]]], AsyncIterator[bytes]] = {
+            "json": batch_table.as_json,
+            "csv": batch_table.as_csv,
+            "parquet": batch_table.as_parquet,
+        }[file_format]
+        return batch, render(batch, self._pages(batch.id))
+
+    async def _pages(self, batch_id: str) -> AsyncIterator[list[BatchRow]]:
+        last = -1
+        while rows := await self._store.call(self._store.batches.rows, batch_id, last, PAGE):
+            yield rows
+            last = rows[-1].position
+
+    async def _follow(self, batch_id: str, after: int) -> AsyncIterator[bytes]:
+        clock = asyncio.get_running_loop().time
+        spoke = clock()
+        while True:
+            batch = await self._stored(batch_id)  # before its events: none can come behind those of a batch that ended
+            for event in await self._store.call(self._store.batches.events, batch_id, after):
+                after, spoke = event.number, clock()
+                yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))
+            if batch.state in FINAL:
+                return
+            if clock() - spoke > HEARTBEAT:
+                spoke = clock()
+                yield b": still here\n\n"
+            await asyncio.sleep(LOOK)
+
+    async def _stored(self, batch_id: str) -> StoredBatch:
+        batch = await self._store.call(self._store.batches.load, batch_id)
+        if batch is None:
+            raise ProblemError(404, "There is no batch of this id.")
+        return batch
+
+    async def _planned(self, base: Mapping[str, Any], names: Sequence[str], sweep: Sweep) -> plan.Plan:
+        try:
+            planned = await self._workers.call(plan.plan, base, names, sweep)
+        except SweepError as error:
+            errors = [
+                {"pointer": pointer(["sweep", *shown_path(path)]), "message": message} for path, message in error.errors
+            ]
+            raise ProblemError(
+                422,
+                "The sweep has fields that cannot be used; errors names each.",
+                kind="invalid-request",
+                errors=errors,
+            ) from None
+        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
+        if planned.cost > limit:
+            raise _too_big(
+                f"The estimated cost of {planned.cost:.3g} s of computing is over the limit of {limit:g} s a batch"
+            )
+        if planned.dearest > each:
+            raise _too_big(
+                f"One run's estimated cost of {planned.dearest:.3g} s of computing is over the limit of {each:g} s"
+            )
+        return planned
+
+    def _check_size(self, sweep: Sweep, names: Sequence[str]) -> None:
+        total, limit = size(sweep) * len(names), self._settings.max_batch_runs
+        if total > limit:
+            raise _too_big(f"{total:.6g} runs are over the limit of {limit} runs a batch")
+
+    async def _check_room(self) -> None:
+        counts = await self._store.call(self._store.batches.counts)
+        if sum(counts.get(state, (0, 0))[0] for state in UNFINISHED) >= self._settings.max_unfinished_batches:
+            raise ProblemError(
+                503, "The service is full: too many batches are waiting.", kind="full", retry_after=RETRY_AFTER
+            )
+
+
+def batch_answer(batch: StoredBatch) -> dict[str, Any]:
+    """`Batch`."""
+    known = dotted.fields()
+    return {
+        "id": batch.id,
+        "state": batch.state,
+        "reason": batch.reason,
+        "total": batch.total,
+        "done": batch.done,
+        "failed": batch.failed,
+        "core_version": batch.core_version,
+        "scenario": batch.scenario,
+        "strategies": batch.strategies,
+        "sweep": batch.sweep,
+        "fields": [
+            {"name": name, "title": known[name].title, "unit": known[name].unit}
+            if name in known
+            else {"name": name, "title": name, "unit": "1"}
+            for name in batch.fields
+        ],
+        "estimated_cost": batch.estimated_cost,
+        "created_at": batch.created_at,
+        "started_at": batch.started_at,
+        "finished_at": batch.finished_at,
+    }
+
+
+def _same(known: StoredBatch, request_hash: str) -> dict[str, Any]:
+    if known.request_hash != request_hash:
+        raise ProblemError(409, "This Idempotency-Key came with another request before.", kind="idempotency-key-reused")
+    return batch_answer(known)
+
+
+def _too_big(message: str) -> ProblemError:
+    return ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/sweep", "message": message}])
