@@ -11,7 +11,7 @@ from backend.admission import Admission
 from backend.compute import Workers
 from backend.problems import ProblemError
 from backend.results import Results
-from backend.store import Store, StoredResult, StoredRun
+from backend.store import Store, StoredBatch, StoredResult, StoredRun
 from backend.telemetry import CACHE
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
@@ -224,8 +224,8 @@ def run_answer(stored: StoredRun, *, cached: Mapping[str, bool] | None = None) -
     }
 
 
-def todays(stored: StoredRun) -> dict[str, Any]:
-    """The run's scenario as today's schema has it.
+def todays(stored: StoredRun | StoredBatch) -> dict[str, Any]:
+    """The scenario of what is stored as today's schema has it.
 
     Raises:
         ProblemError: 503, a newer version of the service stored it.

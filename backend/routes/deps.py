@@ -8,6 +8,7 @@ import orjson
 from fastapi import Depends, Request, Response
 from starlette.requests import ClientDisconnect
 
+from backend.links import Links
 from backend.runs import Runs
 
 T = TypeVar("T")
@@ -20,17 +21,32 @@ def _runs(request: Request) -> Runs:
     return service
 
 
+def _links(request: Request) -> Links:
+    service: Links = request.app.state.links
+    return service
+
+
 def _client(request: Request) -> str:
     return request.client.host if request.client else ""
 
 
 RunsService = Annotated[Runs, Depends(_runs)]
+LinksService = Annotated[Links, Depends(_links)]
 Client = Annotated[str, Depends(_client)]
 
 
 def json_answer(content: Any, headers: dict[str, str] | None = None) -> Response:
     """JSON as orjson writes it; its shape is the route's `response_model`."""
     return Response(orjson.dumps(content), headers=headers, media_type="application/json")
+
+
+def unless_known(request: Request, tag: str, content: Any, cache_control: str) -> Response:
+    """JSON with that entity tag, or 304 where the client has it already (weak comparison, RFC 9110, 13.1.2)."""
+    headers = {"ETag": tag, "Cache-Control": cache_control}
+    offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
+    if "*" in offered or tag.removeprefix("W/") in offered:
+        return Response(status_code=304, headers=headers)
+    return json_answer(content, headers)
 
 
 async def unless_gone(request: Request, work: Coroutine[Any, Any, T]) -> T:

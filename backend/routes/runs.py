@@ -8,7 +8,7 @@ from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.problems import ProblemError
 from backend.routes import router
-from backend.routes.deps import IMMUTABLE, Client, RunsService, json_answer, unless_gone
+from backend.routes.deps import IMMUTABLE, Client, RunsService, json_answer, unless_gone, unless_known
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -43,11 +43,7 @@ async def live(body: models.LiveRequest, request: Request, service: RunsService,
 async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:
     """A stored run; it never changes."""
     answer = await service.get(run_id)
-    tag = f'W/"{run_id}"'  # weak: the body may be compressed
-    headers = {"ETag": tag, "Cache-Control": IMMUTABLE}
-    if _matches(request.headers.get("if-none-match", ""), tag):
-        return Response(status_code=304, headers=headers)
-    return json_answer(answer, headers)
+    return unless_known(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
 
 
 @runs.get(
@@ -133,9 +129,3 @@ def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str]
         message = f"Unknown name; there are {', '.join(known)}"
         raise ProblemError(422, message, errors=[{"parameter": parameter, "pointer": "", "message": message}])
     return names
-
-
-def _matches(if_none_match: str, tag: str) -> bool:
-    """Weak comparison (RFC 9110, 13.1.2)."""
-    offered = {item.strip().removeprefix("W/") for item in if_none_match.split(",")}
-    return "*" in offered or tag.removeprefix("W/") in offered

@@ -7,8 +7,10 @@ from fastapi import APIRouter, FastAPI
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
+from backend import preview
+from backend.preview import Preview
 from backend.problems import ProblemError
-from backend.routes.deps import IMMUTABLE
+from backend.routes.deps import IMMUTABLE, LinksService
 
 DOCS_PAGE = """<!doctype html>
 <html lang="en">
@@ -48,17 +50,24 @@ class HashedFiles(StaticFiles):
 
 
 def add_site(app: FastAPI, dist: Path) -> None:
-    """Serve the frontend in `dist` at `/` and `/r/{id}`, and the documentation at `/docs`."""
+    """Serve the frontend in `dist` at `/`, `/r/{id}`, `/b/{id}` and `/s/{slug}`, the documentation at `/docs`."""
     site = APIRouter(include_in_schema=False)
+    index = dist / "index.html"
 
     async def page() -> Response:
-        index = dist / "index.html"
-        if not index.is_file():
-            raise ProblemError(503, "The dashboard is not built: make setup builds it. The API answers.")
+        _check_built(index)
         return FileResponse(index, headers={"Cache-Control": "no-cache"})
 
-    for path in ("/", "/r/{id}"):
+    for path in ("/", "/r/{id}", "/b/{id}"):
         site.add_api_route(path, page, methods=["GET"])
+
+    @site.get("/s/{slug}")
+    async def shared(slug: str, service: LinksService) -> Response:
+        _check_built(index)
+        found = await service.preview(slug)
+        text = preview.page(index.read_text(encoding="utf-8"), found or Preview(), shared=found is not None)
+        headers = {"Cache-Control": "no-cache", "X-Robots-Tag": "noindex"}
+        return HTMLResponse(text, 200 if found is not None else 404, headers)
 
     @site.get("/docs")
     async def docs() -> Response:
@@ -74,6 +83,11 @@ def add_site(app: FastAPI, dist: Path) -> None:
     app.include_router(site)
     app.mount("/assets", HashedFiles(directory=dist / "assets", check_dir=False))
     app.mount("/docs-assets", StaticFiles(directory=dist / "docs-assets", check_dir=False))
+
+
+def _check_built(index: Path) -> None:
+    if not index.is_file():
+        raise ProblemError(503, "The dashboard is not built: make setup builds it. The API answers.")
 
 
 def _file(path: Path) -> Callable[[], Awaitable[Response]]:

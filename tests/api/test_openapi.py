@@ -23,6 +23,8 @@ OPERATIONS = {
     "getSeries": ("get", "/api/v1/runs/{id}/series"),
     "getRunFigures": ("get", "/api/v1/runs/{id}/figures"),
     "getRunFigure": ("get", "/api/v1/runs/{id}/figures/{name}"),
+    "createLink": ("post", "/api/v1/links"),
+    "getLink": ("get", "/api/v1/links/{slug}"),
     "live": ("post", "/api/v1/live"),
     "getSchema": ("get", "/api/v1/schema"),
     "getPresets": ("get", "/api/v1/presets"),

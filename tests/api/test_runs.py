@@ -218,8 +218,8 @@ def test_a_run_of_another_core_version_keeps_its_metrics_only(service: Any, run:
     from dataclasses import replace
 
     store = service.app.state.runs._store
-    stored = store.load_run(run["id"])
-    store.save_run(
+    stored = store.runs.load(run["id"])
+    store.runs.save(
         run_id="other-core-version-run",
         core_version="0.0.1",
         schema_version=1,

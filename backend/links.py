@@ -1,0 +1,159 @@
+"""Share links: an unguessable slug that opens a run or a batch as it was computed, in the view it was shared in."""
+
+import re
+import secrets
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import UTC, datetime
+from typing import Any
+
+from backend import pins, preview
+from backend.admission import Admission
+from backend.batches import batch_answer
+from backend.compute import Workers
+from backend.models_links import SLUG_PATTERN
+from backend.preview import Preview
+from backend.problems import ProblemError
+from backend.runs import run_answer, todays
+from backend.store import Store, StoredBatch, StoredLink, StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
+
+SLUG_BYTES = 16  # 128 random bits are 22 characters
+
+
+class Links:
+    """The one service of links; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, workers: Workers, admission: Admission) -> None:
+        self._store = store
+        self._workers = workers
+        self._admission = admission
+
+    async def share_run(self, run_id: str, view: Mapping[str, Any], client: str) -> dict[str, Any]:
+        """A new link to a run, as `CreatedLink`; its time histories are pinned with it.
+
+        Raises:
+            ProblemError: 422 for an unknown run, 429; where computing is needed 503 too.
+        """
+        stored = await self._store.call(self._store.runs.load, run_id)
+        if stored is None:
+            raise _unknown("run_id", "There is no run of this id")
+        self._admission.linking(client)
+        keys = _histories(stored)
+        present = await self._store.call(self._store.links.pinned, keys.values())
+        missing = {name: key for name, key in keys.items() if key not in present}
+        made = await self._pin(stored, missing, client)
+        slug = await self._save("run", run_id, view, made)
+        return {"slug": slug, "url": url(slug), "series_pinned": bool(keys) and set(missing.values()) <= made.keys()}
+
+    async def share_batch(self, batch_id: str, view: Mapping[str, Any], client: str) -> dict[str, Any]:
+        """A new link to a batch, as `CreatedLink`.
+
+        Raises:
+            ProblemError: 422 for an unknown batch, or a view of a field that it does not sweep; 429.
+        """
+        stored = await self._store.call(self._store.batches.load, batch_id)
+        if stored is None:
+            raise _unknown("batch_id", "There is no batch of this id")
+        if view.get("x") not in (None, *stored.fields):
+            raise _unknown("view/x", f"This batch sweeps {', '.join(stored.fields)}")
+        self._admission.linking(client)
+        slug = await self._save("batch", batch_id, view, {})
+        return {"slug": slug, "url": url(slug), "series_pinned": False}
+
+    async def get(self, slug: str) -> dict[str, Any]:
+        """What a link opens, as `Link`.
+
+        Raises:
+            ProblemError: 404.
+        """
+        link = await self._load(slug)
+        if link is None:
+            raise ProblemError(404, "There is no link of this slug.")
+        head = {
+            "slug": link.slug,
+            "url": url(link.slug),
+            "created_at": link.created_at,
+            "kind": link.kind,
+            "current_core_version": CORE_VERSION,
+            "view": link.view,
+        }
+        if link.kind == "batch":
+            return {**head, **_opened_batch(await self._batch(link))}
+        stored = await self._run(link)
+        keys = set(_histories(stored).values())
+        pinned = await self._store.call(self._store.links.pinned, keys)
+        return {
+            **head,
+            "core_version": stored.core_version,
+            "schema_version": stored.schema_version,
+            "scenario": stored.scenario,
+            "run": run_answer(stored),
+            "batch": None,
+            "series_pinned": bool(keys) and keys <= pinned,
+        }
+
+    async def preview(self, slug: str) -> Preview | None:
+        """What a chat program shows of the link; None where there is none."""
+        link = await self._load(slug)
+        if link is None:
+            return None
+        if link.kind == "batch":
+            return preview.of_batch(batch_answer(await self._batch(link)), link.created_at)
+        return preview.of_run(run_answer(await self._run(link)), link.view, link.created_at)
+
+    async def _pin(self, stored: StoredRun, missing: Mapping[str, str], client: str) -> dict[str, bytes]:
+        """By result key the time histories; nothing where another core version would make others."""
+        if not missing or stored.core_version != CORE_VERSION:
+            return {}
+        scenario = Scenario.model_validate(todays(stored))
+        with self._admission.computing(client, scenario, missing):
+            made = await self._workers.call(pins.make, scenario, list(missing))
+        return {missing[name]: content for name, content in made.items()}
+
+    async def _save(self, kind: Any, target: str, view: Mapping[str, Any], made: Mapping[str, bytes]) -> str:
+        slug = secrets.token_urlsafe(SLUG_BYTES)
+        link = StoredLink(slug=slug, kind=kind, target=target, view=dict(view), created_at=datetime.now(UTC))
+        await self._store.call(self._store.links.save, link, made)
+        return slug
+
+    async def _load(self, slug: str) -> StoredLink | None:
+        return await self._store.call(self._store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
+
+    async def _run(self, link: StoredLink) -> StoredRun:
+        stored = await self._store.call(self._store.runs.load, link.target)
+        if stored is None:
+            raise RuntimeError("A link's run is not there, though nothing removes runs")
+        return replace(stored, scenario=todays(stored))
+
+    async def _batch(self, link: StoredLink) -> StoredBatch:
+        stored = await self._store.call(self._store.batches.load, link.target)
+        if stored is None:
+            raise RuntimeError("A link's batch is not there, though nothing removes batches")
+        return replace(stored, scenario=todays(stored))
+
+
+def url(slug: str) -> str:
+    """Path of the page that opens the link."""
+    return f"/s/{slug}"
+
+
+def _histories(stored: StoredRun) -> dict[str, str]:
+    """Result keys of the strategies that have time histories."""
+    return {item.strategy: item.key for item in stored.results if item.status == "ok"}
+
+
+def _opened_batch(stored: StoredBatch) -> dict[str, Any]:
+    return {
+        "core_version": stored.core_version,
+        "schema_version": stored.schema_version,
+        "scenario": stored.scenario,
+        "run": None,
+        "batch": batch_answer(stored),
+        "series_pinned": False,
+    }
+
+
+def _unknown(field: str, message: str) -> ProblemError:
+    return ProblemError(422, f"{message}.", kind="unknown", errors=[{"pointer": f"/{field}", "message": message}])

@@ -1,0 +1,168 @@
+"""What a chat program shows of a link: a title and a description with the numbers that matter, in the page's head."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from html import escape
+from typing import Any
+
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+SIGNALS_TOLD = ("body_acceleration", "pitch_acceleration")
+FIELDS_TOLD = 4
+GENERIC_TITLE = "There is no such link"
+GENERIC_DESCRIPTION = "A what-if laboratory for active suspension over bumps."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Preview:
+    """Title and description, plain text."""
+
+    title: str = GENERIC_TITLE
+    description: str = GENERIC_DESCRIPTION
+
+
+def of_run(run: Mapping[str, Any], view: Mapping[str, Any], created_at: datetime) -> Preview:
+    """Of a link to a run.
+
+    Args:
+        run: As `Run`, its scenario today's.
+        view: As `LinkView`: what it shows and compares is what is told.
+        created_at: When the link was made.
+    """
+    entries = {name: entry for name, entry in run["strategies"].items() if entry["status"] == "ok"}
+    main, baseline = _compared(list(entries), view)
+    road, window = run["scenario"]["road"], "bump"
+    if not road["bump"]["height"]:
+        window = "whole"
+    told = [
+        text
+        for signal in SIGNALS_TOLD
+        if main is not None and (text := _told(entries[main], entries.get(baseline or ""), window, signal))
+    ]
+    where = " on the bump" if window == "bump" else ""
+    who = _label(main) if baseline is None else f"{_label(main)} against {_inside(_label(baseline))}"
+    title = f"{who}: {told[0]}{where}" if told else "A stored run"
+    facts = ", ".join(told)
+    return Preview(
+        title=title,
+        description="; ".join(
+            [
+                *([f"{who}: {facts}{where}"] if facts else []),
+                *_drive(run["scenario"]),
+                _stamp(run["core_version"], created_at),
+            ]
+        ),
+    )
+
+
+def of_batch(batch: Mapping[str, Any], created_at: datetime) -> Preview:
+    """Of a link to a batch.
+
+    Args:
+        batch: As `Batch`.
+        created_at: When the link was made.
+    """
+    fields = [_field(field) for field in batch["fields"]]
+    swept = " × ".join(fields[:FIELDS_TOLD]) + (" × …" if len(fields) > FIELDS_TOLD else "")
+    count = f"{batch['total']:,}".replace(",", " ")
+    who = ", ".join(_label(name) for name in batch["strategies"])
+    failures = [f"{batch['failed']} failed"] if batch["failed"] else []
+    state = [] if batch["state"] == "done" else [batch["state"]]
+    return Preview(
+        title=f"{count} runs over {swept}",
+        description="; ".join(
+            [f"{count} runs over {swept}: {who}", *state, *failures, _stamp(batch["core_version"], created_at)]
+        ),
+    )
+
+
+def page(index: str, preview: Preview, *, shared: bool = True) -> str:
+    """The dashboard's page with that head; its own title and description go.
+
+    Args:
+        index: The built `index.html`.
+        preview: What to say, escaped here.
+        shared: Whether chat programs get a card; False for a page that is not there.
+    """
+    title, description = escape(f"{preview.title} · Ridelab"), escape(preview.description)
+    tags = [f"<title>{title}</title>", f'<meta name="description" content="{description}">']
+    if shared:
+        tags += [
+            f'<meta property="og:title" content="{title}">',
+            f'<meta property="og:description" content="{description}">',
+            '<meta property="og:type" content="website">',
+            '<meta property="og:site_name" content="Ridelab">',
+            '<meta name="twitter:card" content="summary">',
+        ]
+    tags.append('<meta name="robots" content="noindex">')
+    bare = re.sub(r'<title>.*?</title>\s*|<meta\s+name="description"[^>]*>\s*', "", index, flags=re.DOTALL)
+    head, end, rest = bare.partition("</head>")
+    return "\n".join([head.rstrip(), *(f"    {tag}" for tag in tags), f"  {end}{rest}"])
+
+
+def _compared(names: Sequence[str], view: Mapping[str, Any]) -> tuple[str | None, str | None]:
+    """The strategy that is told about and the one it is compared with, of those that succeeded."""
+    baseline = view.get("baseline") or "passive"
+    shown = [name for name in view.get("strategies") or names if name in names]
+    visible = [name for name in shown if name not in (view.get("hidden") or [])] or shown or list(names)
+    main = next((name for name in visible if name != baseline), visible[0] if visible else None)
+    return main, baseline if baseline in names and baseline != main else None
+
+
+def _told(entry: Mapping[str, Any], against: Mapping[str, Any] | None, window: str, signal: str) -> str | None:
+    """`45 % less peak body acceleration`, or the peak itself where there is nothing to compare it with."""
+    quantity = SIGNALS[signal]
+    what = f"peak {quantity.label.lower()}"
+    value = _peak(entry, window, signal)
+    reference = _peak(against, window, signal) if against is not None else None
+    if value is None:
+        return None
+    if not reference:
+        return f"{what} {value:.3g} {quantity.unit.replace('^2', '²')}"
+    change = round(100 * (value / reference - 1))
+    if change == 0:
+        return f"the same {what}"
+    return f"{abs(change)} % {'less' if change < 0 else 'more'} {what}"
+
+
+def _peak(entry: Mapping[str, Any], window: str, signal: str) -> float | None:
+    """From a summary that an older core may have written with other names."""
+    value = entry.get("metrics", {}).get(window, {}).get(signal, {}).get("peak")
+    return value if isinstance(value, int | float) else None
+
+
+def _label(name: str | None) -> str:
+    """A strategy's own label; its id where today's catalogue no longer has it."""
+    return STRATEGIES[name].label if name in STRATEGIES else str(name)
+
+
+def _inside(label: str) -> str:
+    """A label inside a sentence: `passive`, but `LQR`."""
+    return label if label[:2].isupper() else label[:1].lower() + label[1:]
+
+
+def _field(field: Mapping[str, str]) -> str:
+    """A swept field's title with its part where the title alone says too little: `bump height`, `target speed`."""
+    part, title = ("", *field["name"].split("."))[-2].replace("_", " "), field["title"].lower()
+    return title if part in title else f"{part} {title}"
+
+
+def _drive(scenario: Mapping[str, Any]) -> list[str]:
+    bump, speed = scenario["road"]["bump"], scenario["speed"]
+    height, width = bump["height"], f"{bump['width']:g} m"
+    kind = "bump" if height > 0 else "pothole"
+    obstacle = f"{kind} {_length(abs(height))} m × {width}" if height else "no bump"
+    return [f"{obstacle}, {speed['initial_speed_kmh']:g} → {speed['target_speed_kmh']:g} km/h"]
+
+
+def _length(value: float) -> str:
+    """Two decimals, three where they are needed."""
+    text = f"{value:.3f}"
+    return text.removesuffix("0")
+
+
+def _stamp(core_version: str, created_at: datetime) -> str:
+    return f"Ridelab core {core_version}, {created_at:%Y-%m-%d}"

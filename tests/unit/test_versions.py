@@ -1,0 +1,70 @@
+"""Stored scenarios of older schema versions become today's, a step at a time."""
+
+import copy
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.versions import STEPS, NewerScenarioError, restored, upgraded
+
+FIXTURES = Path(__file__).parents[1] / "data" / "links"
+
+
+def renamed(scenario: dict[str, Any]) -> dict[str, Any]:
+    scenario["road"]["height_m"] = scenario["road"].pop("height") / 1000
+    return scenario
+
+
+def nested(scenario: dict[str, Any]) -> dict[str, Any]:
+    return {**scenario, "road": {"bump": {"height": scenario["road"]["height_m"]}}}
+
+
+CHAIN = {1: renamed, 2: nested}
+
+
+def test_every_step_from_the_stored_version_is_taken_once_and_in_order() -> None:
+    first = {"road": {"height": 100}}
+    assert upgraded(first, 1, steps=CHAIN, current=3) == {"road": {"bump": {"height": 0.1}}}
+    assert upgraded({"road": {"height_m": 0.1}}, 2, steps=CHAIN, current=3) == {"road": {"bump": {"height": 0.1}}}
+    assert upgraded(first, 1, steps=CHAIN, current=2) == {"road": {"height_m": 0.1}}
+
+
+def test_what_was_stored_is_not_changed() -> None:
+    first = {"road": {"height": 100}}
+    kept = copy.deepcopy(first)
+    result = upgraded(first, 1, steps=CHAIN, current=2)
+    result["road"]["height_m"] = 7
+    assert first == kept
+    today = Scenario().model_dump(mode="json")
+    again = upgraded(today, SCHEMA_VERSION)
+    again["road"]["bump"]["height"] = 7
+    assert today == Scenario().model_dump(mode="json")
+
+
+@pytest.mark.parametrize("newer", [SCHEMA_VERSION + 1, SCHEMA_VERSION + 100])
+def test_a_newer_version_is_refused_and_named(newer: int) -> None:
+    with pytest.raises(NewerScenarioError, match=rf"schema version {newer}\b.*1 to {SCHEMA_VERSION}\b"):
+        upgraded({}, newer)
+
+
+def test_there_is_a_step_and_a_fixture_for_every_version() -> None:
+    assert set(STEPS) == set(range(1, SCHEMA_VERSION))
+    assert {path.stem for path in FIXTURES.glob("schema-*.json")} == {
+        f"schema-{version}" for version in range(1, SCHEMA_VERSION + 1)
+    }
+
+
+@pytest.mark.parametrize("path", sorted(FIXTURES.glob("schema-*.json")), ids=lambda path: path.stem)
+def test_scenarios_of_every_version_are_valid_today(path: Path) -> None:
+    runs = json.loads(path.read_text())["runs"]
+    assert runs
+    for run in runs:
+        restored(json.loads(run["scenario"]), run["schema_version"])
+
+
+def test_what_was_added_since_takes_its_default() -> None:
+    assert restored({"speed": {"target_speed_kmh": 30.0}}, SCHEMA_VERSION).speed.target_speed_kmh == 30
+    assert restored({}, SCHEMA_VERSION) == Scenario()
