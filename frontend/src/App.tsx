@@ -12,8 +12,9 @@ import { Results } from "./shell/Results";
 import classes from "./shell/shell.module.css";
 import { StatusLine } from "./shell/StatusLine";
 import { Toolbar } from "./shell/Toolbar";
+import { SharedBanner } from "./share/SharedBanner";
 import { DeskProvider, useDesk, useLab, useScenario, useView } from "./state/context";
-import type { Lab } from "./state/lab";
+import type { Lab } from "./state/labState";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./state/queries";
 import type { Router } from "./state/router";
 import { makeScene } from "./state/scene";
@@ -68,6 +69,7 @@ function Desk() {
       <div className={classes.body}>
         <EditorPane form={schema.data} />
         <main className={classes.main}>
+          <SharedBanner strategies={strategies.data ?? []} catalogue={catalogue.data} figures={figures.data} />
           <Toolbar strategies={strategies.data ?? []} scene={scene} />
           <StatusLine place="page" />
           {broken?.error ? (

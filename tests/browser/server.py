@@ -26,6 +26,11 @@ class Server:
         """Where it serves."""
         return f"http://127.0.0.1:{self._port}"
 
+    @property
+    def database(self) -> Path:
+        """Where what it keeps lies."""
+        return self._data / "ridelab.sqlite"
+
     def start(self, seconds: float = 40) -> None:
         """Starts and waits until it is ready."""
         command = [sys.executable, "-m", "backend", "--port", str(self._port), "--data-dir", str(self._data)]

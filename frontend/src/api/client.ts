@@ -2,6 +2,7 @@
 
 import { connection } from "./connection";
 import { decodeSeries } from "./decode";
+import type { Link, NewLink, SharedView } from "./pending";
 import { ApiProblem, Unreachable, isAbort, readProblem } from "./problem";
 import type {
   Catalogue,
@@ -98,6 +99,9 @@ export const api = {
   createRun: (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal) =>
     post<Run>("/runs", { scenario, strategies }, signal),
   run: (id: string, signal?: AbortSignal) => get<Run>(`/runs/${encodeURIComponent(id)}`, signal),
+
+  share: (runId: string, view: SharedView) => post<NewLink>("/links", { run_id: runId, view }),
+  link: (slug: string, signal?: AbortSignal) => get<Link>(`/links/${encodeURIComponent(slug)}`, signal),
 
   live: (wish: LiveWish, signal?: AbortSignal) => post<LiveAnswer>("/live", wish, signal),
 

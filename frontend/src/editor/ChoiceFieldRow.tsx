@@ -19,6 +19,7 @@ export function ChoiceFieldRow({ field }: { readonly field: ChoiceField }) {
       title={field.title}
       description={field.description}
       changed={leaf.changed}
+      fixed={leaf.readOnly}
       standard={humanise(asText(field.standard))}
       error={leaf.error}
       onReset={() => leaf.commit(field.standard)}
@@ -28,6 +29,7 @@ export function ChoiceFieldRow({ field }: { readonly field: ChoiceField }) {
           size="xs"
           className={classes.choice ?? ""}
           value={asText(leaf.value)}
+          disabled={leaf.readOnly}
           error={leaf.error !== undefined}
           data={field.options.map((value) => ({ value, label: humanise(value) }))}
           onChange={(event) => leaf.commit(event.currentTarget.value)}

@@ -2,7 +2,7 @@
 
 import { Accordion, Badge, Button, Text } from "@mantine/core";
 import { memo, useMemo, useState } from "react";
-import { useEdit, useFromScenario, useLab } from "../state/context";
+import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
 import classes from "./editor.module.css";
 import { changedPointers, resetMember } from "./diff";
 import { sections, type Section } from "./layout";
@@ -12,6 +12,7 @@ import type { Group } from "./schema";
 
 export function Editor({ form }: { readonly form: Group }) {
   const edit = useEdit();
+  const readOnly = useReadOnly();
   const rejected = useLab((state) => state.rejected);
   const refused = useLab((state) => state.refused);
   const all = useMemo(() => sections(form), [form]);
@@ -23,23 +24,25 @@ export function Editor({ form }: { readonly form: Group }) {
   const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
 
   return (
-    <div className={classes.editor}>
+    <div className={classes.editor} data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
         <Text size="sm" c="dimmed">
           {changed === 0 ? "The paper’s scenario" : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
         </Text>
-        <Button
-          size="compact-xs"
-          variant="subtle"
-          disabled={changed === 0}
-          data-testid="reset-all"
-          onClick={() => {
-            for (const pointer of Object.keys(rejected)) edit.accept(pointer as Pointer);
-            edit.commit(resetMember(edit.newest(), form));
-          }}
-        >
-          Reset all
-        </Button>
+        {!readOnly && (
+          <Button
+            size="compact-xs"
+            variant="subtle"
+            disabled={changed === 0}
+            data-testid="reset-all"
+            onClick={() => {
+              for (const pointer of Object.keys(rejected)) edit.accept(pointer as Pointer);
+              edit.commit(resetMember(edit.newest(), form));
+            }}
+          >
+            Reset all
+          </Button>
+        )}
       </div>
       {refused.general.length > 0 && (
         <Text className={classes.error} role="alert" px="md" pb="xs">

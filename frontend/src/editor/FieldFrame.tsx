@@ -10,6 +10,8 @@ interface Props {
   readonly title: string;
   readonly description: string;
   readonly changed: boolean;
+  /** Shown, not edited. */
+  readonly fixed: boolean;
   /** The paper's value as text. */
   readonly standard: string;
   readonly error: string | undefined;
@@ -19,7 +21,7 @@ interface Props {
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, title, description, changed, standard, error, onReset, aside, children }: Props) {
+export function FieldFrame({ id, title, description, changed, fixed, standard, error, onReset, aside, children }: Props) {
   return (
     <div className={classes.field} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
       <div className={classes.row}>
@@ -28,7 +30,7 @@ export function FieldFrame({ id, title, description, changed, standard, error, o
         </label>
         {description !== "" && <Help id={id} title={title} text={description} />}
         <span className={classes.spacer} />
-        <ResetButton title={title} standard={standard} changed={changed} onReset={onReset} />
+        <ResetButton title={title} standard={standard} changed={changed} fixed={fixed} onReset={onReset} />
         {aside}
       </div>
       {children}
@@ -51,20 +53,21 @@ interface ResetProps {
   readonly title: string;
   readonly standard: string;
   readonly changed: boolean;
+  readonly fixed: boolean;
   readonly onReset: () => void;
 }
 
 /** Keeps its place while hidden, so nothing moves when a value first differs from the paper. */
-export function ResetButton({ title, standard, changed, onReset }: ResetProps) {
+export function ResetButton({ title, standard, changed, fixed, onReset }: ResetProps) {
   return (
     <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
       <ActionIcon
         className={classes.reset}
-        data-hidden={!changed || undefined}
+        data-hidden={!changed || fixed || undefined}
         variant="subtle"
         size={24}
         aria-label={`Reset ${title} to the paper's ${standard}`}
-        disabled={!changed}
+        disabled={!changed || fixed}
         onClick={onReset}
       >
         <IconArrowBackUp size={15} stroke={1.8} />

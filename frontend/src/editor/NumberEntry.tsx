@@ -40,7 +40,7 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
       autoComplete="off"
       spellCheck={false}
       value={draft ?? leaf.rejected?.text ?? shown}
-      disabled={disabled}
+      disabled={disabled || leaf.readOnly}
       error={leaf.error !== undefined}
       {...(label === undefined ? {} : { "aria-label": label })}
       {...(leaf.error === undefined ? {} : { "aria-describedby": `${id}-error` })}

@@ -24,6 +24,7 @@ export function NumberFieldRow({ field }: { readonly field: NumberField }) {
       title={field.title}
       description={field.description}
       changed={leaf.changed}
+      fixed={leaf.readOnly}
       standard={standard}
       error={leaf.error}
       onReset={() => leaf.commit(field.standard)}
@@ -34,6 +35,7 @@ export function NumberFieldRow({ field }: { readonly field: NumberField }) {
               size="xs"
               className={classes.toggle ?? ""}
               checked={!isOff}
+              disabled={leaf.readOnly}
               aria-label={`${field.title}: limited`}
               onChange={(event) => leaf.commit(event.currentTarget.checked ? typicalValue(field) : null)}
             />

@@ -41,6 +41,7 @@ export function NumberSlider({ field, leaf, label }: Props) {
         step={1}
         precision={0}
         value={value}
+        disabled={leaf.readOnly}
         thumbLabel={label}
         thumbValueText={spoken}
         {...(marked ? { marks: [{ value: standard }], startPointValue: standard } : {})}

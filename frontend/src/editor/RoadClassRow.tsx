@@ -35,6 +35,7 @@ export function RoadClassRow({ field }: { readonly field: NumberField }) {
       title={field.title}
       description={field.description}
       changed={leaf.changed}
+      fixed={leaf.readOnly}
       standard={typeof field.standard === "number" ? inMillionths(field.standard) : ""}
       error={leaf.error}
       onReset={() => leaf.commit(field.standard)}
@@ -46,6 +47,7 @@ export function RoadClassRow({ field }: { readonly field: NumberField }) {
         className={classes.classes ?? ""}
         aria-label="Road class (ISO 8608)"
         value={chosen}
+        disabled={leaf.readOnly}
         data={options}
         onChange={(value) => leaf.commit(ROAD_CLASSES.find(({ letter }) => letter === value)?.roughness ?? 0)}
       />

@@ -1,7 +1,7 @@
 /** Vectors of equal make as a table: a row each, a column per entry, every entry with its own slider. */
 
 import { useId } from "react";
-import { useEdit, useFromScenario, useLab } from "../state/context";
+import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
 import { formatInput } from "../units/format";
 import classes from "./editor.module.css";
 import { isChanged } from "./diff";
@@ -35,6 +35,7 @@ export function WeightsMatrix({ vectors }: { readonly vectors: readonly VectorFi
 function MatrixRow({ vector }: { readonly vector: VectorField }) {
   const id = useId();
   const edit = useEdit();
+  const fixed = useReadOnly();
   const refused = useLab((state) => state.refused.fields);
   const rejected = useLab((state) => state.rejected);
   const changed = useFromScenario((scenario) => vector.items.some((item) => isChanged(scenario, item)));
@@ -50,6 +51,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
             title={vector.title}
             standard={vector.items.map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–")).join(", ")}
             changed={changed}
+            fixed={fixed}
             onReset={() => {
               for (const item of vector.items) edit.accept(item.pointer);
               edit.commit(setAt(edit.newest(), vector.pointer, vector.standard));

@@ -1,12 +1,13 @@
 /** What every field shares: its value, its error, whether it differs from the paper, and how it is changed. */
 
 import type { JsonValue } from "../api/types";
-import { useEdit, useFromScenario, useLab } from "../state/context";
-import type { Rejected } from "../state/lab";
+import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
+import type { Rejected } from "../state/labState";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 
 export interface LeafState {
   readonly value: JsonValue | undefined;
+  readonly readOnly: boolean;
   readonly changed: boolean;
   readonly rejected: Rejected | undefined;
   readonly error: string | undefined;
@@ -22,8 +23,10 @@ export function useLeaf(pointer: Pointer, standard: JsonValue): LeafState {
   const rejected = useLab((state) => state.rejected[pointer]);
   const refused = useLab((state) => state.refused.fields[pointer]);
   const edit = useEdit();
+  const readOnly = useReadOnly();
   return {
     value,
+    readOnly,
     changed: !sameValue(value, standard),
     rejected,
     error: rejected?.message ?? refused,

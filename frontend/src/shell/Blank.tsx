@@ -38,11 +38,22 @@ export function NothingChosen({ suggestion }: { readonly suggestion: readonly st
 }
 
 export function NotFound() {
-  const { lab } = useDesk();
+  const { lab, router } = useDesk();
+  const [title, text] =
+    router.get().slug === null
+      ? ["There is no run at this address", "The link may be cut short, or the run was made on another server."]
+      : ["There is no shared result at this address", "The link may be cut short, or it was made on another server. Ask whoever sent it for the whole address."];
   return (
-    <Blank title="There is no run at this address" text="The link may be cut short, or the run was made on another server.">
+    <Blank title={title} text={text}>
       <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
     </Blank>
+  );
+}
+
+/** In place of the car and the plots. */
+export function NoHistories({ reason }: { readonly reason: string }) {
+  return (
+    <Blank title="The time histories of this result are not there" text={`${reason} The tables are as they were computed.`} />
   );
 }
 

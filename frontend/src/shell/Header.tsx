@@ -4,24 +4,25 @@ import { ActionIcon, Button, Menu, Text, Tooltip, useComputedColorScheme, useMan
 import { IconArrowBackUp, IconArrowForwardUp, IconMoon, IconSun, IconTemplate } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import type { Preset } from "../api/types";
-import { useDesk, useLab } from "../state/context";
+import { useDesk, useLab, useReadOnly } from "../state/context";
 import { ExportMenu } from "../export/ExportMenu";
-import { ShareButton } from "../export/ShareButton";
+import { ShareRun } from "../share/ShareRun";
 import { Logo } from "./Logo";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
 
 export function Header({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useDesk();
-  const canUndo = useLab((state) => (state.history?.past.length ?? 0) > 0);
-  const canRedo = useLab((state) => (state.history?.future.length ?? 0) > 0);
+  const readOnly = useReadOnly();
+  const canUndo = useLab((state) => state.shared === null && (state.history?.past.length ?? 0) > 0);
+  const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
     <header className={classes.header}>
       <Logo />
       <Text component="h1" className={classes.name}>
         Ridelab
       </Text>
-      <PresetMenu presets={presets} />
+      <PresetMenu presets={presets} disabled={readOnly} />
       <IconButton label="Undo" disabled={!canUndo} onClick={lab.undo}>
         <IconArrowBackUp size={18} stroke={1.7} />
       </IconButton>
@@ -30,7 +31,7 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       </IconButton>
       <StatusLine place="header" />
       <span className={classes.grow} />
-      <ShareButton />
+      <ShareRun />
       <ExportMenu />
       <SchemeToggle />
     </header>
@@ -54,7 +55,7 @@ function IconButton({ label, disabled = false, onClick, children }: IconButtonPr
   );
 }
 
-function PresetMenu({ presets }: { readonly presets: readonly Preset[] }) {
+function PresetMenu({ presets, disabled }: { readonly presets: readonly Preset[]; readonly disabled: boolean }) {
   const { lab } = useDesk();
   return (
     <Menu position="bottom-start" width={320} withinPortal>
@@ -65,7 +66,7 @@ function PresetMenu({ presets }: { readonly presets: readonly Preset[] }) {
           aria-label="Presets"
           leftSection={<IconTemplate size={16} stroke={1.7} />}
           classNames={{ root: classes.compact ?? "", label: classes.compactLabel ?? "", section: classes.compactSection ?? "" }}
-          disabled={presets.length === 0}
+          disabled={disabled || presets.length === 0}
         >
           Presets
         </Button>

@@ -6,7 +6,7 @@ import { PlotGrid } from "../plots/PlotGrid";
 import { useDesk, useLab } from "../state/context";
 import type { Scene } from "../state/scene";
 import { Tables } from "../tables/Tables";
-import { CouldNotLoad, Loading, NotFound, NothingChosen } from "./Blank";
+import { CouldNotLoad, Loading, NoHistories, NotFound, NothingChosen } from "./Blank";
 import classes from "./shell.module.css";
 import { StageLegend } from "./StageLegend";
 
@@ -28,12 +28,19 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
   const meta = Object.values(figures)[0]?.layout.meta;
+  const { missing } = scene.shown;
   return (
     <div className={classes.results} data-stale={stale || undefined} data-testid="results" data-source={scene.shown.source}>
       <Tables scene={scene} catalogue={catalogue} figures={figures} />
-      <CarView scene={scene} />
-      {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
-      <PlotGrid figures={figures} scene={scene} />
+      {missing === null ? (
+        <>
+          <CarView scene={scene} />
+          {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
+          <PlotGrid figures={figures} scene={scene} />
+        </>
+      ) : (
+        <NoHistories reason={missing} />
+      )}
     </div>
   );
 }

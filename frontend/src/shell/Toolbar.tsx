@@ -19,13 +19,21 @@ interface Props {
 const StrategyChips = memo(function StrategyChips({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const { lab } = useDesk();
   const chosen = useLab((state) => state.strategies);
+  // A shared result has what it has: other strategies would be a new run.
+  const summaries = useLab((state) => (state.shared ? state.shown?.summaries : undefined));
   const toggle = (id: string) =>
     lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => chosen.includes(other) !== (other === id)));
   return (
     <div className={classes.chips} role="group" aria-label="Strategies">
       {strategies.map((strategy) => (
         <Tooltip key={strategy.id} label={strategy.description} multiline w={240} openDelay={500}>
-          <button type="button" className={classes.chip} aria-pressed={chosen.includes(strategy.id)} onClick={() => toggle(strategy.id)}>
+          <button
+            type="button"
+            className={classes.chip}
+            disabled={summaries !== undefined && !(strategy.id in summaries)}
+            aria-pressed={chosen.includes(strategy.id)}
+            onClick={() => toggle(strategy.id)}
+          >
             <StrategyKey strategy={strategy} />
             {strategy.label}
           </button>

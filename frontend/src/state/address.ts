@@ -1,4 +1,4 @@
-/** The page's address: `/` or `/r/{id}`, and how the run is looked at in the query. */
+/** The page's address: `/`, `/r/{id}` with how the run is looked at in the query, or a shared result's `/s/{slug}`. */
 
 import type { StrategyId } from "../api/types";
 
@@ -16,6 +16,8 @@ export interface View {
 
 export interface Address {
   readonly runId: string | null;
+  /** A shared result. How it is looked at is part of what is shared, so the address never carries it. */
+  readonly slug: string | null;
   readonly view: View;
 }
 
@@ -27,11 +29,27 @@ function parseZoom(text: string | null): Zoom | null {
   return Number.isFinite(low) && Number.isFinite(high) && low < high ? [low, high] : null;
 }
 
+const SLUG = /^\/s\/([^/]+)\/?$/;
+const RUN = /^\/r\/([^/]+)\/?$/;
+
+/** The one variable part of a path, `null` where the path is another one; a broken escape stays as it stands. */
+function partOf(pattern: RegExp, pathname: string): string | null {
+  const part = pattern.exec(pathname)?.[1];
+  if (part === undefined) return null;
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return part;
+  }
+}
+
 export function parseAddress(pathname: string, search: string): Address {
+  const slug = partOf(SLUG, pathname);
+  if (slug !== null) return { runId: null, slug, view: DEFAULT_VIEW };
   const query = new URLSearchParams(search);
-  const match = /^\/r\/([^/]+)\/?$/.exec(pathname);
   return {
-    runId: match?.[1] ? decodeURIComponent(match[1]) : null,
+    runId: partOf(RUN, pathname),
+    slug: null,
     view: {
       axis: query.get("axis") === "time" ? "time" : "distance",
       baseline: query.get("baseline") ?? DEFAULT_VIEW.baseline,
@@ -41,7 +59,8 @@ export function parseAddress(pathname: string, search: string): Address {
   };
 }
 
-export function formatAddress({ runId, view }: Address): string {
+export function formatAddress({ runId, slug, view }: Address): string {
+  if (slug !== null) return `/s/${encodeURIComponent(slug)}`;
   const query = new URLSearchParams();
   if (view.axis !== DEFAULT_VIEW.axis) query.set("axis", view.axis);
   if (view.baseline !== DEFAULT_VIEW.baseline) query.set("baseline", view.baseline);

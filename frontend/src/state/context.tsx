@@ -3,7 +3,7 @@
 import { createContext, use, type ReactNode } from "react";
 import type { Scenario } from "../api/types";
 import type { View } from "./address";
-import type { Lab, LabState } from "./lab";
+import type { Lab, LabState } from "./labState";
 import type { Router } from "./router";
 import { useSelect } from "./store";
 
@@ -32,6 +32,11 @@ export function useLab<Part>(select: (state: LabState) => Part): Part {
 
 export function useView(): View {
   return useSelect(useDesk().router, (address) => address.view);
+}
+
+/** Nothing can be edited: the page shows a shared result. */
+export function useReadOnly(): boolean {
+  return useLab((state) => state.shared !== null);
 }
 
 /** The scenario as the form shows it: under a moving slider, else the last one set. */

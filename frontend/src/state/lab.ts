@@ -5,39 +5,19 @@ import { api } from "../api/client";
 import { ApiProblem, isAbort, isNotFound, isTransient } from "../api/problem";
 import type { LiveAnswer, Run, Scenario, StrategyId } from "../api/types";
 import { placeErrors, type PlacedErrors } from "../editor/errors";
-import { sameValue, type Pointer } from "../editor/path";
+import { sameValue } from "../editor/path";
 import type { Group } from "../editor/schema";
-import type { Address } from "./address";
+import { cursor } from "./cursor";
 import { begin, record, redo, undo, type History } from "./history";
+import type { Lab, LabState } from "./labState";
 import { createLatest } from "./latest";
-import { runKey, seriesQuery, OVERVIEW_POINTS } from "./queries";
+import { linkQuery, runKey, seriesQuery, OVERVIEW_POINTS } from "./queries";
 import type { Router } from "./router";
-import { fromLive, fromRun, type Shown } from "./shown";
+import { fromLive, fromRun, type Histories } from "./shown";
 import { axisKey } from "./scene";
-import { createStore, type Store } from "./store";
+import { readSharedView } from "./sharing";
+import { createStore } from "./store";
 import { createTimer } from "./timer";
-
-/** A text that is not a value the field can take; it stays in its input until somebody changes it. */
-export interface Rejected {
-  readonly text: string;
-  readonly message: string;
-}
-
-export type Failure = { readonly kind: "notFound" } | { readonly kind: "unreachable" } | { readonly kind: "failed"; readonly message: string };
-
-export interface LabState {
-  readonly history: History<Scenario> | null;
-  /** The scenario under a moving slider. */
-  readonly drag: Scenario | null;
-  readonly rejected: Readonly<Record<Pointer, Rejected>>;
-  readonly refused: PlacedErrors;
-  readonly strategies: readonly StrategyId[];
-  readonly shown: Shown | null;
-  readonly busy: boolean;
-  /** What is shown is older than what was asked for, for longer than an eye forgives. */
-  readonly stale: boolean;
-  readonly failure: Failure | null;
-}
 
 const NO_ERRORS: PlacedErrors = { fields: {}, general: [] };
 const STALE_AFTER_MS = 200;
@@ -48,20 +28,10 @@ const hasErrors = ({ fields, general }: PlacedErrors) => general.length > 0 || O
 
 const OPENING_STRATEGIES: readonly StrategyId[] = ["lv", "lqr", "passive"];
 
-export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
-  readonly open: (address: Address) => void;
-  readonly openPaper: () => void;
-  /** Tells the lab the form (to place errors) and the signals the page draws. */
-  readonly configure: (form: Group, signals: readonly string[]) => void;
-  readonly drag: (scenario: Scenario) => void;
-  readonly commit: (scenario: Scenario) => void;
-  readonly reject: (pointer: Pointer, rejected: Rejected) => void;
-  readonly accept: (pointer: Pointer) => void;
-  readonly undo: () => void;
-  readonly redo: () => void;
-  readonly setStrategies: (strategies: readonly StrategyId[]) => void;
-  /** Asks again for what could not be had; does nothing where nothing is missing. */
-  readonly resume: () => void;
+/** What is final about missing time histories is told in their place; anything else may still pass. */
+function withoutSeries(error: unknown): Histories {
+  if (error instanceof ApiProblem && !isTransient(error)) return { series: {}, missing: error.message };
+  throw error;
 }
 
 export function createLab(router: Router, queries: QueryClient): Lab {
@@ -72,6 +42,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     refused: NO_ERRORS,
     strategies: OPENING_STRATEGIES,
     shown: null,
+    shared: null,
     busy: false,
     stale: false,
     failure: null,
@@ -122,8 +93,10 @@ export function createLab(router: Router, queries: QueryClient): Lab {
   };
 
   const land = async (run: Run, asked: number, opened: boolean, isCurrent: () => boolean) => {
-    const series = await queries.query(seriesQuery(run.id, Object.keys(run.strategies), OVERVIEW_POINTS));
-    if (isCurrent()) patch({ shown: fromRun(run, series, performance.now() - asked, opened), drag: null });
+    const histories = await queries
+      .query(seriesQuery(run.id, Object.keys(run.strategies), OVERVIEW_POINTS))
+      .then((series) => ({ series, missing: null }), withoutSeries);
+    if (isCurrent()) patch({ shown: fromRun(run, histories, performance.now() - asked, opened), drag: null });
   };
 
   const submit = (mode: "push" | "replace") => {
@@ -164,6 +137,22 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     );
   };
 
+  const openLink = (slug: string) => {
+    exclusively(
+      async (signal, isCurrent) => {
+        const asked = performance.now();
+        const link = await queries.query(linkQuery(slug));
+        if (signal.aborted || !isCurrent()) return;
+        const { view, strategies, at } = readSharedView(link);
+        patch({ shared: link, history: begin(link.scenario), strategies, rejected: {}, drag: null });
+        router.setView(view);
+        cursor.set(at);
+        if (link.run) await land(link.run, asked, true, isCurrent);
+      },
+      () => openLink(slug),
+    );
+  };
+
   /** Zoomed in, the same density of samples takes more of them over the whole run. */
   const livePoints = () => {
     const { zoom, axis } = router.get().view;
@@ -197,15 +186,20 @@ export function createLab(router: Router, queries: QueryClient): Lab {
   });
 
   const move = (step: (history: History<Scenario>) => History<Scenario>) => {
-    const { history } = store.get();
-    if (!history) return;
+    const { history, shared } = store.get();
+    if (!history || shared) return;
     const next = step(history);
     if (next === history) return;
     patch({ history: next, rejected: {}, drag: null });
     submit("push");
   };
 
-  const open = ({ runId, view }: Address) => {
+  const open: Lab["open"] = ({ runId, slug, view }) => {
+    if (slug !== null) {
+      openLink(slug);
+      return;
+    }
+    patch({ shared: null });
     if (runId === null) submit("replace");
     else load(runId, view.hidden);
   };
@@ -215,7 +209,13 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     subscribe: store.subscribe,
     open,
     openPaper: () => {
-      patch({ history: null, rejected: {}, strategies: OPENING_STRATEGIES, shown: null });
+      patch({ history: null, rejected: {}, strategies: OPENING_STRATEGIES, shown: null, shared: null });
+      submit("push");
+    },
+    openCopy: () => {
+      const { shared } = store.get();
+      if (!shared) return;
+      patch({ shared: null, history: begin(shared.scenario) });
       submit("push");
     },
     configure: (nextForm, nextSignals) => {
@@ -223,6 +223,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       signals = nextSignals;
     },
     drag: (scenario) => {
+      if (store.get().shared) return;
       current?.abort();
       current = null;
       const { strategies } = store.get();
@@ -230,7 +231,8 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       if (strategies.length > 0) live.request({ scenario, asked: performance.now() });
     },
     commit: (scenario) => {
-      const { history } = store.get();
+      const { history, shared } = store.get();
+      if (shared) return;
       const same = history?.present === scenario;
       if (!same) patch({ history: history ? record(history, scenario) : begin(scenario) });
       patch({ drag: null });
@@ -243,12 +245,13 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     },
     undo: () => move(undo),
     redo: () => move(redo),
-    setStrategies: (strategies) => {
-      const { shown, history } = store.get();
-      patch({ strategies });
+    setStrategies: (wanted) => {
+      const { shown, history, shared } = store.get();
       const computed = shown?.source === "exact" ? Object.keys(shown.summaries) : [];
+      const strategies = shared ? wanted.filter((strategy) => computed.includes(strategy)) : wanted;
+      patch({ strategies });
       const known = strategies.every((strategy) => computed.includes(strategy));
-      if (known && history && shown && sameValue(shown.scenario, history.present)) {
+      if (shared || (known && history && shown && sameValue(shown.scenario, history.present))) {
         router.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
       } else submit("push");
     },

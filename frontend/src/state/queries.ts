@@ -32,6 +32,10 @@ export const figuresQuery = queryOptions({ queryKey: ["figures"], queryFn: ({ si
 
 export const runKey = (id: string) => ["run", id] as const;
 
+/** A shared result; it never changes, apart from the version of the server that shows it. */
+export const linkQuery = (slug: string) =>
+  queryOptions({ queryKey: ["link", slug], queryFn: ({ signal }) => api.link(slug, signal), ...FOR_EVER });
+
 /** Time histories of a run; runs are immutable, so an answer never grows stale. */
 export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number) {
   return queryOptions({

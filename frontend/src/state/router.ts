@@ -28,11 +28,11 @@ export function createRouter(): Router {
     subscribe: store.subscribe,
     showRun: (runId, view, mode) => {
       const { runId: current, view: seen } = store.get();
-      write({ runId, view: { ...seen, ...view } }, runId === current ? "replace" : mode);
+      write({ runId, slug: null, view: { ...seen, ...view } }, runId === current ? "replace" : mode);
     },
     setView: (change) => {
-      const { runId, view } = store.get();
-      write({ runId, view: { ...view, ...change } }, "replace");
+      const address = store.get();
+      write({ ...address, view: { ...address.view, ...change } }, "replace");
     },
     onTravel: (listener) => {
       const handle = () => {

@@ -27,6 +27,8 @@ export interface Shown {
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly failed: readonly Failed[];
   readonly series: SeriesByStrategy;
+  /** Why there are no time histories; `null` where there are. */
+  readonly missing: string | null;
   readonly timing: Timing;
 }
 
@@ -49,7 +51,9 @@ function timing(all: Answers, roundTripMs: number, opened: boolean): Timing {
   return { cached, computed: list.length - cached, computeMs, roundTripMs, opened };
 }
 
-export function fromRun(run: Run, series: SeriesByStrategy, roundTripMs: number, opened: boolean): Shown {
+export type Histories = Pick<Shown, "series" | "missing">;
+
+export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: number, opened: boolean): Shown {
   return {
     source: "exact",
     runId: run.id,
@@ -57,6 +61,7 @@ export function fromRun(run: Run, series: SeriesByStrategy, roundTripMs: number,
     scenario: run.scenario,
     ...split(run.strategies),
     series,
+    missing,
     timing: timing(run.strategies, roundTripMs, opened),
   };
 }
@@ -74,6 +79,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
     summaries,
     failed,
     series: Object.fromEntries(decoded),
+    missing: null,
     timing: timing(answer.strategies, roundTripMs, false),
   };
 }

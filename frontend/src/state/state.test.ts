@@ -17,15 +17,22 @@ describe("undo and redo", () => {
 
 describe("the address", () => {
   it("is short for the usual view", () => {
-    expect(formatAddress({ runId: "abc", view: DEFAULT_VIEW })).toBe("/r/abc");
-    expect(formatAddress({ runId: null, view: DEFAULT_VIEW })).toBe("/");
+    expect(formatAddress({ runId: "abc", slug: null, view: DEFAULT_VIEW })).toBe("/r/abc");
+    expect(formatAddress({ runId: null, slug: null, view: DEFAULT_VIEW })).toBe("/");
   });
 
   it("carries the view there and back", () => {
-    const address = { runId: "a_b-1", view: { axis: "time", baseline: "lqr", hidden: ["passive", "lv"], zoom: [98.5, 112] } } as const;
+    const address = { runId: "a_b-1", slug: null, view: { axis: "time", baseline: "lqr", hidden: ["passive", "lv"], zoom: [98.5, 112] } } as const;
     const [path = "", query = ""] = formatAddress(address).split("?");
     expect(query).toBe("axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112");
     expect(parseAddress(path, `?${query}`)).toEqual(address);
+  });
+
+  it("of a shared result is the link alone", () => {
+    const view = { ...DEFAULT_VIEW, axis: "time" } as const;
+    expect(formatAddress({ runId: null, slug: "x-Y_1", view })).toBe("/s/x-Y_1");
+    expect(parseAddress("/s/x-Y_1", "?axis=time")).toEqual({ runId: null, slug: "x-Y_1", view: DEFAULT_VIEW });
+    expect(parseAddress("/s/%E0%A4", "").slug).toBe("%E0%A4");
   });
 
   it("ignores what makes no sense", () => {

@@ -1,0 +1,35 @@
+/** Shares what the dashboard shows. */
+
+import { useQuery } from "@tanstack/react-query";
+import { api } from "../api/client";
+import { useDesk, useLab } from "../state/context";
+import { cursor } from "../state/cursor";
+import type { LabState } from "../state/labState";
+import { strategiesQuery } from "../state/queries";
+import { makeScene } from "../state/scene";
+import { viewToShare } from "../state/sharing";
+import { ShareLink } from "./ShareLink";
+
+const OPENS = "It opens this scenario with these results, strategies, baseline, zoom and cursor, for whoever has it. Nobody can change it.";
+
+function obstacleOf({ failure, shown, stale, refused }: LabState): string | null {
+  if (failure?.kind === "unreachable") return "The server does not answer";
+  if (failure?.kind === "notFound") return "There is no result here";
+  if (failure || Object.keys(refused.fields).length + refused.general.length > 0) return "These values could not be run";
+  if (shown?.source !== "exact" || stale) return "There is no result of these values yet";
+  return null;
+}
+
+export function ShareRun() {
+  const { lab, router } = useDesk();
+  const obstacle = useLab(obstacleOf);
+  const catalogue = useQuery(strategiesQuery).data ?? [];
+  const make = () => {
+    const { shown, strategies } = lab.get();
+    if (!shown?.runId) return Promise.reject(new Error("there is no result"));
+    const { view } = router.get();
+    const scene = makeScene(shown, catalogue, strategies, view);
+    return api.share(shown.runId, viewToShare(scene, view.zoom, cursor.get()));
+  };
+  return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;
+}

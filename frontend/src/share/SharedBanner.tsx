@@ -1,0 +1,62 @@
+/** Says that this is a shared result, when and by what it was computed, and the two ways on. */
+
+import { Button, Text } from "@mantine/core";
+import { IconCopy, IconLock, IconRefresh } from "@tabler/icons-react";
+import { useMutation } from "@tanstack/react-query";
+import { api } from "../api/client";
+import type { Link } from "../api/pending";
+import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
+import { useDesk, useLab } from "../state/context";
+import { useStore } from "../state/store";
+import { formatDay } from "../units/dates";
+import { DifferencesCard } from "./DifferencesCard";
+import classes from "./share.module.css";
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue | undefined;
+  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
+}
+
+export function SharedBanner(props: Props) {
+  const { router } = useDesk();
+  const { slug } = useStore(router);
+  const shared = useLab((state) => state.shared);
+  const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
+  if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
+  // Its place is kept while the link is being opened.
+  return slug !== null && !failed ? <div className={classes.banner} aria-busy aria-label="Opening the shared result" /> : null;
+}
+
+function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
+  const { lab } = useDesk();
+  const again = useMutation({ mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies)), networkMode: "always" });
+  const same = link.core_version === link.current_core_version;
+  return (
+    <>
+      <section className={classes.banner} aria-label="Shared result">
+        <IconLock size={17} stroke={1.7} aria-hidden />
+        <Text size="sm" className={classes.bannerText ?? ""}>
+          Shared result of {formatDay(link.created_at)}, computed by core {link.core_version}. Read-only.
+          {!same && ` This server now runs core ${link.current_core_version}.`}
+        </Text>
+        <div className={classes.bannerTools}>
+          <Button size="xs" leftSection={<IconCopy size={15} />} onClick={lab.openCopy}>
+            Open a copy to edit
+          </Button>
+          <Button size="xs" variant="default" leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>
+            Run again on this version
+          </Button>
+        </div>
+      </section>
+      {again.isError && (
+        <Text size="sm" role="alert" className={classes.problem ?? ""}>
+          It could not be run again: {again.error.message}
+        </Text>
+      )}
+      {again.data && catalogue && figures && (
+        <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
+      )}
+    </>
+  );
+}

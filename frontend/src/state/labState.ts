@@ -1,0 +1,53 @@
+/** What the lab holds, and what can be done with it. */
+
+import type { Link } from "../api/pending";
+import type { Scenario, StrategyId } from "../api/types";
+import type { PlacedErrors } from "../editor/errors";
+import type { Pointer } from "../editor/path";
+import type { Group } from "../editor/schema";
+import type { Address } from "./address";
+import type { History } from "./history";
+import type { Shown } from "./shown";
+import type { Store } from "./store";
+
+/** A text that is not a value the field can take; it stays in its input until somebody changes it. */
+export interface Rejected {
+  readonly text: string;
+  readonly message: string;
+}
+
+export type Failure = { readonly kind: "notFound" } | { readonly kind: "unreachable" } | { readonly kind: "failed"; readonly message: string };
+
+export interface LabState {
+  readonly history: History<Scenario> | null;
+  /** The scenario under a moving slider. */
+  readonly drag: Scenario | null;
+  readonly rejected: Readonly<Record<Pointer, Rejected>>;
+  readonly refused: PlacedErrors;
+  readonly strategies: readonly StrategyId[];
+  readonly shown: Shown | null;
+  /** The link this page shows: while there is one, nothing can be edited. */
+  readonly shared: Link | null;
+  readonly busy: boolean;
+  /** What is shown is older than what was asked for, for longer than an eye forgives. */
+  readonly stale: boolean;
+  readonly failure: Failure | null;
+}
+
+export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
+  readonly open: (address: Address) => void;
+  readonly openPaper: () => void;
+  /** Leaves the shared result: its scenario, run anew and open to edits. */
+  readonly openCopy: () => void;
+  /** Tells the lab the form (to place errors) and the signals the page draws. */
+  readonly configure: (form: Group, signals: readonly string[]) => void;
+  readonly drag: (scenario: Scenario) => void;
+  readonly commit: (scenario: Scenario) => void;
+  readonly reject: (pointer: Pointer, rejected: Rejected) => void;
+  readonly accept: (pointer: Pointer) => void;
+  readonly undo: () => void;
+  readonly redo: () => void;
+  readonly setStrategies: (strategies: readonly StrategyId[]) => void;
+  /** Asks again for what could not be had; does nothing where nothing is missing. */
+  readonly resume: () => void;
+}

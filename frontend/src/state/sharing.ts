@@ -1,0 +1,44 @@
+/** A link's view and the page's: how it is looked at, there and back. */
+
+import type { Link, SharedView } from "../api/pending";
+import type { StrategyId } from "../api/types";
+import type { View, Zoom } from "./address";
+import type { Scene } from "./scene";
+
+export interface ReadView {
+  readonly view: View;
+  /** Strategies that are switched on. */
+  readonly strategies: readonly StrategyId[];
+  /** Where the cursor stands. */
+  readonly at: number | null;
+}
+
+/** A link made by a script may say nothing of the view: then everything of the run is shown. */
+export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadView {
+  const computed = Object.keys(run?.strategies ?? {});
+  const wanted = view.strategies ?? computed;
+  const strategies = computed.filter((id) => wanted.includes(id) && !(view.hidden ?? []).includes(id));
+  const [low, high] = view.zoom ?? [];
+  return {
+    view: {
+      axis: view.axis ?? "distance",
+      baseline: view.baseline ?? "passive",
+      hidden: computed.filter((id) => !strategies.includes(id)),
+      zoom: low !== undefined && high !== undefined && low < high ? [low, high] : null,
+    },
+    strategies,
+    at: view.cursor ?? null,
+  };
+}
+
+export function viewToShare({ summaries, ids, baseline, axis }: Scene, zoom: Zoom | null, at: number | null): SharedView {
+  const computed = Object.keys(summaries);
+  return {
+    strategies: computed,
+    hidden: computed.filter((id) => !ids.includes(id)),
+    ...(baseline === null ? {} : { baseline }),
+    axis,
+    zoom,
+    cursor: at,
+  };
+}

@@ -1,0 +1,228 @@
+"""A result is a link: made by a click, opened as it was, read-only, run again, copied to be edited."""
+
+import json
+import re
+import secrets
+import sqlite3
+from collections.abc import Iterator
+
+import httpx
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import Server
+
+OLD_VERSION = "0.0.1"
+
+
+def share(page: Page) -> str:
+    """Shares what is shown; the new link's address."""
+    page.get_by_role("button", name="Share").click()
+    address = page.get_by_role("dialog", name="Share").get_by_label("Address of the link")
+    expect(address).to_have_value(re.compile(r"/s/[A-Za-z0-9_-]{22}$"))
+    return address.input_value()
+
+
+@pytest.fixture
+def reader(browser: Browser, server: Server) -> Iterator[Dashboard]:
+    """Somebody else: a browser that has seen nothing of this yet, in the dark."""
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, base_url=server.url, color_scheme="dark")
+    dashboard = Dashboard(context.new_page(), server.url)
+    yield dashboard
+    context.close()
+    assert dashboard.failures == []
+
+
+def test_a_link_opens_the_same_numbers_and_the_same_view(dashboard: Dashboard, reader: Dashboard) -> None:
+    dashboard.open()
+    page, first = dashboard.page, dashboard.page.url
+    dashboard.type_into("Height", "0.12")
+    expect(page).not_to_have_url(first)
+    dashboard.expect_curves()
+    dashboard.row("lqr").get_by_role("button").click()
+    dashboard.chip("Passive").click()
+    page.get_by_text("Time", exact=True).click()
+    page.get_by_role("main").get_by_role("button", name="Bump", exact=True).click()
+    expect(page).to_have_url(re.compile("zoom="))
+    cursor = page.get_by_role("slider", name="Cursor")
+    cursor.fill(str((float(cursor.get_attribute("min") or 0) + float(cursor.get_attribute("max") or 0)) / 2))
+    place, values = cursor.get_attribute("aria-valuetext"), dashboard.shown_values()
+    ticks = "section[data-figure=speed] .xaxislayer-above .xtick text"
+    reading = page.locator("section[data-figure=speed] header").inner_text()
+
+    reader.open(share(page))
+    expect(reader.row("lqr")).to_have_attribute("data-baseline", "true")
+    assert reader.shown_values() == values
+    expect(reader.row("passive")).to_have_count(0)
+    expect(reader.page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(reader.page.get_by_role("slider", name="Cursor")).to_have_attribute("aria-valuetext", place or "")
+    expect(reader.page.locator("section[data-figure=speed] header")).to_have_text(reading, use_inner_text=True)
+    assert reader.page.locator(ticks).all_inner_texts() == page.locator(ticks).all_inner_texts() != []
+    expect(reader.page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
+
+
+def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    try:
+        dashboard.open()
+        address = share(page)
+        expect(page.get_by_text("Link copied")).to_be_visible()
+        assert page.evaluate("navigator.clipboard.readText()") == address
+        assert page.evaluate("getSelection().toString()") == address
+    finally:
+        page.context.clear_permissions()
+
+
+def test_a_link_stands_there_where_copying_is_refused(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.add_init_script(
+        """Object.defineProperty(navigator, 'clipboard', {value: undefined}); document.execCommand = () => false;"""
+    )
+    dashboard.open()
+    share(page)
+    expect(page.get_by_text("Here is the link: select and copy it")).to_be_visible()
+
+
+def test_nothing_is_shared_that_is_not_the_forms(dashboard: Dashboard) -> None:
+    dashboard.open()
+    dashboard.type_into("Position", "149.5")  # the bump would end beyond the road
+    expect(dashboard.page.get_by_role("alert").first).to_be_visible()
+    button = dashboard.page.get_by_role("button", name="Share")
+    expect(button).to_be_disabled()
+    expect(button).to_have_accessible_description(re.compile("could not be run"))
+
+
+def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard, reader: Dashboard) -> None:
+    dashboard.open()
+    link = share(dashboard.page)
+    reader.open(link)
+    page = reader.page
+    banner = page.get_by_role("region", name="Shared result")
+    expect(banner).to_contain_text(
+        re.compile(r"Shared result of \d+ \w+ 20\d\d, computed by core \d+\.\d+\.\d+\. Read-only\.")
+    )
+    expect(reader.entry("Height")).to_be_disabled()
+    expect(reader.entry("Height")).to_have_value("0.1")
+    expect(page.locator("aside :is(input:not([type=hidden]), select):enabled")).to_have_count(0)
+    for name in ("Undo", "Redo", "Presets"):
+        expect(page.get_by_role("button", name=name)).to_be_disabled()
+    expect(reader.chip("Single speed control")).to_be_disabled()  # it would be another run
+    reader.chip("LQR").click()  # looking at less of it changes nothing
+    expect(reader.row("lqr")).to_have_count(0)
+    assert page.url == link
+
+    page.get_by_role("button", name="Open a copy to edit").click()
+    expect(page).to_have_url(re.compile("/r/"))
+    expect(banner).to_have_count(0)
+    reader.expect_curves()
+    reader.type_into("Height", "0.05")
+    expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
+    reader.expect_curves()
+    page.get_by_role("button", name="Undo").click()
+    expect(reader.entry("Height")).to_have_value("0.1")
+    expect(page.get_by_role("button", name="Undo")).to_be_disabled()
+    while "/s/" not in page.url:
+        page.go_back()
+    expect(banner).to_be_visible()
+    expect(reader.entry("Height")).to_be_disabled()
+
+
+def test_running_again_says_that_nothing_differs(dashboard: Dashboard) -> None:
+    dashboard.open()
+    dashboard.open(share(dashboard.page))
+    dashboard.page.get_by_role("button", name="Run again on this version").click()
+    differences = dashboard.page.get_by_role("region", name="Differences")
+    expect(differences).to_contain_text("No differences")
+    expect(differences).to_contain_text("The same version")
+    dashboard.page.get_by_role("button", name="Close the differences").click()
+    expect(differences).to_have_count(0)
+
+
+def older_run(server: Server, run_id: str, *, factor: float, pinned: bool) -> str:
+    """A stored run as a version before this one would have left it; its id.
+
+    Args:
+        server: Whose database it is written to.
+        run_id: A run of today, which is copied.
+        factor: The copy's peak of LV's body acceleration on the bump is so many times as large.
+        pinned: Whether its time histories are kept.
+    """
+    old_id = secrets.token_urlsafe(16)
+    with sqlite3.connect(server.database, timeout=20) as connection:
+        connection.execute(
+            "INSERT INTO runs SELECT ?, ?, schema_version, scenario, created_at FROM runs WHERE id = ?",
+            [old_id, OLD_VERSION, run_id],
+        )
+        results = connection.execute(
+            "SELECT position, key, strategy, summary FROM run_results JOIN results ON key = result_key"
+            " WHERE run_id = ?",
+            [run_id],
+        ).fetchall()
+        for position, key, strategy, text in results:
+            summary, old_key = json.loads(text), secrets.token_urlsafe(32)
+            if strategy == "lv":
+                summary["metrics"]["bump"]["body_acceleration"]["peak"] *= factor
+            connection.execute(
+                "INSERT INTO results SELECT ?, strategy, ?, status, ?, compute_ms, created_at FROM results"
+                " WHERE key = ?",
+                [old_key, OLD_VERSION, json.dumps(summary), key],
+            )
+            connection.execute("INSERT INTO run_results VALUES (?, ?, ?)", [old_id, position, old_key])
+            if pinned:
+                connection.execute(
+                    "INSERT INTO pinned_series SELECT ?, content, created_at FROM pinned_series WHERE result_key = ?",
+                    [old_key, key],
+                )
+    return old_id
+
+
+def link_to(server: Server, run_id: str) -> str:
+    """A link as a script makes it: no word about the view."""
+    made = httpx.post(f"{server.url}/api/v1/links", json={"run_id": run_id}).raise_for_status().json()
+    return f"{server.url}{made['url']}"
+
+
+def test_running_an_older_result_again_shows_what_differs(dashboard: Dashboard, server: Server) -> None:
+    dashboard.open()
+    share(dashboard.page)  # which pins the time histories
+    peak = dashboard.shown_values()["lv bump.body_acceleration.peak"]
+    old_id = older_run(server, dashboard.run_id, factor=1.25, pinned=True)
+
+    dashboard.open(link_to(server, old_id))
+    page = dashboard.page
+    assert dashboard.shown_values()["lv bump.body_acceleration.peak"] == pytest.approx(1.25 * peak)
+    banner = page.get_by_role("region", name="Shared result")
+    expect(banner).to_contain_text(f"computed by core {OLD_VERSION}")
+    expect(banner).to_contain_text("This server now runs core")
+    page.get_by_role("button", name="Run again on this version").click()
+    differences = page.get_by_role("region", name="Differences", exact=True)
+    expect(differences).to_contain_text(re.compile(r"1 of \d+ figures differ"))
+    row = differences.locator("tbody tr")
+    expect(row).to_have_count(1)
+    for text in ("LV control", "Body acceleration: Peak, bump", f"{1.25 * peak:#.6g}", f"{peak:#.6g}", "−20.0"):
+        expect(row).to_contain_text(text)
+
+
+def test_tables_stand_where_time_histories_are_lost(dashboard: Dashboard, server: Server) -> None:
+    dashboard.open()
+    old_id = older_run(server, dashboard.run_id, factor=1, pinned=False)
+    dashboard.page.goto(link_to(server, old_id))
+    expect(dashboard.row("lv")).to_be_visible()
+    expect(
+        dashboard.page.get_by_role("heading", name="The time histories of this result are not there")
+    ).to_be_visible()
+    expect(dashboard.page.locator("section[data-figure]")).to_have_count(0)
+
+
+def test_an_unknown_link_says_so(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    answer = page.goto("/s/AAAAAAAAAAAAAAAAAAAAAA")
+    assert answer is not None
+    assert answer.status == 404
+    expect(page.get_by_role("heading", name="There is no shared result at this address")).to_be_visible()
+    expect(page.get_by_role("button", name="Share")).to_be_disabled()
+    page.get_by_role("button", name="Open the paper’s scenario").click()
+    dashboard.expect_curves()
+    dashboard.expect_table_to_be_the_stored_run()
