@@ -5,7 +5,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from sqlalchemy import make_url
+from sqlalchemy.exc import ArgumentError
 
 PREFIX = "RIDELAB_"
 MEBIBYTE = 1024 * 1024
@@ -27,6 +29,9 @@ class Settings(BaseModel):
 
     data_dir: Path = Field(Path("data"), description="Where the SQLite database lives.")
     database_url: str | None = Field(None, description="SQLAlchemy URL; without one SQLite in data_dir.")
+    database_password_file: Path | None = Field(
+        None, description="File with the database's password, so that the URL needs none."
+    )
     frontend_dir: Path = Field(
         Path(__file__).parent.parent / "frontend" / "dist", description="The built frontend and the API page's assets."
     )
@@ -73,10 +78,59 @@ class Settings(BaseModel):
         try:
             return cls.model_validate(values)
         except ValidationError as error:
-            reasons = [f"{PREFIX}{str(item['loc'][0]).upper()}: {item['msg']}" for item in error.errors()]
+            reasons = [_reason(item["loc"], item["msg"]) for item in error.errors(include_url=False)]
             raise SettingsError("; ".join(reasons)) from None
+
+    @model_validator(mode="after")
+    def _check_dask(self) -> Self:
+        """TLS needs its three files; a scheduler's address and those files go together."""
+        names = ("dask_tls_ca_file", "dask_tls_cert_file", "dask_tls_key_file")
+        files: dict[str, Path | None] = {name: getattr(self, name) for name in names}
+        encrypted = self.dask_scheduler is not None and self.dask_scheduler.startswith("tls://")
+        if encrypted or any(files.values()):
+            missing = [_variable(name) for name, path in files.items() if path is None]
+            if missing:
+                raise ValueError(f"TLS to Dask needs three files; {' and '.join(missing)} not set")
+            if not encrypted:
+                raise ValueError(f"{_variable('dask_scheduler')} has to start with tls:// where TLS files are named")
+        for name, path in files.items():
+            _check_readable(name, path)
+        return self
+
+    @model_validator(mode="after")
+    def _check_database(self) -> Self:
+        """The URL is one, and a password has somewhere to go."""
+        if self.database_url is None:
+            if self.database_password_file is not None:
+                raise ValueError(f"{_variable('database_password_file')} needs {_variable('database_url')}")
+            return self
+        try:
+            make_url(self.database_url)
+        except ArgumentError:
+            raise ValueError(f"{_variable('database_url')} is not an SQLAlchemy URL") from None
+        _check_readable("database_password_file", self.database_password_file)
+        return self
 
     @property
     def store_url(self) -> str:
-        """The database's SQLAlchemy URL."""
-        return self.database_url or f"sqlite:///{(self.data_dir / 'ridelab.sqlite').absolute()}"
+        """The database's SQLAlchemy URL, its password included."""
+        if self.database_url is None:
+            return f"sqlite:///{(self.data_dir / 'ridelab.sqlite').absolute()}"
+        if self.database_password_file is None:
+            return self.database_url
+        password = self.database_password_file.read_text().rstrip("\r\n")
+        return make_url(self.database_url).set(password=password).render_as_string(hide_password=False)
+
+
+def _variable(field: str) -> str:
+    return f"{PREFIX}{field.upper()}"
+
+
+def _check_readable(field: str, path: Path | None) -> None:
+    if path is not None and not os.access(path, os.R_OK):
+        raise ValueError(f"{_variable(field)} names a file that cannot be read: {path}")
+
+
+def _reason(place: tuple[int | str, ...], message: str) -> str:
+    """What is wrong with a variable, or with several together, which then name themselves."""
+    return f"{_variable(str(place[0]))}: {message}" if place else message.removeprefix("Value error, ")
