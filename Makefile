@@ -28,12 +28,16 @@ bench: setup ## speed, as ratios in one run
 margins: setup ## how much worse LQR is than LV, and every strategy against passive, seeds 1-10
 	$(BIN)/python -m sim_core margins
 
-setup: $(VENV)/.installed frontend/dist/index.html
+setup: $(VENV)/.installed $(BIN)/ridelab frontend/dist/index.html
 
 $(VENV)/.installed: requirements-dev.lock
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Ridelab needs Python 3.11 or newer; name one with PYTHON=python3.x")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
+	touch $@
+
+$(BIN)/ridelab: $(VENV)/.installed pyproject.toml  # the command, from this folder
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e .
 	touch $@
 
 frontend/dist/index.html: $(VENV)/.installed frontend/package-lock.json $(shell find frontend/src frontend/index.html -type f 2>/dev/null)

@@ -1,0 +1,85 @@
+"""What a command says, to whom, and with which exit code it ends."""
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+import typer
+from rich.console import Console
+from typer.core import TyperGroup
+
+from backend.client import RidelabAPIError, RidelabClientError
+
+DIFFERENT = 1
+BAD_INPUT = 2
+UNAVAILABLE = 3
+INTERRUPTED = 130  # 128 + SIGINT, as shells count
+BROKEN_PIPE = 141  # 128 + SIGPIPE
+
+_TRY_AGAIN = 429
+
+
+class InputError(Exception):
+    """What was typed, or a file that was named, cannot be used.
+
+    Args:
+        lines: What to show, `field: message` where a field is concerned.
+    """
+
+    def __init__(self, *lines: str) -> None:
+        super().__init__(*lines)
+        self.lines = lines
+
+
+class UnavailableError(Exception):
+    """No service can be had; the message says why."""
+
+
+class ReportingGroup(TyperGroup):
+    """Commands whose expected errors are a line on stderr and an exit code, never a traceback."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command.
+
+        Raises:
+            typer.Exit: It ended with an error that has been said.
+        """
+        try:
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+            return result
+        except InputError as error:
+            raise failed(BAD_INPUT, error.lines) from None
+        except RidelabAPIError as error:
+            there = error.status >= 500 or error.status == _TRY_AGAIN
+            raise failed(UNAVAILABLE if there else BAD_INPUT, error.lines) from None
+        except (RidelabClientError, UnavailableError) as error:
+            raise failed(UNAVAILABLE, [str(error)]) from None
+        except BrokenPipeError:
+            abandon_output()
+            raise typer.Exit(BROKEN_PIPE) from None
+        except OSError as error:
+            raise failed(BAD_INPUT, [f"{error.filename or 'File'}: {error.strerror or error}"]) from None
+
+
+def failed(code: int, lines: Sequence[str]) -> typer.Exit:
+    """Say it on stderr; the exit to raise."""
+    for line in lines:
+        typer.echo(line, err=True)
+    return typer.Exit(code)
+
+
+def abandon_output() -> None:
+    """Nobody reads standard output any more: what is left in its buffer goes nowhere, without a complaint."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def note(line: str) -> None:
+    """A remark beside the result: on stderr, so that the output stays what was asked for."""
+    typer.echo(line, err=True)
+
+
+def terminal() -> Console:
+    """Stderr for what moves while one waits; it is only drawn where somebody looks (`is_terminal`)."""
+    return Console(stderr=True)

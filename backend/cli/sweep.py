@@ -1,0 +1,157 @@
+"""`ridelab sweep`: a batch of what-ifs."""
+
+import itertools
+import json
+import shutil
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from backend.cli import fields, options, output, targets
+from backend.cli.reporting import DIFFERENT, INTERRUPTED, InputError, UnavailableError, note, terminal
+from backend.cli.services import Services
+from backend.client import Batch
+
+_PREVIEW = 20  # rows shown where no file is asked for
+_FIGURES = ("rough_road.body_acceleration.rms", "bump.body_acceleration.peak", "bump.front_tyre_load.peak")
+
+
+def sweep(
+    scenario: options.Scenario = "paper",
+    grid: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FIELD=VALUES",
+            help="road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination.",
+            show_default=False,
+        ),
+    ] = None,
+    latin_hypercube: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FIELD=LOW:HIGH", help="Evenly spread random points in these ranges.", show_default=False),
+    ] = None,
+    samples: Annotated[
+        int | None, typer.Option(metavar="N", min=1, help="Points of the hypercube.", show_default=False)
+    ] = None,
+    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the hypercube: same seed, same points.")] = 0,
+    points: Annotated[
+        Path | None,
+        typer.Option(
+            "--list",
+            metavar="FILE",
+            help='JSON list of points, [{"road.bump.height": 0.1}, ..].',
+            exists=True,
+            dir_okay=False,
+            show_default=False,
+        ),
+    ] = None,
+    strategy: options.Strategies = None,
+    changes: options.Changes = None,
+    out: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="Write every row to .csv, .parquet or .json; - is stdout."),
+    ] = None,
+    file_format: options.Format = None,
+    detach: Annotated[bool, typer.Option("--detach", help="Hand it in and leave; needs --server.")] = False,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only say how many runs and how long.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="How the batch ended, as JSON.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Run many variants of a scenario; Ctrl-C cancels and keeps what is finished.
+
+    One of --grid, --latin-hypercube and --list says what varies. The strategy is lv unless --strategy names others.
+    """
+    wanted = fields.sweep_of(grid=grid or [], ranges=latin_hypercube or [], samples=samples, seed=seed, points=points)
+    if detach and server is None:
+        raise InputError("--detach needs --server: a private service ends with this command")
+    chosen = "" if out is None else output.chosen_format(out, file_format)
+    with Services(server, data_dir) as services:
+        start = fields.changed(targets.find(scenario, services).scenario, changes or [])
+        ridelab, names = services.at(), options.listed(strategy) or ["lv"]
+        if dry_run:
+            _estimate(ridelab.estimate(start, names, wanted), as_json=as_json)
+            return
+        batch = ridelab.submit(start, names, wanted)
+        if not detach:
+            follow(batch)
+            if out is not None:
+                output.deliver(batch.content(chosen), out)
+            elif not as_json:
+                _preview(batch)
+        elif not as_json:
+            typer.echo(f"{batch.id}")
+            note(f"{batch.total} runs; ridelab export {batch.id} --wait --out FILE --server {ridelab.address}")
+    if as_json:
+        typer.echo(json.dumps(batch.answer, indent=1, ensure_ascii=False))
+    _end(batch, detached=detach)
+
+
+def follow(batch: Batch) -> None:
+    """Wait for it with a progress bar; Ctrl-C cancels it.
+
+    Raises:
+        typer.Exit: It was cancelled by Ctrl-C.
+    """
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[failed]}"),
+        TimeRemainingColumn(),
+    )
+    console = terminal()
+    try:
+        with Progress(*columns, console=console, disable=not console.is_terminal, transient=True) as bar:
+            task = bar.add_task(batch.state, total=batch.total, failed="")
+
+            def show(batch: Batch) -> None:
+                failed = f"{batch.failed} failed" if batch.failed else ""
+                bar.update(task, description=batch.state, completed=batch.done + batch.failed, failed=failed)
+
+            batch.wait(show)
+    except KeyboardInterrupt:
+        batch.cancel()
+        note(f"Cancelled; {batch.done} of {batch.total} runs are finished and stay stored: batch {batch.id}")
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def _estimate(found: dict[str, Any], *, as_json: bool) -> None:
+    if as_json:
+        typer.echo(json.dumps(found, indent=1))
+        return
+    seconds = found.get("estimated_seconds")
+    told = "" if seconds is None else f", about {seconds:.3g} s"
+    typer.echo(f"{found['total']} runs at {found['points']} points{told}")
+
+
+def _preview(batch: Batch) -> None:
+    """The first rows, with the figures most people look at."""
+    from backend.cli.tables import aligned, shown, with_unit
+    from backend.client.answers import Outcome, units
+
+    swept = [(item["name"], item["unit"]) for item in batch.answer["fields"]]
+    figures = [(name, units()[name]) for name in _FIGURES]
+    rows = []
+    for row in itertools.islice(batch.rows(), _PREVIEW):
+        found = Outcome.of(row["strategy"], {"compute_ms": 0, **row}).figures()
+        told = [shown(row.get(name)) for name, _ in swept] + [row["strategy"], row["status"]]
+        rows.append(told + [shown(found.get(name)) for name, _ in figures])
+    heads = [*(with_unit(*item) for item in swept), "strategy", "status", *(with_unit(*item) for item in figures)]
+    for line in aligned(heads, rows, left={len(swept), len(swept) + 1}):
+        typer.echo(line[: max(shutil.get_terminal_size().columns, 80)] if sys.stdout.isatty() else line)
+    if batch.total > len(rows):
+        typer.echo(f"... {batch.total - len(rows)} more; --out FILE writes all with every figure")
+
+
+def _end(batch: Batch, *, detached: bool) -> None:
+    if batch.state == "failed":
+        raise UnavailableError(f"The batch failed: {batch.reason}")
+    if detached:
+        return
+    note(f"batch {batch.id}: {batch.done} of {batch.total} runs done, {batch.failed} failed")
+    if batch.failed or batch.state == "cancelled":
+        raise typer.Exit(DIFFERENT)

@@ -1,0 +1,134 @@
+"""What SCENARIO and RESULT mean on the command line: a file, a preset, an id, an address."""
+
+import re
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+from urllib.parse import urlsplit
+
+from backend import strict_json
+from backend.cli.reporting import InputError
+from backend.cli.services import Services
+from backend.client import Batch, Ridelab, RidelabAPIError, RunResult
+
+_ID = re.compile(r"[A-Za-z0-9_-]{22}")
+_PAGES: dict[str, Literal["run", "batch", "link"]] = {"r": "run", "b": "batch", "s": "link"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Found:
+    """What a target turned out to be: a scenario always, and the stored result it belongs to if there is one.
+
+    Attributes:
+        name: How to call it.
+        scenario: Perhaps in part; what is left out takes the paper's value.
+        run: The run it is.
+        batch: The batch it is.
+        slug: The shared link it was found by.
+        ridelab: The service that has it; None for files and presets.
+    """
+
+    name: str
+    scenario: dict[str, Any]
+    run: RunResult | None = None
+    batch: Batch | None = None
+    slug: str | None = None
+    ridelab: Ridelab | None = None
+
+
+def find(target: str, services: Services) -> Found:
+    """Look up a target.
+
+    Raises:
+        InputError: There is nothing of that name, or it cannot be read.
+        RidelabAPIError: The service refused.
+        RidelabConnectionError: No answer.
+    """
+    if target == "-":
+        return _document(sys.stdin.buffer.read(), "standard input")
+    if target.startswith(("http://", "https://")):
+        return _address(target, services)
+    if Path(target).is_file():
+        return _document(Path(target).read_bytes(), target)
+    from sim_core.presets import PRESETS
+
+    if target in PRESETS:
+        return Found(name=target, scenario=PRESETS[target].scenario.model_dump(mode="json"))
+    if _ID.fullmatch(target):
+        return _stored(target, services.at())
+    raise InputError(
+        f"{target}: neither a file, nor a preset ({', '.join(PRESETS)}), nor an id, nor the address of a result"
+    )
+
+
+def document(content: bytes, name: str) -> Any:
+    """A JSON document, read as strictly as the service reads it.
+
+    Raises:
+        InputError: It is not JSON.
+    """
+    try:
+        return strict_json.parse(content)
+    except strict_json.StrictJSONError as error:
+        raise InputError(f"{name}: {error.message.replace('The body', 'This')}") from None
+
+
+def _document(content: bytes, name: str) -> Found:
+    """A scenario, or a saved run."""
+    value = document(content, name)
+    if not isinstance(value, dict):
+        raise InputError(f"{name}: this has to be a JSON object, a scenario or a saved run")
+    if "strategies" not in value:
+        return Found(name=name, scenario=value)
+    try:
+        return Found(name=name, scenario=value["scenario"], run=RunResult.of(value))
+    except (KeyError, TypeError, AttributeError):
+        raise InputError(f"{name}: this is not a whole run as ridelab run --json prints it") from None
+
+
+def _address(address: str, services: Services) -> Found:
+    parts = urlsplit(address)
+    before, _, rest = parts.path.rpartition("/")
+    prefix, _, page = before.rpartition("/")
+    if page not in _PAGES or not rest:
+        raise InputError(f"{address}: the address of a result ends with /r/ID or /s/ID")
+    ridelab = services.at(f"{parts.scheme}://{parts.netloc}{prefix}")
+    return {"run": _run, "batch": _batch, "link": _link}[_PAGES[page]](rest, ridelab)
+
+
+def _stored(name: str, ridelab: Ridelab) -> Found:
+    """Ids of runs, batches and links look alike."""
+    for lookup in (_run, _batch, _link):
+        try:
+            return lookup(name, ridelab)
+        except RidelabAPIError as error:
+            if error.status != 404:
+                raise
+    raise InputError(f"{name}: the service has no run, batch or link of this id")
+
+
+def _run(run_id: str, ridelab: Ridelab) -> Found:
+    run = ridelab.get_run(run_id)
+    return Found(name=f"run {run.id}", scenario=run.scenario, run=run, ridelab=ridelab)
+
+
+def _batch(batch_id: str, ridelab: Ridelab) -> Found:
+    batch = ridelab.get_batch(batch_id)
+    return Found(name=f"batch {batch.id}", scenario=dict(batch.answer["scenario"]), batch=batch, ridelab=ridelab)
+
+
+def _link(slug: str, ridelab: Ridelab) -> Found:
+    link = ridelab.open_link(slug)
+    return Found(
+        name=f"link {slug}", scenario=link.scenario, run=link.run, batch=link.batch, slug=slug, ridelab=ridelab
+    )
+
+
+def strategies_of(found: Found) -> list[str]:
+    """Those of the stored result; none where there is only a scenario."""
+    if found.run is not None:
+        return list(found.run.strategies)
+    chosen: Mapping[str, Any] = found.batch.answer if found.batch is not None else {}
+    return list(chosen.get("strategies", []))

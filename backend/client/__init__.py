@@ -1,0 +1,24 @@
+"""A typed client of a Ridelab service: `with Ridelab(url) as ridelab: ridelab.run({}, ["lv"])`.
+
+It needs httpx alone; NumPy is imported when time histories are asked for. docs/api.md shows it at work.
+"""
+
+from backend.client.answers import LinkedResult, Outcome, RunResult, Stage, Statistics
+from backend.client.batch import Batch
+from backend.client.errors import ErrorPlace, RidelabAPIError, RidelabClientError, RidelabConnectionError
+from backend.client.ridelab import Link, Ridelab
+
+__all__ = [
+    "Batch",
+    "ErrorPlace",
+    "Link",
+    "LinkedResult",
+    "Outcome",
+    "Ridelab",
+    "RidelabAPIError",
+    "RidelabClientError",
+    "RidelabConnectionError",
+    "RunResult",
+    "Stage",
+    "Statistics",
+]

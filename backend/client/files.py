@@ -1,0 +1,41 @@
+"""Answers written to files: the whole file or none."""
+
+import os
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+
+FORMATS = ("json", "csv", "parquet")
+
+
+def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> str:
+    """The format that was asked for, else the one the name ends with.
+
+    Raises:
+        ValueError: There is no such format; the message lists those there are.
+    """
+    chosen = (file_format or Path(path).suffix.removeprefix(".")).lower()
+    if chosen not in FORMATS:
+        raise ValueError(f"The file's format has to be {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
+    return chosen
+
+
+def save(pieces: Iterable[bytes], path: str | os.PathLike[str]) -> Path:
+    """Write the pieces beside `path`, then put them in its place: a broken answer leaves what was there.
+
+    Raises:
+        OSError: It cannot be written.
+    """
+    target = Path(path)
+    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.writelines(pieces)
+        mask = os.umask(0)
+        os.umask(mask)
+        Path(name).chmod(0o666 & ~mask)  # mkstemp's own files are private
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return target
