@@ -9,6 +9,7 @@ RUN npm run build
 
 # The runtime's packages, each held to its hash.
 FROM python:3.11-slim AS packages
+WORKDIR /build
 RUN python -m venv /opt/ridelab
 COPY requirements.lock ./
 RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements.lock

@@ -1,7 +1,11 @@
 """The container files, read as text and YAML: no container engine is needed."""
 
+import os
 import re
 import shlex
+import ssl
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -9,14 +13,14 @@ import pytest
 import yaml
 
 from backend.settings import Settings
+from tests.servers.programs import find
 
 ROOT = Path(__file__).parents[2]
+COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
+SERVICES: dict[str, dict[str, Any]] = COMPOSE["services"]
+VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
 
-
-@pytest.fixture(scope="module")
-def compose() -> dict[str, Any]:
-    content: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
-    return content
+every_service = pytest.mark.parametrize("service", SERVICES.values(), ids=SERVICES.keys())
 
 
 @pytest.fixture(scope="module")
@@ -26,42 +30,151 @@ def instructions() -> list[list[str]]:
     return [shlex.split(line) for line in text.splitlines() if line and not line.startswith("#")]
 
 
-def test_the_service_runs_with_as_little_as_it_needs(compose: dict[str, Any]) -> None:
-    service = compose["services"]["ridelab"]
+def test_it_is_a_compose_file() -> None:
+    command = [sys.executable, "-m", "check_jsonschema", "--builtin-schema", "vendor.compose-spec"]
+    done = subprocess.run([*command, str(ROOT / "docker-compose.yml")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@every_service
+def test_a_service_runs_with_as_little_as_it_needs(service: dict[str, Any]) -> None:
     assert service["read_only"] is True
     assert service["cap_drop"] == ["ALL"]
-    assert "no-new-privileges:true" in service["security_opt"]
-    assert service["user"] == "10001:10001"
+    assert service["security_opt"] == ["no-new-privileges:true"]
+    user, group = service["user"].split(":")
+    assert int(user) > 0
+    assert int(group) > 0
     assert any(mount.startswith("/tmp:") for mount in service["tmpfs"])  # noqa: S108 - a mount, not a file
-    assert "privileged" not in service
+    assert all("size=" in mount for mount in service["tmpfs"])
+    assert not service.keys() & {"privileged", "cap_add", "devices", "pid", "ipc", "network_mode", "volumes_from"}
+    assert not any("docker.sock" in str(volume) for volume in service.get("volumes", []))
+
+
+@every_service
+def test_a_service_is_bounded_watched_and_started_again(service: dict[str, Any]) -> None:
     assert set(service["deploy"]["resources"]["limits"]) == {"cpus", "memory", "pids"}
     assert service["healthcheck"]["test"][0] == "CMD"
+    assert service["restart"] == "unless-stopped"
     assert int(service["stop_grace_period"].removesuffix("s")) > 10, "the service itself takes up to ten"
+    assert service["logging"]["options"].keys() == {"max-size", "max-file"}
 
 
-def test_the_database_outlives_the_container(compose: dict[str, Any], instructions: list[list[str]]) -> None:
-    assert compose["services"]["ridelab"]["volumes"] == ["data:/data"]
-    assert "data" in compose["volumes"]
+@every_service
+def test_images_are_our_own_or_of_a_version(service: dict[str, Any]) -> None:
+    if "build" not in service:
+        assert re.fullmatch(r"[a-z]+:\d+[\w.-]*", service["image"])
+
+
+def test_only_the_proxy_is_reached_from_outside_and_by_default_from_this_machine_only() -> None:
+    assert [name for name, service in SERVICES.items() if "ports" in service] == ["proxy"]
+    (port,) = SERVICES["proxy"]["ports"]
+    assert VARIABLE.sub(r"\2", port) == "127.0.0.1:8000:8080"
+    inside = {name for name, network in COMPOSE["networks"].items() if (network or {}).get("internal")}
+    assert {name for name, service in SERVICES.items() if set(service["networks"]) - inside} == {"proxy"}
+    meet_the_proxy = {name for name, service in SERVICES.items() if set(service["networks"]) & {"edge", "front"}}
+    assert meet_the_proxy == {"proxy", "api"}
+
+
+def test_secrets_are_files_and_not_in_the_file(tmp_path: Path) -> None:
+    for name, service in SERVICES.items():
+        for key, value in service.get("environment", {}).items():
+            if re.search("PASSWORD|SECRET|TOKEN|KEY|CERT", key):
+                assert value.startswith("/run/secrets/"), f"{name}: {key}"
+                assert value.removeprefix("/run/secrets/") in service["secrets"], f"{name}: {key}"
+            assert not re.search(r"://[^/@]*:[^/@]*@", str(value)), f"{name}: {key} holds a password"
+    assert {"/secrets/", ".env"} <= set(ignored())
+    made = make_secrets(tmp_path)
+    assert {secret["file"] for secret in COMPOSE["secrets"].values()} == {f"secrets/{path.name}" for path in made}
+
+
+def ignored() -> list[str]:
+    return (ROOT / ".gitignore").read_text().splitlines()
+
+
+def make_secrets(folder: Path) -> list[Path]:
+    find("openssl", package="openssl")
+    script = ROOT / "backend/deploy/secrets.sh"
+    subprocess.run([script, folder / "secrets"], check=True, capture_output=True)
+    return sorted((folder / "secrets").iterdir())
+
+
+def test_the_script_makes_secrets_that_fit_together_and_keeps_them(tmp_path: Path) -> None:
+    made = {path.name: path.read_bytes() for path in make_secrets(tmp_path)}
+    folder = tmp_path / "secrets"
+    assert folder.stat().st_mode & 0o077 == 0, "nobody else looks into the folder"
+    assert len(made["database_password"].strip()) >= 32
+    context = ssl.create_default_context(cafile=str(folder / "dask_ca.pem"))
+    context.load_cert_chain(folder / "dask_cert.pem", folder / "dask_key.pem")
+    verify = ["openssl", "verify", "-CAfile", folder / "dask_ca.pem", folder / "dask_cert.pem"]
+    subprocess.run(verify, check=True, capture_output=True)
+    assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == made
+
+
+def test_what_may_be_changed_is_in_the_example_with_its_default() -> None:
+    variables = dict(VARIABLE.findall((ROOT / "docker-compose.yml").read_text()))
+    lines = (ROOT / ".env.example").read_text().splitlines()
+    example = dict(line.split("=", 1) for line in lines if line and not line.startswith("#"))
+    assert example == variables
+
+
+def test_the_service_knows_its_settings(tmp_path: Path) -> None:
+    make_secrets(tmp_path)
+    files = {f"/run/secrets/{name}": tmp_path / secret["file"] for name, secret in COMPOSE["secrets"].items()}
+    environment = {
+        name: str(files.get(value, VARIABLE.sub(r"\2", value)))
+        for name, value in SERVICES["api"]["environment"].items()
+    }
+    settings = Settings.from_environment(environment)
+    password = (tmp_path / "secrets/database_password").read_text().strip()
+    assert settings.store_url == f"postgresql+psycopg://ridelab:{password}@database/ridelab"
+    assert settings.dask_scheduler == "tls://scheduler:8786"
+
+
+def test_data_outlives_the_containers(instructions: list[list[str]]) -> None:
+    assert SERVICES["database"]["volumes"] == ["database:/var/lib/postgresql/data"]
+    assert "database" in COMPOSE["volumes"]
     environment = next(words for words in instructions if words[0] == "ENV")
     assert "RIDELAB_DATA_DIR=/data" in environment
+    assert ["VOLUME", "/data"] in instructions
 
 
-def test_only_this_machine_reaches_it_by_default(compose: dict[str, Any]) -> None:
-    assert all(port.startswith("127.0.0.1:") for port in compose["services"]["ridelab"]["ports"])
+@pytest.mark.parametrize("certificate", [False, True])
+def test_the_proxy_takes_its_configuration(certificate: bool, tmp_path: Path) -> None:
+    environment = os.environ.copy()
+    if certificate:
+        make_secrets(tmp_path)
+        both = [(tmp_path / "secrets" / name).read_text() for name in ("dask_cert.pem", "dask_key.pem")]
+        (tmp_path / "both.pem").write_text("".join(both))
+        environment["PROXY_CERTIFICATE"] = str(tmp_path / "both.pem")
+    targets = {item["target"]: COMPOSE["configs"][item["source"]]["file"] for item in SERVICES["proxy"]["configs"]}
+    words = [targets.get(word, word) for word in SERVICES["proxy"]["command"][1:]]
+    command = [find("haproxy", package="haproxy"), "-c", *words]
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "WARNING" not in done.stderr
 
 
-def test_its_settings_exist(compose: dict[str, Any]) -> None:
-    environment = compose["services"]["ridelab"]["environment"]
-    assert Settings.from_environment(environment).workers == int(environment["RIDELAB_WORKERS"])
+def test_the_proxy_waits_longer_than_the_service_and_takes_bodies_as_long() -> None:
+    text = (ROOT / "backend/deploy/haproxy.cfg").read_text()
+    timeout = re.search(r"timeout server (\d+)s", text)
+    assert timeout
+    assert int(timeout[1]) > Settings().run_timeout
+    longest = Settings().max_body_bytes
+    assert set(re.findall(r"deny status 413 if \{ .* gt (\d+) \}", text)) == {str(longest)}
+    buffer = re.search(r"tune.bufsize (\d+)", text)
+    assert buffer
+    assert int(buffer[1]) > longest + 2 * 16384, "headers, and room for what the proxy writes itself"
 
 
 def test_the_image_holds_packages_to_their_hashes_and_runs_as_nobody_special(instructions: list[list[str]]) -> None:
     installs = [words for words in instructions if "pip" in words]
     assert installs
     assert all("--require-hashes" in words and "requirements.lock" in words for words in installs)
+    assert any("npm" in words and "ci" in words for words in instructions)
     last_stage = instructions[max(i for i, words in enumerate(instructions) if words[0] == "FROM") :]
-    assert ["USER", "10001:10001"] in last_stage
+    assert ["USER", SERVICES["api"]["user"]] in last_stage
     assert last_stage[-1][:1] == ["CMD"]
+    assert all(re.search(r":\d", words[1]) for words in instructions if words[0] == "FROM"), "images of a version"
 
 
 def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions: list[list[str]]) -> None:
@@ -76,3 +189,4 @@ def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions
     for source in copied:
         assert (ROOT / source).exists(), source
         assert source.split("/")[0] in allowed, source
+    assert (ROOT / SERVICES["worker"]["environment"]["DASK_CONFIG"].removeprefix("/app/")).is_file()
