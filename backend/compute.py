@@ -131,6 +131,7 @@ class Workers:
             future = asyncio.wrap_future(slot.schedule(function, args=args, timeout=timeout))
         except RuntimeError as error:  # the slot broke since it was looked at
             raise BrokenProcessPool(str(error)) from None
+        future.add_done_callback(_seen)
         for _ in range(int((timeout + GRACE) / WATCH)):
             done, _ = await asyncio.wait({future}, timeout=WATCH)
             if done:
@@ -194,6 +195,12 @@ class Workers:
         self._chores.discard(task)
         if not task.cancelled():
             task.exception()
+
+
+def _seen(future: asyncio.Future[Any]) -> None:
+    """Whoever waited may be gone when it lands: its exception is no news then."""
+    if not future.cancelled():
+        future.exception()
 
 
 def _end(slot: ProcessPool) -> None:

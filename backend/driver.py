@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
-FIRST_CHUNK = 8  # runs, while it is not known how long one takes
+FIRST_CHUNK = 8  # runs at most, while it is not known how long one takes
+FIRST_COST = 2.0  # their estimated cost [s]; an ordinary run takes a small part of its estimate
 LONGEST_CHUNK = 1000  # runs
 AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
 LOOK = 0.4  # between two looks at what other services accepted or cancelled [s]
@@ -72,7 +73,8 @@ class Progress:
     def size(self) -> int:
         """Runs of the next chunk."""
         if self.pace is None:
-            return FIRST_CHUNK
+            each = self.batch.estimated_cost / self.batch.total
+            return min(FIRST_CHUNK, max(1, int(FIRST_COST / max(each, 1e-3))))
         return min(LONGEST_CHUNK, max(1, round(CHUNK_SECONDS / self.pace)))
 
     def note(self, runs: int, seconds: float) -> None:

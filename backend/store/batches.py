@@ -220,7 +220,8 @@ class BatchStore:
         self._end(batch_id, "cancelled", None)
 
     def rows(self, batch_id: str, after: int, limit: int) -> list[BatchRow]:
-        """The next runs behind position `after`, each with its result."""
+        """The next runs behind position `after`, each with its result once it is settled."""
+        theirs = (batch_runs.c.result_key == results.c.key) & batch_runs.c.status.in_(("ok", "failed"))
         chosen = (
             select(
                 batch_runs.c.position,
@@ -232,7 +233,7 @@ class BatchStore:
                 results.c.summary,
                 results.c.compute_ms,
             )
-            .join_from(batch_runs, results, batch_runs.c.result_key == results.c.key, isouter=True)
+            .join_from(batch_runs, results, theirs, isouter=True)
             .where(batch_runs.c.batch_id == batch_id, batch_runs.c.position > after)
             .order_by(batch_runs.c.position)
             .limit(limit)

@@ -1,0 +1,328 @@
+"""Batches over HTTP: what is accepted, refused, followed, cancelled and read."""
+
+import csv
+import io
+import itertools
+import json
+import time
+from typing import Any
+
+import httpx
+import pyarrow.parquet as pq
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from backend import sweeps
+from sim_core import dotted
+from sim_core.scenario import Scenario
+from sim_core.simulation import simulate
+
+BASE = {"road": {"length": 125, "bump": {"start": 88}}}  # nobody else's, so that nothing is stored yet
+HEIGHTS = [0.04, 0.06, 0.08]
+# A second or two of one core each, so that a batch of them is still running when it is looked at.
+LONG = {"road": {"length": 60.7, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
+
+
+def submit(client: httpx.Client, sweep: dict[str, Any], *, key: str | None = None, **more: Any) -> httpx.Response:
+    body = {"scenario": BASE, "strategies": ["lv", "passive"], "sweep": sweep, **more}
+    return client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": key} if key else {})
+
+
+def wait_for(client: httpx.Client, batch_id: str, seconds: float = 120) -> dict[str, Any]:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        batch: dict[str, Any] = client.get(f"/api/v1/batches/{batch_id}").json()
+        if batch["state"] not in ("queued", "running"):
+            return batch
+        time.sleep(0.1)
+    raise TimeoutError("The batch did not end")
+
+
+def rows(client: httpx.Client, batch_id: str) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = client.get(f"/api/v1/batches/{batch_id}/results").json()["rows"]
+    return found
+
+
+@pytest.fixture(scope="module")
+def batch(client: httpx.Client) -> dict[str, Any]:
+    """A finished grid of three heights and two previews under two strategies."""
+    answer = submit(client, {"grid": {"road.bump.height": HEIGHTS, "mpc.preview": ["lookahead", "none"]}})
+    assert answer.status_code == 202, answer.text
+    assert answer.headers["location"] == f"/api/v1/batches/{answer.json()['id']}"
+    assert answer.json()["state"] == "queued"
+    assert answer.json()["total"] == 12
+    return wait_for(client, answer.json()["id"])
+
+
+def test_every_combination_runs_once_in_order(client: httpx.Client, batch: dict[str, Any]) -> None:
+    assert (batch["state"], batch["done"], batch["failed"], batch["total"]) == ("done", 12, 0, 12)
+    assert batch["created_at"] <= batch["started_at"] <= batch["finished_at"]
+    found = rows(client, batch["id"])
+    combinations = itertools.product(HEIGHTS, ["lookahead", "none"], ["lv", "passive"])
+    assert [(row["road.bump.height"], row["mpc.preview"], row["strategy"]) for row in found] == list(combinations)
+    assert [row["run"] for row in found] == list(range(12))
+
+
+def test_a_row_is_what_the_core_computes(client: httpx.Client, batch: dict[str, Any]) -> None:
+    row = rows(client, batch["id"])[6]
+    scenario = Scenario.model_validate(
+        {**BASE, "road": {**BASE["road"], "bump": {"start": 88, "height": 0.06}}, "mpc": {"preview": "none"}}
+    )
+    expected = json.loads(json.dumps(simulate(scenario, "lv").summary(), default=dict))
+    assert (row["road.bump.height"], row["mpc.preview"], row["strategy"]) == (0.06, "none", "lv")
+    for name in ("metrics", "comfort", "travel_time", "arrival_speed_kmh"):
+        # Another process, the same arithmetic: only the blocks a law is computed in may differ in their last bits.
+        assert _flat(row[name]) == pytest.approx(_flat(expected[name]), rel=1e-9), name
+
+
+def _flat(value: Any, name: str = "") -> dict[str, float]:
+    if isinstance(value, dict):
+        return {key: item for inner, part in value.items() for key, item in _flat(part, f"{name}.{inner}").items()}
+    return {name: value}
+
+
+def test_the_same_run_posted_alone_is_stored_already(client: httpx.Client, batch: dict[str, Any]) -> None:
+    scenario = {**BASE, "road": {**BASE["road"], "bump": {"start": 88, "height": 0.06}}, "mpc": {"preview": "none"}}
+    alone = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv"]}).json()
+    assert alone["strategies"]["lv"]["cached"] is True
+    assert alone["strategies"]["lv"]["metrics"] == rows(client, batch["id"])[6]["metrics"]
+
+
+def test_what_is_stored_is_not_computed_again(client: httpx.Client, batch: dict[str, Any]) -> None:
+    again = submit(client, {"grid": {"road.bump.height": HEIGHTS, "mpc.preview": ["none", "lookahead"]}}).json()
+    assert again["id"] != batch["id"]
+    wait_for(client, again["id"])
+    times = [{row["compute_ms"] for row in rows(client, each["id"])} for each in (batch, again)]
+    assert times[0] == times[1], "the stored results' own times: they are the same rows of the store"
+
+
+def test_files_hold_the_same_rows_with_units_and_provenance(client: httpx.Client, batch: dict[str, Any]) -> None:
+    path = f"/api/v1/batches/{batch['id']}/results"
+    plain = client.get(path).json()
+    text = client.get(path, params={"format": "csv"})
+    assert text.headers["content-type"] == "text/csv; charset=utf-8; header=present"
+    assert f'filename="ridelab-batch-{batch["id"]}.csv"' in text.headers["content-disposition"]
+    lines = list(csv.DictReader(io.StringIO(text.text)))
+    table = pq.read_table(io.BytesIO(client.get(path, params={"format": "parquet"}).content))
+    assert len(lines) == table.num_rows == len(plain["rows"]) == 12
+    peak = "bump.body_acceleration.peak [m/s^2]"
+    for row, line, record in zip(plain["rows"], lines, table.to_pylist(), strict=True):
+        expected = row["metrics"]["bump"]["body_acceleration"]["peak"]
+        assert float(line[peak]) == record[peak] == expected
+        assert float(line["road.bump.height [m]"]) == record["road.bump.height [m]"] == row["road.bump.height"]
+        assert line["mpc.preview [1]"] == record["mpc.preview [1]"] == row["mpc.preview"]
+        assert line["status"] == record["status"] == "ok"
+        assert line["core_version"] == record["core_version"] == row["core_version"]
+        assert line["batch"] == batch["id"]
+    assert plain["units"]["bump.body_acceleration.peak"] == "m/s^2"
+    assert table.schema.metadata[b"ridelab.batch"].decode() == batch["id"]
+    assert json.loads(table.schema.metadata[b"ridelab.sweep"]) == batch["sweep"]
+    assert json.loads(table.schema.metadata[b"ridelab.scenario"]) == batch["scenario"] == plain["scenario"]
+    assert table.schema.field(peak).metadata[b"unit"] == b"m/s^2"
+
+
+def test_columns_are_the_same_numbers(client: httpx.Client, batch: dict[str, Any]) -> None:
+    path = f"/api/v1/batches/{batch['id']}/table"
+    answer = client.get(path, params={"figures": "bump.body_acceleration.peak,travel_time"}).json()
+    found = rows(client, batch["id"])
+    assert answer["columns"]["road.bump.height"] == [row["road.bump.height"] for row in found]
+    assert answer["columns"]["travel_time"] == [row["travel_time"] for row in found]
+    peaks = [row["metrics"]["bump"]["body_acceleration"]["peak"] for row in found]
+    assert answer["columns"]["bump.body_acceleration.peak"] == peaks
+    assert answer["units"] == {
+        "road.bump.height": "m",
+        "mpc.preview": "1",
+        "bump.body_acceleration.peak": "m/s^2",
+        "travel_time": "s",
+    }
+    assert client.get(path, params={"figures": "no.such"}).status_code == 422
+
+
+def events(client: httpx.Client, batch_id: str, **options: Any) -> list[dict[str, Any]]:
+    text = client.get(f"/api/v1/batches/{batch_id}/events", timeout=120, **options).text
+    found = []
+    for block in text.split("\n\n"):
+        fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))
+        if "data" in fields:
+            found.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
+    return found
+
+
+def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Client, batch: dict[str, Any]) -> None:
+    told = events(client, batch["id"])
+    assert [event["id"] for event in told] == list(range(1, len(told) + 1))
+    assert [event["state"] for event in told if event["event"] == "state"] == ["queued", "running", "done"]
+    done = [event["done"] for event in told]
+    assert done == sorted(done)
+    assert told[-1] == {"id": len(told), "event": "state", "state": "done", "done": 12, "failed": 0, "total": 12}
+    assert events(client, batch["id"], headers={"Last-Event-ID": "2"}) == told[2:]
+    assert events(client, batch["id"], params={"after": 2}) == told[2:]
+    assert events(client, batch["id"], headers={"Last-Event-ID": "what\u00a0ever".encode()}) == told
+
+
+def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(client: httpx.Client) -> None:
+    ranges = {"road.bump.height": [0.02, 0.1], "mpc.prediction_horizon": [22, 26], "mpc.stage_weights.bump.2": [1, 9]}
+    sweep = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
+    batches = [wait_for(client, submit(client, sweep, strategies=["speed_only"]).json()["id"]) for _ in range(2)]
+    first, second = (rows(client, batch["id"]) for batch in batches)
+    for one, other in zip(first, second, strict=True):
+        assert {name: one[name] for name in ranges} == {name: other[name] for name in ranges}
+    for name, (low, high) in ranges.items():
+        values = [row[name] for row in first]
+        assert all(low <= value <= high for value in values)
+        if name != "mpc.prediction_horizon":
+            width = (high - low) / 20
+            assert sorted(int((value - low) / width) for value in values) == list(range(20)), "one in each stratum"
+        else:
+            assert set(values) == {22, 23, 24, 25, 26}
+
+
+def test_a_list_takes_points_as_they_are_and_fills_what_they_leave_out(client: httpx.Client) -> None:
+    sweep = {"list": [{"road.bump.height": 0.03}, {"lqr.weights": [2, 1, 1]}, {}]}
+    batch = wait_for(client, submit(client, sweep, strategies=["lqr"]).json()["id"])
+    found = rows(client, batch["id"])
+    assert [row["road.bump.height"] for row in found] == [0.03, 0.1, 0.1]
+    assert [row["lqr.weights"] for row in found] == [[1, 1, 1], [2, 1, 1], [1, 1, 1]]
+
+
+def test_points_that_contradict_themselves_are_failed_rows_with_a_reason(client: httpx.Client) -> None:
+    sweep = {"grid": {"mpc.prediction_horizon": [10, 30], "mpc.control_horizon": [5, 20]}}
+    batch = wait_for(client, submit(client, sweep, strategies=["lv"]).json()["id"])
+    assert (batch["state"], batch["done"], batch["failed"], batch["total"]) == ("done", 3, 1, 4)
+    found = rows(client, batch["id"])
+    assert [row["status"] for row in found] == ["ok", "failed", "ok", "ok"]
+    assert found[1]["reason"].startswith("mpc.control_horizon: ")
+    assert "metrics" not in found[1]
+    lines = list(csv.DictReader(io.StringIO(_csv(client, batch["id"]))))
+    assert lines[1]["reason"] == found[1]["reason"]
+    assert lines[1]["travel_time [s]"] == ""
+
+
+def _csv(client: httpx.Client, batch_id: str) -> str:
+    return client.get(f"/api/v1/batches/{batch_id}/results", params={"format": "csv"}).text
+
+
+def hypercube(name: str, low: float, high: float, **more: int) -> dict[str, Any]:
+    return {"latin_hypercube": {"ranges": {name: [low, high]}, "samples": 3, **more}}
+
+
+@pytest.mark.parametrize(
+    ("sweep", "pointers"),
+    [
+        ({"grid": {"road.bmp": [1]}}, ["grid/road.bmp"]),
+        ({"grid": {"road": [{}]}}, ["grid/road"]),
+        ({"grid": {"road.seed": [1, "1", True, -1, None]}}, [f"grid/road.seed/{i}" for i in (1, 2, 3, 4)]),
+        ({"grid": {"road.seed": [1.5]}}, ["grid/road.seed/0"]),
+        ({"grid": {"lqr.weights": [[0, 0, 0], [1, 2]]}}, ["grid/lqr.weights/0", "grid/lqr.weights/1"]),
+        ({"grid": {"lqr.weights": [[1, 1, 1]], "lqr.weights.0": [2]}}, [""]),
+        ({"list": [{"road.seed": 1}, {"road.sed": 1}]}, ["list/1/road.sed"]),
+        ({"list": [{"=HYPERLINK(1)": 1}]}, ["list/0"]),
+        (hypercube("mpc.preview", 0, 1), ["latin_hypercube/ranges/mpc.preview"]),
+        (hypercube("road.seed", 3, 1), ["latin_hypercube/ranges/road.seed"]),
+        (hypercube("road.bump.height", 0, 7), ["latin_hypercube/ranges/road.bump.height/1"]),
+        (hypercube("road.bump.height", 0, 1, samples=0), ["latin_hypercube/samples"]),
+        ({"grid": {}}, ["grid"]),
+        ({"list": []}, ["list"]),
+        ({}, [""]),
+        ({"grid": {"road.seed": [1]}, "list": [{}]}, [""]),
+        ({"random": {}}, [""]),
+    ],
+)
+def test_what_a_sweep_cannot_use_is_named(client: httpx.Client, sweep: dict[str, Any], pointers: list[str]) -> None:
+    answer = submit(client, sweep)
+    assert answer.status_code == 422, answer.text
+    assert sorted({error["pointer"] for error in answer.json()["errors"]}) == sorted(
+        f"/sweep/{place}".rstrip("/") for place in pointers
+    )
+    assert "HYPERLINK" not in answer.text
+
+
+def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_stored(client: httpx.Client) -> None:
+    before = client.get("/api/v1/batches").json()
+    many = {"grid": {"road.seed": list(range(1000)), "road.bump.height": [i / 1000 for i in range(200)]}}
+    answer = submit(client, many)
+    assert answer.status_code == 422
+    assert "400000 runs are over the limit of 100000" in answer.json()["detail"]
+    dear = {"grid": {"mpc.sample_time": [0.01, 0.002]}}
+    heavy = {"road": {"length": 1500, "bump": {"start": 800}}, "mpc": {"solver": "osqp", "prediction_horizon": 200}}
+    answer = submit(client, dear, scenario=heavy)
+    assert answer.status_code == 422
+    assert "over the limit of 30 s" in answer.json()["detail"]
+    assert client.get("/api/v1/batches").json() == before
+
+
+def test_an_idempotency_key_again_is_the_same_batch_and_with_another_body_a_conflict(client: httpx.Client) -> None:
+    sweep = {"grid": {"road.bump.height": [0.05]}}
+    answers = [submit(client, sweep, key="once") for _ in range(3)]
+    assert [answer.status_code for answer in answers] == [202] * 3
+    assert len({answer.json()["id"] for answer in answers}) == 1
+    other = submit(client, {"grid": {"road.bump.height": [0.07]}}, key="once")
+    assert other.status_code == 409
+    assert other.json()["type"].endswith("idempotency-key-reused")
+    assert submit(client, sweep, key="twice").json()["id"] != answers[0].json()["id"]
+
+
+def test_a_dry_run_tells_size_and_time_and_stores_nothing(client: httpx.Client) -> None:
+    before = client.get("/api/v1/batches").json()
+    sweep = {"grid": {"mpc.prediction_horizon": [10, 30], "mpc.control_horizon": [5, 20]}}
+    answer = submit(client, sweep, dry_run=True)
+    assert answer.status_code == 200
+    told = answer.json()
+    assert (told["points"], told["total"], told["contradictory"]) == (4, 8, 2)
+    assert 0 < told["estimated_seconds"] < told["estimated_cost"]
+    assert client.get("/api/v1/batches").json() == before
+
+
+def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: httpx.Client) -> None:
+    sweep = {"grid": {"road.seed": list(range(1, 41))}}
+    batch = submit(client, sweep, scenario=LONG, strategies=["passive", "lv"]).json()
+    end = time.monotonic() + 120
+    while client.get(f"/api/v1/batches/{batch['id']}").json()["done"] < 1:
+        assert time.monotonic() < end
+        time.sleep(0.1)
+    answer = client.post(f"/api/v1/batches/{batch['id']}/cancel")
+    assert answer.status_code == 200
+    assert answer.json()["state"] == "cancelled"
+    found = rows(client, batch["id"])
+    statuses = [row["status"] for row in found]
+    assert statuses.count("ok") == answer.json()["done"] >= 1
+    assert statuses.count("cancelled") == 80 - statuses.count("ok")
+    assert client.post(f"/api/v1/batches/{batch['id']}/cancel").json() == answer.json()
+    after = submit(client, {"grid": {"road.bump.height": [0.031]}}).json()
+    assert wait_for(client, after["id"])["done"] == 2, "the processes serve the next batch"
+    assert rows(client, batch["id"]) == found
+    assert events(client, batch["id"])[-1]["state"] == "cancelled"
+
+
+def test_unknown_batches_are_404_and_lists_are_newest_first(client: httpx.Client, batch: dict[str, Any]) -> None:
+    for path in ("", "/results", "/events", "/table"):
+        assert client.get(f"/api/v1/batches/{'x' * 22}{path}").status_code == 404
+    assert client.post(f"/api/v1/batches/{'x' * 22}/cancel").status_code == 404
+    listed = client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]
+    assert batch in listed
+    assert [each["created_at"] for each in listed] == sorted((each["created_at"] for each in listed), reverse=True)
+    assert len(client.get("/api/v1/batches", params={"limit": 1}).json()["batches"]) == 1
+
+
+@given(st.data())
+def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data: st.DataObject) -> None:
+    base = Scenario().model_dump(mode="json")
+    name = data.draw(st.sampled_from(list(dotted.fields())))
+    value = data.draw(
+        st.one_of(st.floats(0, 60), st.integers(0, 60), st.sampled_from(["none", "osqp", "flat"]), st.none())
+    )
+    sweep = sweeps.Sweep.model_validate({"grid": {name: [value]}})
+    changed = dotted.with_changes(base, {name: value})
+    try:
+        Scenario.model_validate(changed)
+    except ValueError as error:
+        alone = all(item["type"] != "inconsistent" for item in error.errors())  # type: ignore[attr-defined]
+    else:
+        alone = False
+    if alone and not (isinstance(value, float) and value.is_integer()):  # 3.0 is taken for a whole number
+        with pytest.raises(sweeps.SweepError):
+            sweeps.points(sweep, base)
+    else:
+        ((point,)) = [sweeps.points(sweep, base)[1][0]]
+        assert dotted.value(dotted.with_changes(base, point), name) == value
