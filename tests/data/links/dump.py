@@ -28,6 +28,7 @@ from sim_core.scenario import SCHEMA_VERSION, Bump, Road, Scenario, Speed  # noq
 from sim_core.simulation import simulate  # noqa: E402
 
 CORE_VERSION = "0.0.9"
+REVISION = "0003"  # of the database's own schema, when this fixture was made
 WHEN = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 TABLES: tuple[Table, ...] = (results, runs, run_results, links, pinned_series)  # in the order rows may be put in
 SCENARIO = Scenario(
@@ -74,26 +75,32 @@ def fill(store: Store) -> None:
     )
 
 
-def dump(store: Store) -> dict[str, list[dict[str, Any]]]:
-    """Every row, by table; bytes in base64."""
+def dump(store: Store) -> dict[str, Any]:
+    """The revision, and every row by table; bytes in base64, and times made equal."""
     with store.reading() as connection:
-        return {
+        rows = {
             table.name: [
                 {name: _to_json(value) for name, value in row._asdict().items()}
                 for row in connection.execute(select(table)).all()
             ]
             for table in TABLES
         }
+    return {"revision": REVISION, **rows}
 
 
-def load(store: Store, content: Mapping[str, list[dict[str, Any]]]) -> None:
-    """Put the rows of a fixture into a database."""
+def load(store: Store, content: Mapping[str, Any]) -> None:
+    """Put the rows of a fixture into a database that stands at its revision."""
     with store.writing() as connection:
         for table in TABLES:
             rows = [
                 {name: _from_json(table, name, value) for name, value in row.items()} for row in content[table.name]
             ]
             connection.execute(insert(table), rows)
+
+
+def bytes_of(text: str) -> bytes:
+    """What the fixture writes in base64."""
+    return base64.b64decode(text)
 
 
 def _to_json(value: Any) -> Any:
@@ -106,7 +113,7 @@ def _from_json(table: Table, name: str, value: Any) -> Any:
     kind = table.c[name].type
     if isinstance(kind, DateTime):
         return datetime.fromisoformat(value)
-    return base64.b64decode(value) if isinstance(kind, LargeBinary) and isinstance(value, str) else value
+    return bytes_of(value) if isinstance(kind, LargeBinary) else value
 
 
 def _plain(value: Any) -> Any:
@@ -115,7 +122,7 @@ def _plain(value: Any) -> Any:
 
 if __name__ == "__main__":
     memory = Store("sqlite:///file:fixture?mode=memory&cache=shared&uri=true")
-    memory.migrate()
+    memory.migrate(REVISION)
     fill(memory)
     json.dump(dump(memory), sys.stdout, indent=1)
     print()

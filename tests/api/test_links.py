@@ -1,0 +1,393 @@
+"""Share links: what was shared opens again as it was, whatever becomes of the service; the view comes back as sent."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from typing import Any
+from urllib.parse import quote
+
+import httpx
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sqlalchemy import delete, select, update
+from sqlalchemy.exc import IntegrityError
+
+from backend import exports, pins
+from backend.admission import Admission
+from backend.models_links import CreatedLink, Link
+from backend.store import Store, StoredLink, StoredResult
+from backend.store.tables import pinned_series, results, run_results, runs
+from sim_core import __version__
+from sim_core.scenario import SCHEMA_VERSION
+
+VIEW = {
+    "strategies": ["passive", "lv"],
+    "hidden": ["passive"],
+    "baseline": "lv",
+    "axis": "time",
+    "zoom": [1.25, 7],
+    "cursor": 3.5,
+}
+numbers = iter(range(1, 1000))
+
+
+@pytest.fixture
+def fresh(service: Any, road: dict[str, Any]) -> dict[str, Any]:
+    """A stored run that nothing links to."""
+    bump = {**road["bump"], "height": 0.04 + 1e-5 * next(numbers)}
+    answer = service.run(["lv", "passive"], {"road": {**road, "bump": bump}})
+    assert answer.status_code == 200
+    found: dict[str, Any] = answer.json()
+    return found
+
+
+def share(client: httpx.Client, run_id: str, **view: Any) -> dict[str, Any]:
+    answer = client.post("/api/v1/links", json={"run_id": run_id, **({"view": view} if view else {})})
+    assert answer.status_code == 201, answer.text
+    content: dict[str, Any] = answer.json()
+    return content
+
+
+def opened(client: httpx.Client, slug: str) -> dict[str, Any]:
+    answer = client.get(f"/api/v1/links/{slug}")
+    assert answer.status_code == 200, answer.text
+    content: dict[str, Any] = answer.json()
+    Link.model_validate_json(answer.content)
+    return content
+
+
+def keys(store: Store, run_id: str) -> list[str]:
+    with store.reading() as connection:
+        return list(
+            connection.execute(select(run_results.c.result_key).where(run_results.c.run_id == run_id)).scalars()
+        )
+
+
+def pinned_at(store: Store, run_id: str) -> dict[str, datetime]:
+    chosen = select(pinned_series.c.result_key, pinned_series.c.created_at)
+    with store.reading() as connection:
+        rows = connection.execute(chosen.where(pinned_series.c.result_key.in_(keys(store, run_id)))).all()
+    return {row.result_key: row.created_at for row in rows}
+
+
+def of_another_core(store: Store, run_id: str) -> None:
+    """As an upgrade of the core leaves it: the run and its results say that another version computed them."""
+    with store.writing() as connection:
+        connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(core_version="0.0.8"))
+        connection.execute(update(runs).where(runs.c.id == run_id).values(core_version="0.0.8"))
+
+
+def erase_pins(store: Store, run_id: str) -> None:
+    with store.writing() as connection:
+        connection.execute(delete(pinned_series).where(pinned_series.c.result_key.in_(keys(store, run_id))))
+
+
+def histories(client: httpx.Client, run_id: str) -> dict[str, bytes]:
+    """Everything that shows a run's time histories."""
+    found = {}
+    for query in (
+        "series?strategy=lv,passive",
+        "series?strategy=lv&points=300&encoding=base64",
+        "series?strategy=passive&format=csv&signals=speed",
+        "series?strategy=lv,passive&format=parquet&points=500",
+        "figures",
+        "figures/speed?x=time",
+    ):
+        answer = client.get(f"/api/v1/runs/{run_id}/{query}")
+        assert answer.status_code == 200, (query, answer.text)
+        found[query] = answer.content
+    return found
+
+
+def test_a_link_opens_the_run_in_the_view_it_was_shared_in(client: httpx.Client, fresh: dict[str, Any]) -> None:
+    answer = client.post("/api/v1/links", json={"run_id": fresh["id"], "view": VIEW})
+    assert answer.status_code == 201
+    made = answer.json()
+    CreatedLink.model_validate(made)
+    assert re.fullmatch("[A-Za-z0-9_-]{22}", made["slug"])
+    assert made["url"] == answer.headers["location"] == f"/s/{made['slug']}"
+    assert made["series_pinned"] is True
+    link = opened(client, made["slug"])
+    run = client.get(f"/api/v1/runs/{fresh['id']}").json()
+    created = datetime.fromisoformat(link.pop("created_at"))
+    assert abs(datetime.now(UTC) - created) < timedelta(minutes=10)
+    assert link == {
+        "slug": made["slug"],
+        "url": made["url"],
+        "kind": "run",
+        "core_version": __version__,
+        "current_core_version": __version__,
+        "schema_version": SCHEMA_VERSION,
+        "scenario": run["scenario"],
+        "view": VIEW,
+        "run": run,
+        "batch": None,
+        "series_pinned": True,
+    }
+
+
+@pytest.mark.parametrize(
+    "view",
+    [
+        {},
+        {"zoom": None, "cursor": None, "baseline": None},
+        {"zoom": [-0.0, 1e300]},
+        {"strategies": []},
+        {"axis": "distance"},
+    ],
+)
+def test_a_view_comes_back_as_it_was_sent(client: httpx.Client, run: dict[str, Any], view: dict[str, Any]) -> None:
+    assert opened(client, share(client, run["id"], **view)["slug"])["view"] == view
+
+
+@pytest.mark.parametrize(
+    ("change", "pointer"),
+    [
+        ({"run_id": None}, "/run_id"),
+        ({"batch_id": "A" * 22}, "/run_id"),
+        ({"run_id": "A" * 22}, "/run_id"),
+        ({"run_id": "a\u0000b"}, "/run_id"),
+        ({"run_id": 7}, "/run_id"),
+        ({"run_id": None, "batch_id": "A" * 22}, "/batch_id"),
+        ({"slug": "mine"}, ""),
+        ({"view": None}, "/view"),
+        ({"view": {"theme": "dark"}}, "/view"),
+        ({"view": {"strategies": ["lv", "teleport"]}}, "/view/strategies/1"),
+        ({"view": {"strategies": ["lv"] * 40}}, "/view/strategies"),
+        ({"view": {"hidden": ["teleport"]}}, "/view/hidden/0"),
+        ({"view": {"baseline": "teleport"}}, "/view/baseline"),
+        ({"view": {"axis": "sideways"}}, "/view/axis"),
+        ({"view": {"zoom": [2, 2]}}, "/view/zoom"),
+        ({"view": {"zoom": [2, 1]}}, "/view/zoom"),
+        ({"view": {"zoom": [1]}}, "/view/zoom/1"),
+        ({"view": {"zoom": [1, 2, 3]}}, "/view/zoom"),
+        ({"view": {"zoom": [1, True]}}, "/view/zoom/1"),
+        ({"view": {"cursor": "1"}}, "/view/cursor"),
+        ({"view": {"x": "road.bump.height"}}, "/view/x"),
+        ({"view": {"y": "bump.body_acceleration.peak"}}, "/view/y"),
+        ({"view": {"y": "bump.body_acceleration.median"}}, "/view/y"),
+    ],
+)
+def test_what_cannot_be_shared_is_named(
+    client: httpx.Client, run: dict[str, Any], change: dict[str, Any], pointer: str
+) -> None:
+    answer = client.post("/api/v1/links", json={"run_id": run["id"], **change})
+    assert answer.status_code == 422, answer.text
+    assert [error["pointer"] for error in answer.json()["errors"]] == [pointer]
+    assert "teleport" not in answer.text
+
+
+def test_unknown_slugs_are_404(client: httpx.Client) -> None:
+    answer = client.get("/api/v1/links/AAAAAAAAAAAAAAAAAAAAAA")
+    assert answer.status_code == 404
+    assert answer.headers["content-type"] == "application/problem+json"
+
+
+@settings(max_examples=60)
+@given(
+    st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=60) | st.from_regex("[A-Za-z0-9_-]{21,23}")
+)
+def test_any_other_text_is_no_link(client: httpx.Client, slug: str) -> None:
+    answer = client.get(f"/api/v1/links/{quote(slug, safe='')}")
+    assert answer.status_code == 404
+    assert answer.headers["content-type"] == "application/problem+json"
+
+
+def test_slugs_are_never_given_twice_and_links_of_one_run_share_its_pins(
+    service: Any, client: httpx.Client, fresh: dict[str, Any]
+) -> None:
+    store: Store = service.app.state.store
+    first = share(client, fresh["id"], cursor=1)
+    before = pinned_at(store, fresh["id"])
+    assert len(before) == 2
+    more = [share(client, fresh["id"], cursor=1) for _ in range(4)]
+    assert len({link["slug"] for link in [first, *more]}) == 5
+    assert all(link["series_pinned"] for link in more)
+    assert pinned_at(store, fresh["id"]) == before
+
+
+def test_pinned_histories_are_the_computed_ones_to_the_byte(
+    service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = histories(client, fresh["id"])
+    share(client, fresh["id"])
+    used = []
+    original = service.app.state.workers.call
+
+    async def noted(function: Any, *arguments: Any) -> Any:
+        used.append(function)
+        return await original(function, *arguments)
+
+    monkeypatch.setattr(service.app.state.workers, "call", noted)
+    assert histories(client, fresh["id"]) == made
+    assert set(used) == {exports.render_pinned, pins.opened}, "none was computed again"
+
+
+def test_after_an_upgrade_of_the_core_a_link_opens_what_it_did(
+    service: Any, client: httpx.Client, fresh: dict[str, Any]
+) -> None:
+    link = share(client, fresh["id"], **VIEW)
+    before, made = opened(client, link["slug"]), histories(client, fresh["id"])
+    of_another_core(service.app.state.store, fresh["id"])
+    after = opened(client, link["slug"])
+    assert (after["core_version"], after["current_core_version"]) == ("0.0.8", __version__)
+    assert after["series_pinned"] is True
+    assert after["run"]["strategies"] == before["run"]["strategies"]
+    assert (after["view"], after["scenario"]) == (before["view"], before["scenario"])
+    again = histories(client, fresh["id"])
+    assert again["figures"] == made["figures"]
+    assert b'"core_version":"0.0.8"' in again["series?strategy=lv,passive"]
+    for query in ("series?strategy=lv,passive", "series?strategy=passive&format=csv&signals=speed"):
+        assert again[query].replace(b"0.0.8", __version__.encode()) == made[query]
+
+
+def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(
+    service: Any, client: httpx.Client, fresh: dict[str, Any]
+) -> None:
+    of_another_core(service.app.state.store, fresh["id"])
+    link = share(client, fresh["id"])
+    assert link["series_pinned"] is False
+    found = opened(client, link["slug"])
+    assert found["series_pinned"] is False
+    assert found["run"]["strategies"]["lv"]["metrics"] == fresh["strategies"]["lv"]["metrics"]
+    for path in ("series?strategy=lv", "figures"):
+        gone = client.get(f"/api/v1/runs/{fresh['id']}/{path}")
+        assert gone.status_code == 410
+        assert "no link pinned them" in gone.json()["detail"]
+
+
+def test_a_run_pinned_in_part_gives_that_part(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
+    """Another run's link pinned the passive car, which this run has too."""
+    other = service.run(["passive"], fresh["scenario"]).json()
+    share(client, other["id"])
+    of_another_core(service.app.state.store, fresh["id"])
+    series = client.get(f"/api/v1/runs/{fresh['id']}/series?points=40").json()
+    assert series["strategy"] == "passive"
+    assert client.get(f"/api/v1/runs/{fresh['id']}/series?strategy=lv").status_code == 422
+    figure = client.get(f"/api/v1/runs/{fresh['id']}/figures/speed").json()
+    assert [trace["meta"]["strategy"] for trace in figure["data"]] == ["passive"]
+    assert share(client, fresh["id"])["series_pinned"] is False
+
+
+def test_erased_pins_are_made_again_while_the_core_is_the_same(
+    service: Any, client: httpx.Client, fresh: dict[str, Any]
+) -> None:
+    store: Store = service.app.state.store
+    link, made = share(client, fresh["id"]), histories(client, fresh["id"])
+    erase_pins(store, fresh["id"])
+    assert opened(client, link["slug"])["series_pinned"] is False
+    assert histories(client, fresh["id"]) == made
+    assert share(client, fresh["id"])["series_pinned"] is True
+    assert opened(client, link["slug"])["series_pinned"] is True
+    erase_pins(store, fresh["id"])
+    of_another_core(store, fresh["id"])
+    assert client.get(f"/api/v1/runs/{fresh['id']}/figures").status_code == 410
+    assert opened(client, link["slug"])["run"]["strategies"]["lv"]["status"] == "ok"
+
+
+def test_a_link_says_when_it_changed(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
+    address = f"/api/v1/links/{share(client, fresh['id'])['slug']}"
+    answer = client.get(address)
+    assert answer.headers["cache-control"] == "no-cache"
+    tag = answer.headers["etag"]
+    known = client.get(address, headers={"If-None-Match": tag})
+    assert (known.status_code, known.content, known.headers["etag"]) == (304, b"", tag)
+    of_another_core(service.app.state.store, fresh["id"])
+    changed = client.get(address, headers={"If-None-Match": tag})
+    assert changed.status_code == 200
+    assert changed.headers["etag"] != tag
+
+
+def test_a_run_stored_by_a_newer_version_is_refused_for_now(
+    service: Any, client: httpx.Client, fresh: dict[str, Any]
+) -> None:
+    link = share(client, fresh["id"])
+    with service.app.state.store.writing() as connection:
+        connection.execute(update(runs).where(runs.c.id == fresh["id"]).values(schema_version=SCHEMA_VERSION + 1))
+    for path in (f"runs/{fresh['id']}", f"runs/{fresh['id']}/figures", f"links/{link['slug']}"):
+        answer = client.get(f"/api/v1/{path}")
+        assert answer.status_code == 503
+        assert answer.json()["type"].endswith("newer-schema")
+        assert "retry-after" in answer.headers
+
+
+@pytest.fixture
+def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> Admission:
+    """The service's links under limits that nothing fits."""
+    admission = Admission(max_request_cost=1, max_queued_cost=1, max_client_requests=0)
+    monkeypatch.setattr(service.app.state.links, "_admission", admission)
+    return admission
+
+
+def test_pinning_counts_as_computing(
+    client: httpx.Client, run: dict[str, Any], fresh: dict[str, Any], request: pytest.FixtureRequest
+) -> None:
+    share(client, run["id"])
+    request.getfixturevalue("limited")
+    refused = client.post("/api/v1/links", json={"run_id": fresh["id"]})
+    assert refused.status_code == 429
+    assert "retry-after" in refused.headers
+    assert share(client, run["id"])["series_pinned"] is True, "nothing to compute"
+
+
+@pytest.fixture
+def batch(client: httpx.Client, road: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """A small batch, however far it is."""
+    body = {
+        "scenario": {"road": road},
+        "strategies": ["passive"],
+        "sweep": {"grid": {"road.bump.height": [0.01, 0.02]}},
+    }
+    answer = client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": f"links-{next(numbers)}"})
+    assert answer.status_code == 202, answer.text
+    yield answer.json()
+    client.post(f"/api/v1/batches/{answer.json()['id']}/cancel")
+
+
+def test_a_batch_can_be_shared(client: httpx.Client, batch: dict[str, Any]) -> None:
+    view = {"x": "road.bump.height", "y": "bump.body_acceleration.peak", "baseline": "passive"}
+    answer = client.post("/api/v1/links", json={"batch_id": batch["id"], "view": view})
+    assert answer.status_code == 201, answer.text
+    assert answer.json()["series_pinned"] is False
+    link = opened(client, answer.json()["slug"])
+    assert link["kind"] == "batch"
+    assert link["run"] is None
+    assert link["view"] == view
+    assert {name: link["batch"][name] for name in ("id", "total", "fields")} == {
+        name: batch[name] for name in ("id", "total", "fields")
+    }
+    assert link["scenario"] == batch["scenario"]
+
+
+@pytest.mark.parametrize("view", [{"x": "road.bump.width"}, {"x": "nothing"}])
+def test_a_batch_is_seen_over_the_fields_it_sweeps(
+    client: httpx.Client, batch: dict[str, Any], view: dict[str, Any]
+) -> None:
+    answer = client.post("/api/v1/links", json={"batch_id": batch["id"], "view": view})
+    assert answer.status_code == 422
+    assert answer.json()["errors"] == [{"pointer": "/view/x", "message": "This batch sweeps road.bump.height"}]
+
+
+def test_links_are_kept_on_either_database(database_url: str) -> None:
+    store = Store(database_url)
+    store.migrate()
+    try:
+        outcomes = [
+            StoredResult(key=key, strategy="lv", status="ok", summary={}, compute_ms=1.0) for key in ("k1", "k2")
+        ]
+        store.runs.save(run_id="r" * 22, core_version="1", schema_version=1, scenario={}, outcomes=outcomes)
+        link = StoredLink(slug="s" * 22, kind="run", target="r" * 22, view=VIEW, created_at=datetime.now(UTC))
+        content = bytes(range(256)) * 5000
+        store.links.save(link, {"k1": content})
+        store.links.save(replace(link, slug="u" * 22), {"k2": b"", "k1": b"another"})
+        assert store.links.load("s" * 22) == link
+        assert store.links.load("t" * 22) is None
+        assert store.links.pinned(["k1", "k2", "k3"]) == {"k1", "k2"}
+        assert store.links.load_pins(["k1", "k2", "k3"]) == {"k1": content, "k2": b""}, "the first pin stays"
+        with pytest.raises(IntegrityError):
+            store.links.save(replace(link, slug="v" * 22, target="x" * 22), {})
+        assert store.links.load("v" * 22) is None
+    finally:
+        store.close()

@@ -1,0 +1,110 @@
+"""Pinned time histories: exactly what was computed, readable by any catalogue of signals and any Parquet reader."""
+
+import io
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import orjson
+import pyarrow as pa
+import pytest
+from pyarrow import parquet
+
+from backend import exports, pins
+from backend.series import ROWS, decimate, pack
+from sim_core import __version__
+from sim_core.scenario import Bump, Road, Scenario, Speed
+from sim_core.signals import SIGNALS
+from sim_core.simulation import simulate
+
+SCENARIO = Scenario(road=Road(length=20, bump=Bump(start=8, width=2)), speed=Speed(detection_distance=6))
+
+
+@pytest.fixture(scope="module")
+def pinned() -> dict[str, bytes]:
+    return pins.make(SCENARIO, ["lv", "passive"])
+
+
+@pytest.fixture(scope="module")
+def breaks() -> dict[str, list[float]]:
+    return {name: [span.start_time for span in simulate(SCENARIO, name).stages[1:]] for name in ("lv", "passive")}
+
+
+def export(**change: Any) -> exports.Export:
+    settings = {"strategies": ["lv", "passive"], "signals": list(SIGNALS), "points": None, "encoding": "list"}
+    provenance = {"run": "a", "core_version": "b"}
+    return exports.Export(**{**settings, "provenance": provenance, **change})
+
+
+def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], breaks: dict[str, list[float]]) -> None:
+    opened = pins.opened(pinned, breaks, None)
+    for name, array in opened.items():
+        np.testing.assert_array_equal(array, pack(simulate(SCENARIO, name)))
+        assert array.dtype == np.float32
+
+
+@pytest.mark.parametrize("points", [50, 700])
+def test_a_pin_is_decimated_as_a_computed_series_is(
+    pinned: dict[str, bytes], breaks: dict[str, list[float]], points: int
+) -> None:
+    for name, array in pins.opened(pinned, breaks, points).items():
+        np.testing.assert_array_equal(array, pack(simulate(SCENARIO, name), points))
+
+
+@pytest.mark.parametrize("file_format", ["json", "csv", "parquet"])
+@pytest.mark.parametrize("points", [None, 90])
+def test_files_from_pins_are_those_made_again(
+    pinned: dict[str, bytes], breaks: dict[str, list[float]], file_format: str, points: int | None
+) -> None:
+    wanted = export(file_format=file_format, points=points)
+    assert exports.render_pinned(pinned, breaks, wanted) == exports.render(SCENARIO, wanted)
+
+
+def test_any_parquet_reader_learns_names_units_and_version(pinned: dict[str, bytes]) -> None:
+    schema = parquet.read_schema(io.BytesIO(pinned["lv"]))
+    assert schema.names == list(SIGNALS)
+    assert [schema.field(key).metadata[b"unit"].decode() for key in SIGNALS] == [
+        quantity.unit for quantity in SIGNALS.values()
+    ]
+    assert schema.metadata[b"ridelab.core_version"].decode() == __version__
+    assert schema.metadata[b"ridelab.strategy"] == b"lv"
+
+
+def rewritten(content: bytes, columns: Mapping[str, str], units: Mapping[str, str]) -> bytes:
+    """The pin as a core with other signals would have written it: new name -> old name, and other units."""
+    table = parquet.read_table(io.BytesIO(content))
+    fields = [
+        pa.field(new, pa.float32(), False, {"unit": units.get(new, table.field(old).metadata[b"unit"].decode())})
+        for new, old in columns.items()
+    ]
+    sink = io.BytesIO()
+    parquet.write_table(pa.table([table[old] for old in columns.values()], schema=pa.schema(fields)), sink)
+    return sink.getvalue()
+
+
+@pytest.mark.parametrize("points", [None, 60])
+def test_another_catalogue_reads_what_it_knows(breaks: dict[str, list[float]], points: int | None) -> None:
+    """Columns in another order, one that today's core does not know, one missing, one in another unit."""
+    kept = [key for key in reversed(SIGNALS) if key not in ("rear_force", "brake_pressure")]
+    content = pins.make(SCENARIO, ["lv"])["lv"]
+    old = rewritten(
+        content,
+        {**{key: key for key in kept}, "tyre_temperature": "speed", "brake_pressure": "brake_pressure"},
+        {"brake_pressure": "bar"},
+    )
+    (array,) = pins.opened({"lv": old}, breaks, points).values()
+    known = [key for key in SIGNALS if key in kept]
+    rows = [ROWS[key] for key in known]
+    expected = decimate(pack(simulate(SCENARIO, "lv"))[rows], points, breaks["lv"])
+    np.testing.assert_array_equal(array[rows], expected)
+    assert np.isnan(array[[ROWS["rear_force"], ROWS["brake_pressure"]]]).all()
+
+    answer = orjson.loads(exports.render_pinned({"lv": old}, breaks, export(strategies=["lv"], file_format="json")))
+    assert list(answer["series"]) == list(answer["units"]) == known
+    text = exports.render_pinned({"lv": old}, breaks, export(strategies=["lv"], file_format="csv")).decode()
+    assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in known]
+
+
+def test_pins_are_smaller_than_their_numbers(pinned: dict[str, bytes], breaks: dict[str, list[float]]) -> None:
+    arrays = pins.opened(pinned, breaks, None).values()
+    assert sum(map(len, pinned.values())) < 0.75 * sum(array.nbytes for array in arrays)
