@@ -111,9 +111,16 @@ def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
             if found is not None:
                 return found[1]
             if ended:
-                raise UnavailableError(text.strip() or "The private service ended without a word")
+                raise UnavailableError(_said(text))
             time.sleep(0.02)
     raise UnavailableError(f"The private service did not start within {START:.0f} s")
+
+
+def _said(log: str) -> str:
+    """Why it did not start: what it says to people, or its last log entry."""
+    lines = [line for line in log.splitlines() if line.strip()]
+    plain = [line for line in lines if not line.startswith("{")]
+    return "\n".join(plain or lines[-1:]) or "The private service ended without a word"
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

@@ -4,6 +4,7 @@ import itertools
 import json
 import shutil
 import sys
+import uuid
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -13,7 +14,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from backend.cli import fields, options, output, targets
 from backend.cli.reporting import DIFFERENT, INTERRUPTED, InputError, UnavailableError, note, terminal
 from backend.cli.services import Services
-from backend.client import Batch
+from backend.client import Batch, Ridelab
 
 _PREVIEW = 20  # rows shown where no file is asked for
 _FIGURES = ("rough_road.body_acceleration.rms", "bump.body_acceleration.peak", "bump.front_tyre_load.peak")
@@ -75,7 +76,7 @@ def sweep(
         if dry_run:
             _estimate(ridelab.estimate(start, names, wanted), as_json=as_json)
             return
-        batch = ridelab.submit(start, names, wanted)
+        batch = _submit(ridelab, start, names, wanted)
         if not detach:
             follow(batch)
             if out is not None:
@@ -114,9 +115,21 @@ def follow(batch: Batch) -> None:
 
             batch.wait(show)
     except KeyboardInterrupt:
-        batch.cancel()
-        note(f"Cancelled; {batch.done} of {batch.total} runs are finished and stay stored: batch {batch.id}")
-        raise typer.Exit(INTERRUPTED) from None
+        raise _cancelled(batch.cancel()) from None
+
+
+def _submit(ridelab: Ridelab, scenario: dict[str, Any], strategies: list[str], sweep: dict[str, Any]) -> Batch:
+    """Hand it in. Interrupted meanwhile, nobody knows whether it was accepted: the same key tells, and it ends."""
+    key = uuid.uuid4().hex
+    try:
+        return ridelab.submit(scenario, strategies, sweep, idempotency_key=key)
+    except KeyboardInterrupt:
+        raise _cancelled(ridelab.submit(scenario, strategies, sweep, idempotency_key=key).cancel()) from None
+
+
+def _cancelled(batch: Batch) -> typer.Exit:
+    note(f"Cancelled; {batch.done} of {batch.total} runs are finished and stay stored: batch {batch.id}")
+    return typer.Exit(INTERRUPTED)
 
 
 def _estimate(found: dict[str, Any], *, as_json: bool) -> None:
@@ -139,9 +152,10 @@ def _preview(batch: Batch) -> None:
     for row in itertools.islice(batch.rows(), _PREVIEW):
         found = Outcome.of(row["strategy"], {"compute_ms": 0, **row}).figures()
         told = [shown(row.get(name)) for name, _ in swept] + [row["strategy"], row["status"]]
-        rows.append(told + [shown(found.get(name)) for name, _ in figures])
-    heads = [*(with_unit(*item) for item in swept), "strategy", "status", *(with_unit(*item) for item in figures)]
-    for line in aligned(heads, rows, left={len(swept), len(swept) + 1}):
+        rows.append(told + [shown(found.get(name)) for name, _ in figures] + [row.get("reason") or ""])
+    named = [with_unit(*item) for item in swept], [with_unit(*item) for item in figures]
+    heads = [*named[0], "strategy", "status", *named[1], "reason" if any(row[-1] for row in rows) else ""]
+    for line in aligned(heads, rows, left={len(swept), len(swept) + 1, len(heads) - 1}):
         typer.echo(line[: max(shutil.get_terminal_size().columns, 80)] if sys.stdout.isatty() else line)
     if batch.total > len(rows):
         typer.echo(f"... {batch.total - len(rows)} more; --out FILE writes all with every figure")
