@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from fastapi import FastAPI
 
+    from backend.settings import Settings
+
 DEADLINE = 9.0  # an ordered end takes at most so long [s]; SIGTERM promises ten
 
 
@@ -43,7 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"Ridelab does not start: {error}", file=sys.stderr)
         return 2
     telemetry.configure(settings.log_format, settings.log_level)
-    return _serve(app, listener, options.host)
+    return _serve(app, settings, listener, options.host)
 
 
 def _listen(host: str, port: int) -> socket.socket:
@@ -60,8 +62,10 @@ def _listen(host: str, port: int) -> socket.socket:
     return listener
 
 
-def _serve(app: "FastAPI", listener: socket.socket, host: str) -> int:
+def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: str) -> int:
     import uvicorn
+
+    from backend.protocol import server_config
 
     class Server(uvicorn.Server):
         """Says where it listens, and ends in time whatever hangs."""
@@ -78,8 +82,7 @@ def _serve(app: "FastAPI", listener: socket.socket, host: str) -> int:
             timer.start()
             super().handle_exit(sig, frame)  # type: ignore[arg-type]  # uvicorn wants FrameType
 
-    config = uvicorn.Config(app, log_config=None, access_log=False, timeout_graceful_shutdown=3, server_header=False)
-    server = Server(config)
+    server = Server(server_config(app, settings))
     server.run(sockets=[listener])
     return 0 if server.started else 1
 

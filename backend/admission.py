@@ -125,6 +125,7 @@ class Admission:
         self._queued_cost = 0.0
         self._requests = Places(what="computing requests", per_client=max_client_requests)
         self._streams = Places(what="event streams", per_client=max_client_streams, total=max_streams)
+        self._bodies = Places(what="long request bodies", per_client=4, total=16)
         self._links = Rate(what="new links", burst=120, each_second=2)
 
     @property
@@ -179,6 +180,18 @@ class Admission:
         client = client_key(client)
         self._streams.check(client)
         with self._streams.taken(client):
+            yield
+
+    @contextmanager
+    def receiving(self, client: str) -> Iterator[None]:
+        """Hold a place while a long request body of that client is received and worked on.
+
+        Raises:
+            ProblemError: 429 where the client has too many open, 503 where the service has.
+        """
+        client = client_key(client)
+        self._bodies.check(client)
+        with self._bodies.taken(client):
             yield
 
     def linking(self, client: str) -> None:

@@ -82,6 +82,8 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             max_request_cost=settings.max_request_cost,
             max_queued_cost=settings.max_queued_cost,
             max_client_requests=settings.max_client_requests,
+            max_client_streams=settings.max_client_streams,
+            max_streams=settings.max_streams,
         )
         memory = Memory(settings.series_cache_bytes)
         results = Results(store=store, workers=workers, memory=memory, admission=admission)

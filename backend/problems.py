@@ -22,12 +22,14 @@ logger = logging.getLogger(__name__)
 MEDIA_TYPE = "application/problem+json"
 TYPES = "urn:problem-type:ridelab:"
 MOST_ERRORS = 50
+UNREAD = frozenset({408, 413, 414, 415, 431})
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
 
 DETAILS = {
     400: "The request could not be read.",
     404: "There is nothing at this address.",
     405: "This address does not answer that method.",
+    408: "The request did not come in time.",
     413: "The request body is longer than allowed.",
     415: "The body has to be JSON, with the header Content-Type: application/json.",
     422: "The request has values that cannot be used; errors names each.",
@@ -81,7 +83,9 @@ def problem(
         "errors": list(errors),
         "request_id": request_id(),
     }
-    return Response(orjson.dumps(content), status, dict(headers or {}), MEDIA_TYPE)
+    # Of a body that was not read to its end the rest may still be coming: that connection is of no more use.
+    closing = {"Connection": "close"} if status in UNREAD else {}
+    return Response(orjson.dumps(content), status, {**(headers or {}), **closing}, MEDIA_TYPE)
 
 
 def pointer(path: Sequence[str | int]) -> str:

@@ -4,6 +4,7 @@ import logging
 
 from starlette.datastructures import MutableHeaders
 from starlette.requests import ClientDisconnect
+from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from backend.problems import problem
@@ -37,6 +38,8 @@ HEADERS = {
     "X-Frame-Options": "DENY",
 }
 
+LONGEST_ADDRESS = 8192  # [bytes]
+LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
 
 
@@ -68,7 +71,7 @@ class GuardMiddleware:
 
         inner = {**scope, "method": "GET"} if head else scope
         try:
-            await self.app(inner, receive, guarded)
+            await (_refusal(scope) or self.app)(inner, receive, guarded)
         except ClientDisconnect:
             return  # nobody is left to answer
         except Exception:
@@ -78,3 +81,16 @@ class GuardMiddleware:
             await problem(500)(inner, receive, guarded)
         finally:
             scope.update({key: inner[key] for key in MATCHED if key in inner})  # for those outside, HEAD or GET
+
+
+def _refusal(scope: Scope) -> Response | None:
+    """The answer to a head that no well-meaning client sends."""
+    headers: list[tuple[bytes, bytes]] = scope["headers"]
+    if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
+        return problem(414, f"The address may have {LONGEST_ADDRESS} characters.")
+    if sum(len(name) + len(value) + 4 for name, value in headers) > LONGEST_HEADERS:
+        return problem(431, f"The headers may have {LONGEST_HEADERS} bytes in all.")
+    if {b"content-length", b"transfer-encoding"} <= {name for name, _ in headers}:
+        # A proxy before us may have believed the other one: what follows on this connection is anybody's.
+        return problem(400, "The request body has two lengths.", kind="two-lengths", headers={"Connection": "close"})
+    return None

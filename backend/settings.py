@@ -57,7 +57,15 @@ class Settings(BaseModel):
     dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
     dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
     dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
+    max_streams: int = Field(256, ge=1, description="Event streams open at once; beyond it 503.")
+    max_client_streams: int = Field(16, ge=1, description="Event streams one client may have open; then 429.")
+    max_connections: int = Field(800, ge=8, description="Connections open at once; beyond it 503.")
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
+    body_timeout: float = Field(20, gt=0, le=600, description="A request body may take this long to come [s].")
+    head_timeout: float = Field(10, gt=0, le=600, description="A request's head may take this long to come [s].")
+    forwarded_allow_ips: str = Field(
+        "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
+    )
     log_format: Literal["json", "console"] | None = Field(
         None, description="Without one text on a terminal, else JSON."
     )

@@ -1,40 +1,87 @@
 """HTTP: each route reads the request, calls one service and answers."""
 
+import asyncio
 from collections.abc import Callable, Coroutine
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
+from functools import partial
 from typing import Any
 
 from fastapi import APIRouter, Request, Response
 from fastapi.routing import APIRoute
+from starlette.types import Receive, Scope
 
 from backend import strict_json
 from backend.models import Problem
 from backend.problems import ProblemError
 
 API = "/api/v1"
+BULKY = 64 * 1024  # a longer body takes a place and is parsed beside the event loop; a scenario is a few kB [bytes]
+SCENARIO_VALUES = 10_000  # a scenario has about a hundred
+
+# One thread: the next long body waits, so that they never crowd out the event loop, whose lock they share.
+_parsing = ThreadPoolExecutor(1, thread_name_prefix="strict-json")
 
 
 class StrictRequest(Request):
-    """A request whose body is bounded and whose JSON is read strictly."""
+    """A request whose body is bounded in size, time and number of values, and whose JSON is read strictly.
+
+    Args:
+        scope: ASGI.
+        receive: ASGI.
+        held: Keeps the place of a bulky body until the request is answered.
+        max_values: How many values the body may hold.
+    """
+
+    def __init__(self, scope: Scope, receive: Receive, *, held: ExitStack, max_values: int) -> None:
+        super().__init__(scope, receive)
+        self._held = held
+        self._max_values = max_values
+        self._bulky = False
 
     async def body(self) -> bytes:
-        """The whole body, or 413 as soon as it is known to be too long, announced or in pieces."""
+        """The whole body.
+
+        Raises:
+            ProblemError: 413 as soon as it is known to be too long, announced or in pieces; 408 where it takes too
+                long to come; 429 or 503 where too many bulky ones are being read.
+        """
         if not hasattr(self, "_body"):
-            limit: int = self.app.state.settings.max_body_bytes
             announced = self.headers.get("content-length", "")
-            if announced.isdecimal() and (len(announced) > 12 or int(announced) > limit):
-                raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
-            pieces = bytearray()
-            async for piece in self.stream():
-                pieces += piece
-                if len(pieces) > limit:
-                    raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
-            self._body = bytes(pieces)
+            if announced.isdecimal():
+                self._expect(int(announced[:12]))
+            try:
+                async with asyncio.timeout(self.app.state.settings.body_timeout):
+                    self._body = await self._read()
+            except TimeoutError:
+                raise ProblemError(408, "The request body did not come in time.", kind="slow-body") from None
         return self._body
+
+    async def _read(self) -> bytes:
+        pieces = bytearray()
+        async for piece in self.stream():
+            pieces += piece
+            self._expect(len(pieces))
+        return bytes(pieces)
+
+    def _expect(self, length: int) -> None:
+        """Refuse a body of at least that length, or take a place for it."""
+        limit: int = self.app.state.settings.max_body_bytes
+        if length > limit:
+            raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
+        if length > BULKY and not self._bulky:
+            self._bulky = True
+            client = self.client.host if self.client else ""
+            self._held.enter_context(self.app.state.admission.receiving(client))
 
     async def json(self) -> Any:
         """The body's value; anything doubtful is a problem."""
+        body = await self.body()
+        parse = partial(strict_json.parse, body, max_values=self._max_values)
         try:
-            return strict_json.parse(await self.body())
+            if len(body) > BULKY:
+                return await asyncio.get_running_loop().run_in_executor(_parsing, parse)
+            return parse()
         except strict_json.StrictJSONError as error:
             message = error.message
             raise ProblemError(
@@ -45,6 +92,8 @@ class StrictRequest(Request):
 class StrictRoute(APIRoute):
     """A route that reads its body with `StrictRequest`, and only as JSON."""
 
+    MAX_VALUES = strict_json.MAX_VALUES
+
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """The framework's handler, given a stricter request."""
         handler = super().get_route_handler()
@@ -54,12 +103,24 @@ class StrictRoute(APIRoute):
             kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
             if takes_body and kind != "application/json":
                 raise ProblemError(415, "The body has to be JSON, with the header Content-Type: application/json.")
-            return await handler(StrictRequest(request.scope, request.receive))
+            if takes_body and request.headers.get("content-encoding", "identity").strip().lower() != "identity":
+                raise ProblemError(415, "The body has to come as it is, without a Content-Encoding.")
+            with ExitStack() as held:
+                bounded = StrictRequest(request.scope, request.receive, held=held, max_values=self.MAX_VALUES)
+                return await handler(bounded)
 
         return strict
 
 
-def router(tag: str, *statuses: int) -> APIRouter:
-    """A router of the API whose routes may answer with these problems."""
+class ScenarioRoute(StrictRoute):
+    """A route whose body holds one scenario at most."""
+
+    MAX_VALUES = SCENARIO_VALUES
+
+
+def router(tag: str, *statuses: int, route_class: type[StrictRoute] = StrictRoute) -> APIRouter:
+    """A router of the API whose routes may answer with these problems; one that reads a body also with 408."""
     responses: dict[int | str, dict[str, Any]] = {status: {"model": Problem} for status in (*statuses, 500)}
-    return APIRouter(prefix=API, tags=[tag], route_class=StrictRoute, responses=responses)
+    if 413 in statuses:
+        responses[408] = {"model": Problem}
+    return APIRouter(prefix=API, tags=[tag], route_class=route_class, responses=responses)

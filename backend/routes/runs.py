@@ -7,13 +7,13 @@ from fastapi import Path, Query, Request, Response
 from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.problems import ProblemError
-from backend.routes import router
+from backend.routes import ScenarioRoute, router
 from backend.routes.deps import IMMUTABLE, Client, RunsService, json_answer, unless_gone, unless_known
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
 
 runs = router("runs", 404, 422, 503)
-computing = router("runs", 400, 413, 415, 422, 429, 503)
+computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]

@@ -13,6 +13,7 @@ import uvicorn
 from fastapi import FastAPI
 
 from backend.app import create_app
+from backend.protocol import server_config
 from backend.settings import Settings
 
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
@@ -35,7 +36,7 @@ class Service:
 
 def serve(settings: Settings) -> Iterator[Service]:
     app = create_app(settings)
-    server = uvicorn.Server(uvicorn.Config(app, log_level="warning", access_log=False, timeout_graceful_shutdown=2))
+    server = uvicorn.Server(server_config(app, settings))
     with socket.create_server(("127.0.0.1", 0)) as listener:
         address = f"http://127.0.0.1:{listener.getsockname()[1]}"
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})

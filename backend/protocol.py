@@ -1,0 +1,146 @@
+"""HTTP/1.1 as uvicorn speaks it, with what a bare server lacks: time limits and a bound on connections.
+
+What never reaches the application (a malformed or slow head, one connection too many) is answered here, with the same
+security headers and the same kind of problem.
+"""
+
+import asyncio
+import logging
+import sys
+from typing import TYPE_CHECKING, Any
+from uuid import uuid4
+
+import h11
+import orjson
+import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
+
+from backend.problems import problem
+from backend.security import HEADERS
+from backend.settings import Settings
+from backend.telemetry import REFUSED
+from backend.telemetry.requests import HEADER
+
+if TYPE_CHECKING:
+    from fastapi import FastAPI
+
+logger = logging.getLogger(__name__)
+
+
+class GuardedProtocol(H11Protocol):
+    """One connection. A request's head has to come within a time, counted from the connection or the last answer."""
+
+    HEAD_TIMEOUT = 10.0  # [s]
+    WRITE_TIMEOUT = 60.0  # for which a client may take nothing of its answer [s]
+    MAX_CONNECTIONS = 800
+
+    _timer: asyncio.TimerHandle | None = None
+    _stuck: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # uvicorn's own type
+        """Count it, and begin to wait for a request."""
+        super().connection_made(transport)
+        if len(self.connections) > self.MAX_CONNECTIONS:
+            REFUSED.labels("connections").inc()
+            self._refuse(503, "The service is full: too many connections are open.")
+            return
+        self._watch()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Nothing is waited for any more."""
+        self._relax()
+        self._unstick()
+        super().connection_lost(exc)
+
+    def data_received(self, data: bytes) -> None:
+        """Feed the parser; what does not complete a request does not win time."""
+        super().data_received(data)
+        if self._answering():
+            self._relax()
+        else:
+            self._watch()
+
+    def on_response_complete(self) -> None:
+        """The next request on this connection, or the rest of a body nobody reads, has its time too."""
+        super().on_response_complete()
+        if not self._answering():
+            self._watch()
+
+    def pause_writing(self) -> None:
+        """The client takes less than it is sent."""
+        super().pause_writing()
+        if self._stuck is None:
+            self._stuck = self.loop.call_later(self.WRITE_TIMEOUT, self.transport.abort)
+
+    def resume_writing(self) -> None:
+        """It takes something again."""
+        super().resume_writing()
+        self._unstick()
+
+    def _unstick(self) -> None:
+        if self._stuck is not None:
+            self._stuck.cancel()
+            self._stuck = None
+
+    def send_400_response(self, msg: str) -> None:
+        """Answer what is not HTTP; the parser knows whether it was only too long."""
+        status = getattr(sys.exc_info()[1], "error_status_hint", 400)
+        self._refuse(431 if status == 431 else 400, msg)
+
+    def _answering(self) -> bool:
+        return self.cycle is not None and not self.cycle.response_complete
+
+    def _watch(self) -> None:
+        if self._timer is None and not self.transport.is_closing():
+            self._timer = self.loop.call_later(self.HEAD_TIMEOUT, self._too_slow)
+
+    def _relax(self) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def _too_slow(self) -> None:
+        self._timer = None
+        if self._answering() or self.transport.is_closing():
+            return
+        began = bool(self.conn.trailing_data[0]) and self.conn.our_state is h11.IDLE
+        if began:
+            REFUSED.labels("slow-head").inc()
+            self._refuse(408, "The request's head did not come in time.")
+        else:
+            self.transport.close()
+
+    def _refuse(self, status: int, detail: str) -> None:
+        """Answer without the application, and close."""
+        if self.conn.our_state not in (h11.IDLE, h11.SEND_RESPONSE):
+            self.transport.abort()  # in the middle of another answer
+            return
+        name = uuid4().hex
+        response = problem(status, detail)
+        content: dict[str, Any] = {**orjson.loads(response.body), "request_id": name}
+        body = orjson.dumps(content)
+        headers = {**HEADERS, HEADER: name, "Content-Type": str(response.media_type), "Cache-Control": "no-store"}
+        headers |= {"Content-Length": str(len(body)), "Connection": "close"}
+        if status == 503:
+            headers["Retry-After"] = "2"
+        logger.warning("Refused a connection: %d %s", status, detail, extra={"request_id": name})
+        for event in (h11.Response(status_code=status, headers=list(headers.items())), h11.Data(data=body)):
+            self.transport.write(self.conn.send(event) or b"")
+        self.transport.write(self.conn.send(h11.EndOfMessage()) or b"")
+        self.transport.close()
+
+
+def server_config(app: "FastAPI", settings: Settings) -> uvicorn.Config:
+    """How uvicorn serves that application: these limits, our own logs, the client's address only from known proxies."""
+    limits = {"HEAD_TIMEOUT": settings.head_timeout, "MAX_CONNECTIONS": settings.max_connections}
+    return uvicorn.Config(
+        app,
+        http=type("ConfiguredProtocol", (GuardedProtocol,), limits),
+        ws="none",
+        proxy_headers=bool(settings.forwarded_allow_ips),
+        forwarded_allow_ips=settings.forwarded_allow_ips,
+        log_config=None,
+        access_log=False,
+        server_header=False,
+        timeout_graceful_shutdown=3,
+    )

@@ -1,0 +1,331 @@
+"""Clients that are slow, greedy or do not speak HTTP: each is answered or cut off, and the others are served on."""
+
+import contextlib
+import json
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+import uvicorn
+from fastapi import FastAPI
+
+from backend.protocol import GuardedProtocol, server_config
+from backend.security import HEADERS
+
+Address = tuple[str, int]
+JSON = b"Content-Type: application/json\r\n"
+
+
+@contextlib.contextmanager
+def impatient(app: FastAPI, **limits: Any) -> Iterator[Address]:
+    """The same application behind a second server with other limits."""
+    settings = app.state.settings.model_copy(update=limits)
+    config = server_config(app, settings)
+    config.lifespan = "off"
+    server = uvicorn.Server(config)
+    before, app.state.settings = app.state.settings, settings
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
+        thread.start()
+        try:
+            yield listener.getsockname()
+        finally:
+            server.should_exit = True
+            thread.join()
+            app.state.settings = before
+
+
+@pytest.fixture(scope="module")
+def hasty(service: Any) -> Iterator[Address]:
+    """Waits a second where the others wait ten or twenty."""
+    with impatient(service.app, head_timeout=1, body_timeout=1) as address:
+        yield address
+
+
+def connect(address: Address) -> socket.socket:
+    return socket.create_connection(address, timeout=30)
+
+
+def rest(connection: socket.socket) -> bytes:
+    """All that comes until the other side closes."""
+    pieces = []
+    with contextlib.suppress(ConnectionResetError):
+        while piece := connection.recv(65536):
+            pieces.append(piece)
+    return b"".join(pieces)
+
+
+def exchange(address: Address, sent: bytes) -> bytes:
+    with connect(address) as connection:
+        with contextlib.suppress(ConnectionError):  # answered and closed before all was sent
+            connection.sendall(sent)
+        return rest(connection)
+
+
+def head(answer: bytes) -> tuple[int, dict[str, str]]:
+    """Status and headers of the first answer."""
+    first, *lines = answer.split(b"\r\n\r\n")[0].decode("latin-1").split("\r\n")
+    return int(first.split()[1]), {
+        name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines)
+    }
+
+
+def check_problem(answer: bytes, status: int) -> dict[str, Any]:
+    """A problem with every security header, whoever answered it."""
+    found, headers = head(answer)
+    assert found == status, answer
+    assert headers["content-type"] == "application/problem+json"
+    assert {name.lower(): value for name, value in HEADERS.items()}.items() <= headers.items()
+    content: dict[str, Any] = json.loads(answer.split(b"\r\n\r\n", 1)[1])
+    assert content["status"] == status
+    assert content["request_id"] == headers["x-request-id"]
+    return content
+
+
+def test_a_head_that_never_ends_is_cut_off_in_time(hasty: Address) -> None:
+    with connect(hasty) as connection:
+        connection.sendall(b"GET /healthz HTTP/1.1\r\nHost: x\r\n")
+        begin = time.monotonic()
+        connection.settimeout(0.2)
+        answer = b""
+        while time.monotonic() < begin + 20:  # a byte now and then wins no time
+            try:
+                piece = connection.recv(65536)
+            except TimeoutError:
+                with contextlib.suppress(OSError):
+                    connection.sendall(b"a")
+                continue
+            if not piece:
+                break
+            answer += piece
+    check_problem(answer, 408)
+
+
+def test_a_silent_connection_is_closed_in_time(hasty: Address) -> None:
+    with connect(hasty) as connection:
+        assert rest(connection) == b""
+
+
+def test_a_body_that_never_ends_is_answered_408(hasty: Address) -> None:
+    with connect(hasty) as connection:
+        connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Content-Length: 100\r\n\r\n{")
+        answer = rest(connection)
+    assert check_problem(answer, 408)["type"].endswith("slow-body")
+    assert head(answer)[1]["connection"] == "close"
+
+
+def test_a_body_that_drips_is_answered_408(hasty: Address) -> None:
+    with connect(hasty) as connection:
+        connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Transfer-Encoding: chunked\r\n\r\n")
+        connection.settimeout(0.2)
+        answer, end = b"", time.monotonic() + 20
+        while time.monotonic() < end:
+            try:
+                piece = connection.recv(65536)
+            except TimeoutError:
+                with contextlib.suppress(OSError):
+                    connection.sendall(b"1\r\n \r\n")
+                continue
+            if not piece:
+                break
+            answer += piece
+    check_problem(answer, 408)
+
+
+def test_the_rest_of_a_body_nobody_reads_is_not_waited_for(hasty: Address) -> None:
+    """A GET has no use for a body: it is answered at once, and the connection is closed soon."""
+    with connect(hasty) as connection:
+        connection.sendall(b"GET /healthz HTTP/1.1\r\nHost: x\r\nContent-Length: 1000000\r\n\r\n")
+        answer = rest(connection)
+    assert head(answer)[0] == 200
+
+
+def test_a_client_that_takes_nothing_of_its_answer_is_cut_off(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 0.5)
+    request = b"GET /api/v1/schema HTTP/1.1\r\nHost: x\r\n\r\n"
+    with impatient(service.app) as address, connect(address) as connection:
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        connection.settimeout(0.5)
+        with pytest.raises(ConnectionError):
+            ask_on_and_on(connection, request, seconds=60)
+
+
+def test_one_connection_too_many_is_answered_503(service: Any) -> None:
+    with impatient(service.app, max_connections=8) as address, contextlib.ExitStack() as held:
+        for _ in range(8):
+            held.enter_context(connect(address))
+        time.sleep(0.3)  # the server has taken them all
+        refused = rest(held.enter_context(connect(address)))
+        check_problem(refused, 503)
+        assert "retry-after" in head(refused)[1]
+        held.close()
+        end = time.monotonic() + 10
+        while True:
+            with contextlib.suppress(httpx.TransportError):
+                if httpx.get(f"http://127.0.0.1:{address[1]}/healthz").status_code == 200:
+                    break
+            assert time.monotonic() < end
+
+
+def test_many_idle_connections_keep_nobody_out(service: Any, client: httpx.Client) -> None:
+    address = (client.base_url.host, client.base_url.port)
+    with contextlib.ExitStack() as held:
+        for index in range(200):
+            connection = held.enter_context(connect(address))
+            if index % 2:
+                connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 99\r\n")
+        assert client.get("/healthz").status_code == 200
+        assert service.run(["passive"]).status_code == 200
+
+
+def ask_on_and_on(connection: socket.socket, request: bytes, seconds: float) -> None:
+    """Read nothing."""
+    sent, end = 0, time.monotonic() + seconds
+    while time.monotonic() < end:
+        with contextlib.suppress(TimeoutError):
+            sent += connection.send((request * 50)[sent % len(request) :])
+
+
+@pytest.fixture
+def address(client: httpx.Client) -> Address:
+    assert client.base_url.port is not None
+    return client.base_url.host, client.base_url.port
+
+
+BODY = b'{"strategies": ["passive"]}'
+
+
+@pytest.mark.parametrize(
+    "request_bytes",
+    [
+        b"\r\n\r\n\x00\x01\x02\r\n\r\n",
+        b"GET /healthz\r\n\r\n",
+        b"GET /healthz HTTP/1.1\r\n\r\n",
+        b"GET /healthz HTTP/1.1\r\nHost: x\r\nHost: y\r\n\r\n",
+        b"GET /healthz HTTP/1.1\r\nHost : x\r\n\r\n",
+        b"GET /healthz HTTP/1.1\r\nHost: x\r\n folded: y\x00\r\n\r\n",
+        b"GET /he\xffalthz HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03",
+        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: -1\r\n\r\n",
+        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: +5\r\n\r\n12345",
+        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 5, 6\r\n\r\n12345",
+        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\n123456",
+        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 0x5\r\n\r\n12345",
+    ],
+    ids=lambda value: str(value[:60]),
+)
+def test_what_is_not_http_is_a_problem_with_every_header(address: Address, request_bytes: bytes) -> None:
+    answer = exchange(address, request_bytes)
+    content = check_problem(answer, 400)
+    assert "althz" not in json.dumps(content)
+    assert answer.count(b"HTTP/1.1 ") == 1
+
+
+@pytest.mark.parametrize("size", [20_000, 100_000, 1_000_000])
+def test_a_head_that_is_too_long_is_refused(address: Address, size: int) -> None:
+    """As 431 or 414, or cut off before all of it was sent, when the answer may get lost; see the next test."""
+    filler = b"a" * size
+    for sent in (
+        b"GET /healthz HTTP/1.1\r\nHost: x\r\nX: " + filler + b"\r\n\r\n",
+        b"GET /" + filler + b" HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET /healthz?" + filler + b" HTTP/1.1\r\nHost: x\r\n\r\n",
+        b"GET /healthz HTTP/1.1\r\nHost: x\r\n" + b"X: y\r\n" * (size // 4) + b"\r\n",
+    ):
+        answer = exchange(address, sent)
+        assert not answer or head(answer)[0] in (414, 431)
+
+
+def test_a_head_a_little_too_long_is_answered(client: httpx.Client) -> None:
+    for response, status in (
+        (client.get("/healthz", headers={"X": "a" * 17_000}), 431),
+        (client.get("/healthz?" + "a" * 9_000), 414),
+        (client.get("/" + "a" * 9_000), 414),
+    ):
+        assert response.status_code == status
+        assert response.headers["content-type"] == "application/problem+json"
+        assert response.headers["content-security-policy"] == HEADERS["Content-Security-Policy"]
+        assert "aaaa" not in response.text
+
+
+@pytest.mark.parametrize(
+    "lengths",
+    [
+        b"Content-Length: 6\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\nG",
+        b"Transfer-Encoding: chunked\r\nContent-Length: 4\r\n\r\n5c\r\nGPOST / HTTP/1.1\r\n\r\n0\r\n\r\n",
+        b"Transfer-Encoding: chunked\r\nTransfer-Encoding: identity\r\n\r\n0\r\n\r\n",
+        b"Transfer-Encoding: xchunked\r\n\r\n0\r\n\r\n",
+        b"Transfer-Encoding: chunked, identity\r\n\r\n0\r\n\r\n",
+        b"Transfer-Encoding : chunked\r\n\r\n0\r\n\r\n",
+        b"Transfer-Encoding: chunked\r\n\r\nzz\r\n\r\n",
+    ],
+    ids=lambda value: str(value[:60]),
+)
+def test_a_body_whose_length_two_servers_could_read_differently_is_refused(address: Address, lengths: bytes) -> None:
+    smuggled = b"GET /api/v1/strategies HTTP/1.1\r\nHost: x\r\n\r\n"
+    answer = exchange(address, b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + lengths + smuggled)
+    status, headers = head(answer)
+    assert status in (400, 501)
+    assert headers["content-type"] == "application/problem+json"
+    assert headers["content-security-policy"] == HEADERS["Content-Security-Policy"]
+    assert answer.count(b"HTTP/1.1 ") == 1, "what followed was taken for another request"
+
+
+def test_a_body_longer_than_announced_does_not_run_into_it(address: Address) -> None:
+    sent = (
+        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Content-Length: 27\r\n\r\n" + BODY + b"garbage\r\n\r\n"
+    )
+    answer = exchange(address, sent)
+    assert head(answer)[0] == 200
+    assert answer.count(b"HTTP/1.1 ") == 2
+    assert b"HTTP/1.1 400" in answer
+
+
+def test_a_body_shorter_than_announced_computes_nothing(address: Address, service: Any) -> None:
+    sent = b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Content-Length: 99\r\n\r\n" + BODY
+    with connect(address) as connection:
+        connection.sendall(sent)
+        connection.shutdown(socket.SHUT_WR)
+        assert rest(connection) == b"", "whoever hung up is not answered"
+    assert service.client.get("/healthz").status_code == 200
+
+
+@pytest.mark.parametrize("host", ["evil.example", "localhost:1", "[::1]", "127.0.0.1:99999", '"><script>'])
+def test_no_answer_depends_on_the_host_or_repeats_it(address: Address, host: str) -> None:
+    for path in ("/", "/healthz", "/api/v1/runs/", "/api/v1/schema/", "/docs", "/nowhere"):
+        sent = f"GET {path} HTTP/1.1\r\nHost: {host}\r\nX-Forwarded-Host: {host}\r\nConnection: close\r\n\r\n"
+        answer = exchange(address, sent.encode())
+        status, headers = head(answer)
+        assert status in (200, 404, 405)
+        assert "location" not in headers
+        if "evil" in host or "script" in host:
+            assert host.encode() not in answer
+
+
+def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> None:
+    seen: list[str] = []
+    original = service.app.state.admission.computing
+
+    def spy(client: str, *rest: Any) -> Any:
+        seen.append(client)
+        return original(client, *rest)
+
+    def ask(address: Address, seed: int) -> None:
+        response = httpx.post(
+            f"http://127.0.0.1:{address[1]}/api/v1/live",
+            json={"strategies": ["passive"], "scenario": {"road": {"length": 138.3, "seed": seed}}},
+            headers={"X-Forwarded-For": "203.0.113.7"},
+        )
+        assert response.status_code in (200, 500), response.text
+
+    service.app.state.admission.computing = spy
+    try:
+        for index, proxies in enumerate(("", "10.0.0.0/8", "127.0.0.1")):
+            with impatient(service.app, forwarded_allow_ips=proxies) as address:
+                ask(address, index)
+    finally:
+        service.app.state.admission.computing = original
+    assert seen == ["127.0.0.1", "127.0.0.1", "203.0.113.7"]
