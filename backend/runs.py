@@ -111,7 +111,7 @@ class Runs:
             encoding: How JSON holds numbers.
 
         Raises:
-            ProblemError: 404, 410, 422 or, where computing is needed, 429 and 503.
+            ProblemError: 404, 410, 422, 429 or 503.
         """
         stored = await self._stored(run_id)
         keys = await self._with_histories(stored)
@@ -128,9 +128,10 @@ class Runs:
             provenance={"run": stored.id, "core_version": stored.core_version},
         )
         pinned = await self._pinned({name: keys[name] for name in names})
-        if pinned is not None:
-            return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
         scenario = Scenario.model_validate(stored.scenario)
+        if pinned is not None:
+            with self._admission.computing(client, scenario, ()):  # a place, but next to no work
+                return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
         with self._admission.computing(client, scenario, names):
             return await self._workers.call(exports.render, scenario, export)
 
@@ -138,20 +139,20 @@ class Runs:
         """One figure of a stored run, or all of them by name, with data.
 
         Raises:
-            ProblemError: 404 or 410.
+            ProblemError: 404, 410, 429 or 503.
         """
         if name is not None and name not in figures.PANELS:
             raise ProblemError(404, f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self._stored(run_id)
         keys = await self._with_histories(stored)
         pinned = await self._pinned(keys)
+        scenario = Scenario.model_validate(stored.scenario)
         if pinned is None:
-            found = await self._results.get(
-                Scenario.model_validate(stored.scenario), list(keys), client, points=FIGURE_POINTS
-            )
+            found = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
             outcomes = {strategy: item.outcome for strategy, item in found.items()}
         else:
-            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
+            with self._admission.computing(client, scenario, ()):
+                arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
             outcomes = {
                 item.strategy: Outcome(
                     status=item.status,

@@ -315,9 +315,10 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 
 @pytest.fixture
 def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> Admission:
-    """The service's links under limits that nothing fits."""
+    """The service's links and runs under limits that nothing fits."""
     admission = Admission(max_request_cost=1, max_queued_cost=1, max_client_requests=0)
-    monkeypatch.setattr(service.app.state.links, "_admission", admission)
+    for name in ("links", "runs"):
+        monkeypatch.setattr(getattr(service.app.state, name), "_admission", admission)
     return admission
 
 
@@ -330,6 +331,8 @@ def test_pinning_counts_as_computing(
     assert refused.status_code == 429
     assert "retry-after" in refused.headers
     assert share(client, run["id"])["series_pinned"] is True, "nothing to compute"
+    for path in ("series?strategy=lv", "figures"):
+        assert client.get(f"/api/v1/runs/{run['id']}/{path}").status_code == 429, "a worker opens what is pinned"
 
 
 @pytest.fixture
