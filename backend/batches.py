@@ -25,7 +25,7 @@ from sim_core import dotted
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 
 ID_BYTES = 16  # 22 characters
-PAGE = 500  # rows read in one transaction
+PAGE = 250  # rows read in one transaction
 LOOK = 0.4  # between two looks for events [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
 RECONNECT = 2000  # a browser that lost the stream comes back after so long [ms]
