@@ -1,0 +1,307 @@
+"""The client's own rules, against answers made up here: what is repeated, how long, and what is said."""
+
+import email.utils
+import json
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import httpx
+import numpy as np
+import pytest
+
+from backend.client import ErrorPlace, Ridelab, RidelabAPIError, RidelabConnectionError
+from backend.client.files import format_of, save
+from backend.client.follow import Event, events, rows
+from backend.client.http import LONGEST_WAIT, Http, plain, retry_after
+from sim_core.scenario import Bump, Road, Scenario
+
+FULL = {"type": "about:blank", "title": "Full", "status": 503, "detail": "Full.", "errors": []}
+
+
+class Service:
+    """Answers one after the other; an exception among them is raised. Remembers what it was asked."""
+
+    def __init__(self, *answers: httpx.Response | type[httpx.TransportError]) -> None:
+        self.answers = list(answers)
+        self.requests: list[httpx.Request] = []
+        self.slept: list[float] = []
+
+    def __call__(self, request: httpx.Request) -> httpx.Response:
+        self.requests.append(request)
+        answer = self.answers.pop(0)
+        if isinstance(answer, type):
+            raise answer("gone")
+        return answer
+
+    def http(self, retries: int = 5) -> Http:
+        client = httpx.Client(base_url="http://ridelab.test", transport=httpx.MockTransport(self))
+        return Http(client, retries=retries, sleep=self.slept.append)
+
+
+def full(after: str | None = None) -> httpx.Response:
+    return httpx.Response(503, json=FULL, headers={} if after is None else {"Retry-After": after})
+
+
+def test_a_full_service_is_asked_again_when_it_says() -> None:
+    service = Service(full("7"), httpx.Response(429, json={**FULL, "status": 429}, headers={"Retry-After": "2"}))
+    service.answers.append(httpx.Response(200, json={"well": True}))
+    assert service.http().json("POST", "/x", body={}, repeatable=False) == {"well": True}
+    assert service.slept == [7, 2]
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        pytest.param([full()], id="it names no time"),
+        pytest.param([full(f"{LONGEST_WAIT + 1:.0f}")], id="later than anybody waits"),
+        pytest.param([full("1"), full("1"), full("1")], id="as often as allowed"),
+        pytest.param([full(f"{LONGEST_WAIT - 1:.0f}"), full("2")], id="longer than allowed all together"),
+    ],
+)
+def test_it_gives_up(answers: list[httpx.Response]) -> None:
+    service = Service(*answers)
+    with pytest.raises(RidelabAPIError) as caught:
+        service.http(retries=2).json("GET", "/x")
+    assert (caught.value.status, str(caught.value)) == (503, "Full.")
+    assert not service.answers
+    assert len(service.slept) == len(answers) - 1
+
+
+@pytest.mark.parametrize(
+    ("error", "repeatable", "asked"),
+    [
+        (httpx.ConnectError, True, 3),
+        (httpx.ConnectError, False, 3),  # it never arrived
+        (httpx.RemoteProtocolError, True, 3),
+        (httpx.RemoteProtocolError, False, 1),  # it may have arrived
+        (httpx.ReadTimeout, True, 1),  # it is being worked on: asking again makes it worse
+    ],
+)
+def test_lost_connections(error: type[httpx.TransportError], repeatable: bool, asked: int) -> None:
+    service = Service(*[error] * 3)
+    with pytest.raises(RidelabConnectionError, match=r"ridelab\.test"):
+        service.http(retries=2).json("POST", "/x", body={}, repeatable=repeatable)
+    assert len(service.requests) == asked
+    assert service.slept == [0.2, 0.4][: asked - 1]
+
+
+def test_retry_after_is_seconds_or_a_date() -> None:
+    later = email.utils.format_datetime(datetime.now(UTC) + timedelta(seconds=30), usegmt=True)
+    assert retry_after(full("12")) == 12
+    assert retry_after(full(later)) == pytest.approx(30, abs=5)
+    assert retry_after(full("Thu, 01 Jan 1970 00:00:00 GMT")) == 0
+    assert retry_after(full("soon")) is None
+    assert retry_after(full()) is None
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        httpx.Response(200, text="<html>"),
+        httpx.Response(404, text="<html>"),
+        httpx.Response(502, text="Bad gateway"),
+        httpx.Response(404, json=["no problem"]),
+    ],
+)
+def test_what_is_not_ridelab_is_said(answer: httpx.Response) -> None:
+    with pytest.raises(RidelabConnectionError, match=r"ridelab\.test"):
+        Service(answer).http().json("GET", "/x")
+
+
+@pytest.mark.parametrize("address", ["", "127.0.0.1:8000", "ftp://host", "http://", "/r/x"])
+def test_an_address_is_http(address: str) -> None:
+    with pytest.raises(ValueError, match="http://"):
+        Ridelab(address)
+
+
+@pytest.mark.parametrize(
+    ("pointer", "field"),
+    [
+        ("/scenario/road/bump/height", "road.bump.height"),
+        ("/scenario/mpc/stage_weights/cruise/0", "mpc.stage_weights.cruise[0]"),
+        ("/scenario", "scenario"),
+        ("/strategies/1", "strategies[1]"),
+        ("/sweep/grid/road.bump.height/3", "road.bump.height[3]"),
+        ("/sweep/latin_hypercube/ranges/road.seed", "road.seed"),
+        ("/sweep/latin_hypercube/samples", "samples"),
+        ("/sweep/list/2/road.seed", "[2].road.seed"),
+        ("/sweep/grid", "sweep.grid"),
+        ("/a~1b~0c", "a/b~c"),
+        ("", ""),
+    ],
+)
+def test_errors_name_the_field_as_it_is_typed(pointer: str, field: str) -> None:
+    assert ErrorPlace(message="m", pointer=pointer).field == field
+
+
+def test_an_errors_text_is_its_places() -> None:
+    problem = {
+        "status": 422,
+        "detail": "The request has values that cannot be used.",
+        "errors": [
+            {"pointer": "/scenario/road/length", "message": "too long"},
+            {"pointer": "", "parameter": "strategy", "message": "unknown"},
+            {"pointer": "", "message": "not like that"},
+        ],
+    }
+    error = RidelabAPIError.of(422, problem)
+    assert error.lines == ["road.length: too long", "strategy: unknown", "not like that"]
+    assert RidelabAPIError.of(404, {"status": 404, "detail": "Nothing."}).lines == ["Nothing."]
+
+
+def test_scenarios_and_numpy_values_are_sent_as_json() -> None:
+    scenario = Scenario(road=Road(bump=Bump(height=0.12)))
+    sent = plain({"scenario": scenario, "sweep": {"a": np.linspace(0, 1, 3), "b": (np.int64(3), range(2))}})
+    assert sent["scenario"]["road"]["bump"]["height"] == 0.12
+    assert json.loads(json.dumps(sent["sweep"])) == {"a": [0, 0.5, 1], "b": [3, [0, 1]]}
+
+
+def test_events_as_the_standard_has_them() -> None:
+    lines = ["retry: 3000", "", ": still here", "id: 4", "event: state", 'data: {"a":', "data:1}", "", "data: x", ""]
+    cut = ["id: 9", "event: state", "data: cut off"]
+    assert list(events([*lines, *cut], "3")) == [
+        Event(id="4", kind="state", data='{"a":\n1}'),
+        Event(id="4", kind="message", data="x"),
+    ]
+
+
+@pytest.mark.parametrize("size", [1, 2, 7, 1000])
+def test_rows_come_as_soon_as_they_are_there(size: int) -> None:
+    expected = [{"run": 0, "reason": 'a "}],{ é\\'}, {"run": 1, "metrics": {"bump": [1.5e-3, None]}}, {}]
+    text = json.dumps({"batch": "b", "units": {"run": "1"}, "rows": expected})
+    taken = 0
+
+    def pieces() -> Iterator[str]:
+        nonlocal taken
+        for start in range(0, len(text), size):
+            taken = start + size
+            yield text[start : start + size]
+
+    stream = rows(pieces())
+    assert next(stream) == expected[0]
+    assert taken <= text.index(', {"run": 1') + size
+    assert list(stream) == expected[1:]
+    assert list(rows(['{"rows": [ ]}'])) == []
+
+
+@pytest.mark.parametrize("text", ["", '{"batch": 1}', '{"rows": [', '{"rows": [{"run": 0}', '{"rows": [{"run": 0}, {'])
+def test_rows_that_break_off_are_no_whole_table(text: str) -> None:
+    with pytest.raises(RidelabConnectionError):
+        list(rows([text]))
+
+
+def test_a_file_is_whole_or_not_touched(tmp_path: Path) -> None:
+    target = tmp_path / "a.csv"
+    assert save([b"one", b"two"], target) == target
+    assert target.read_bytes() == b"onetwo"
+    umask = tmp_path / "plain"
+    umask.touch()
+    assert target.stat().st_mode == umask.stat().st_mode
+
+    def broken() -> Iterator[bytes]:
+        yield b"half"
+        raise RidelabConnectionError("gone")
+
+    with pytest.raises(RidelabConnectionError):
+        save(broken(), target)
+    assert target.read_bytes() == b"onetwo"
+    assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "plain"}
+
+
+def test_a_files_format_is_its_names_end_or_the_one_named() -> None:
+    assert format_of("a/b.CSV") == "csv"
+    assert format_of("b.csv", "parquet") == "parquet"
+    for bad in (("b.xls", None), ("b", None), ("b.csv", "xls")):
+        with pytest.raises(ValueError, match="json, csv or parquet"):
+            format_of(*bad)
+
+
+Handler = Callable[[httpx.Request], httpx.Response]
+
+
+def patient(handler: Handler) -> Ridelab:
+    """A client that never really waits."""
+    ridelab = Ridelab("http://ridelab.test", transport=httpx.MockTransport(handler))
+    ridelab._http.sleep = lambda _: None
+    return ridelab
+
+
+def batch_answer(state: str, done: int = 0) -> dict[str, object]:
+    return {"id": "b" * 22, "state": state, "reason": None, "total": 4, "done": done, "failed": 0}
+
+
+def follow(handler: Handler) -> list[tuple[str, int]]:
+    """What is heard of a batch until its end."""
+    heard = []
+    with patient(handler) as ridelab:
+        batch = ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1, 2, 3, 4]}})
+        assert batch.wait(lambda batch: heard.append((batch.state, batch.done))) is batch
+        assert batch.finished
+    return heard
+
+
+def test_a_broken_stream_of_events_goes_on_where_it_was() -> None:
+    asked: list[str | None] = []
+
+    def handler(request: httpx.Request) -> httpx.Response:
+        if request.method == "POST":
+            return httpx.Response(202, json=batch_answer("queued"))
+        if not request.url.path.endswith("/events"):
+            return httpx.Response(200, json=batch_answer("done" if len(asked) > 1 else "running", 2 * len(asked)))
+        asked.append(request.headers.get("Last-Event-ID"))
+        state, done = ("running", 1) if len(asked) == 1 else ("done", 4)
+        data = json.dumps({"state": state, "done": done, "failed": 0, "total": 4})
+        return httpx.Response(200, text=f"id: {10 + len(asked)}\nevent: state\ndata: {data}\n\nid: 99\ndata: cut")
+
+    heard = follow(handler)
+    assert asked == [None, "11"]
+    assert heard == [("running", 1), ("running", 2), ("done", 4), ("done", 4)]
+
+
+def test_without_events_it_polls_and_outlives_a_restart() -> None:
+    polls = 0
+
+    def handler(request: httpx.Request) -> httpx.Response:
+        nonlocal polls
+        if request.method == "POST":
+            return httpx.Response(202, json=batch_answer("queued"))
+        if request.url.path.endswith("/events"):
+            return httpx.Response(404, json={**FULL, "status": 404})
+        polls += 1
+        if polls == 2:
+            raise httpx.RemoteProtocolError("restarting")
+        if polls == 3:
+            return httpx.Response(503, json=FULL)
+        return httpx.Response(200, json=batch_answer("done" if polls > 4 else "running", min(polls, 4)))
+
+    assert follow(handler) == [("running", 1), ("running", 4), ("done", 4)]
+
+
+def test_a_batch_that_is_gone_ends_the_wait() -> None:
+    def handler(request: httpx.Request) -> httpx.Response:
+        if request.method == "POST":
+            return httpx.Response(202, json=batch_answer("queued"))
+        return httpx.Response(404, json={**FULL, "status": 404})
+
+    with pytest.raises(RidelabAPIError):
+        follow(handler)
+
+
+def test_a_batch_is_handed_in_again_with_the_same_key() -> None:
+    keys: list[str] = []
+
+    def handler(request: httpx.Request) -> httpx.Response:
+        keys.append(request.headers["Idempotency-Key"])
+        if len(keys) == 1:
+            raise httpx.ReadError("lost on the way back")
+        return httpx.Response(202, json=batch_answer("queued"))
+
+    with patient(handler) as ridelab:
+        ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}})
+        assert len(keys) == 2
+        assert keys[0] == keys[1]
+        ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}})
+        assert keys[2] != keys[0]
+        ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}}, idempotency_key="mine")
+        assert keys[3] == "mine"
