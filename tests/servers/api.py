@@ -1,0 +1,48 @@
+"""The service as an operator runs it: `python -m backend`, started again when it dies, on a port that stays."""
+
+import contextlib
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from tests.servers.process import Program, free_port, wait_until
+
+
+class Api(Program):
+    """One replica; `ask` keeps asking while it is down or full, as a client of a service that restarts would."""
+
+    def __init__(self, folder: Path, *, name: str = "api", port: int | None = None, **environment: str) -> None:
+        self.port = port or free_port()
+        command = [sys.executable, "-m", "backend", "--port", str(self.port), "--data-dir", str(folder / "data")]
+        super().__init__(name, command, folder=folder, environment=environment, restart=True)
+
+    @property
+    def url(self) -> str:
+        """Where it serves."""
+        return f"http://127.0.0.1:{self.port}"
+
+    @property
+    def ready(self) -> bool:
+        """Whether it says so now."""
+        with contextlib.suppress(httpx.TransportError):
+            return httpx.get(f"{self.url}/readyz", timeout=5).status_code == 200
+        return False
+
+    def wait_until_ready(self) -> None:
+        """Wait for it."""
+        wait_until(lambda: self.ready, f"{self.name} is ready", 90)
+
+    def ask(self, method: str, path: str, seconds: float = 120, **options: Any) -> Any:
+        """The JSON of an answer with a good status; anything else but a refusal for good is asked again."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            with contextlib.suppress(httpx.TransportError):
+                answer = httpx.request(method, f"{self.url}/api/v1{path}", timeout=30, **options)
+                if answer.is_success:
+                    return answer.json()
+                assert answer.status_code in (429, 503), f"{answer.status_code} {answer.text}"
+            time.sleep(0.2)
+        raise TimeoutError(f"{self.name} did not answer {method} {path}")
