@@ -105,7 +105,7 @@ def test_the_script_makes_secrets_that_fit_together_and_keeps_them(tmp_path: Pat
     assert len(made["database_password"].strip()) >= 32
     context = ssl.create_default_context(cafile=str(folder / "dask_ca.pem"))
     context.load_cert_chain(folder / "dask_cert.pem", folder / "dask_key.pem")
-    verify = ["openssl", "verify", "-CAfile", folder / "dask_ca.pem", folder / "dask_cert.pem"]
+    verify = ["openssl", "verify", "-CAfile", f"{folder}/dask_ca.pem", f"{folder}/dask_cert.pem"]
     subprocess.run(verify, check=True, capture_output=True)
     assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == made
 
@@ -128,6 +128,7 @@ def test_the_service_knows_its_settings(tmp_path: Path) -> None:
     password = (tmp_path / "secrets/database_password").read_text().strip()
     assert settings.store_url == f"postgresql+psycopg://ridelab:{password}@database/ridelab"
     assert settings.dask_scheduler == "tls://scheduler:8786"
+    assert settings.forwarded_allow_ips == "*"
 
 
 def test_data_outlives_the_containers(instructions: list[list[str]]) -> None:
@@ -160,7 +161,7 @@ def test_the_proxy_waits_longer_than_the_service_and_takes_bodies_as_long() -> N
     assert timeout
     assert int(timeout[1]) > Settings().run_timeout
     longest = Settings().max_body_bytes
-    assert set(re.findall(r"deny status 413 if \{ .* gt (\d+) \}", text)) == {str(longest)}
+    assert set(re.findall(r"deny status 413 default-errorfiles if \{ .* gt (\d+) \}", text)) == {str(longest)}
     buffer = re.search(r"tune.bufsize (\d+)", text)
     assert buffer
     assert int(buffer[1]) > longest + 2 * 16384, "headers, and room for what the proxy writes itself"

@@ -1,0 +1,254 @@
+"""The reverse proxy with its real configuration: what it lets through, for how long, and what it does when one dies."""
+
+import contextlib
+import socket
+import ssl
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+
+from tests.cluster.replica import Replica
+from tests.servers.haproxy import Proxy
+from tests.servers.process import wait_until
+
+LONGEST = 1024 * 1024
+REQUEST_TIMEOUT = 1.0  # what the tests give a request to arrive; ten seconds in production [s]
+
+
+@pytest.fixture(scope="module")
+def replicas() -> Iterator[list[Replica]]:
+    servers = [Replica("one"), Replica("two")]
+    yield servers
+    for server in servers:
+        server.shutdown()
+        server.server_close()
+
+
+@pytest.fixture(scope="module")
+def certificate(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A certificate for localhost that signed itself, with its key, as HAProxy reads them."""
+    path = tmp_path_factory.mktemp("certificate") / "localhost.pem"
+    key = [
+        "-newkey",
+        "ec",
+        "-pkeyopt",
+        "ec_paramgen_curve:prime256v1",
+        "-nodes",
+        "-keyout",
+        str(path.with_suffix(".key")),
+    ]
+    name = ["-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost,IP:127.0.0.1"]
+    subprocess.run(["openssl", "req", "-x509", *key, *name, "-out", str(path)], check=True, capture_output=True)
+    path.write_text(path.read_text() + path.with_suffix(".key").read_text())
+    return path
+
+
+@pytest.fixture(scope="module")
+def proxy(replicas: list[Replica], certificate: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Proxy]:
+    limits = {"PROXY_REQUEST_TIMEOUT": f"{REQUEST_TIMEOUT:.0f}s", "PROXY_CLIENT_CONNECTIONS": "50"}
+    addresses = [replica.address for replica in replicas]
+    folder = tmp_path_factory.mktemp("proxy")
+    proxy = Proxy(folder, addresses, PROXY_CERTIFICATE=str(certificate), **limits)
+    wait_until(lambda: proxy.answers("/"), "a replica is found ready")
+    yield proxy
+    proxy.end()
+
+
+@pytest.fixture
+def client(proxy: Proxy, replicas: list[Replica]) -> Iterator[httpx.Client]:
+    for replica in replicas:
+        replica.ready, replica.breaks = True, False
+    with httpx.Client(base_url=proxy.url, timeout=30) as client:
+        wait_until(lambda: who_serves(client) == {"one", "two"}, "both replicas are in use")
+        yield client
+
+
+def ask(client: httpx.Client, method: str = "GET", path: str = "/", **headers: str) -> str:
+    response = client.request(method, path, headers={"Connection": "close", **headers})
+    assert response.status_code == 200, response.text
+    name: str = response.json()["by"]
+    return name
+
+
+def who_serves(client: httpx.Client) -> set[str]:
+    """The replicas that answered a few requests; empty where none did."""
+    answers = [client.get("/", headers={"Connection": "close"}) for _ in range(6)]
+    return {answer.json().get("by", "") for answer in answers if answer.status_code == 200}
+
+
+def assert_problem(response: httpx.Response, status: int) -> None:
+    assert response.status_code == status
+    assert response.headers["Content-Type"] == "application/problem+json"
+    assert response.json()["status"] == status
+    assert response.headers["X-Content-Type-Options"] == "nosniff"
+    assert "default-src 'none'" in response.headers["Content-Security-Policy"]
+
+
+def raw(proxy: Proxy, *pieces: bytes, pause: float = 0) -> bytes:
+    """Send bytes in pieces; all that comes back until the proxy hangs up."""
+    answer = b""
+    with socket.create_connection(("127.0.0.1", proxy.port), timeout=20) as connection:
+        try:
+            for piece in pieces:
+                connection.sendall(piece)
+                time.sleep(pause)
+        except OSError:
+            pass  # it does not wait for the rest
+        while received := connection.recv(65536):
+            answer += received
+    return answer
+
+
+def test_headers_that_drip_are_answered_408(proxy: Proxy, client: httpx.Client) -> None:
+    drops = [f"X-{number}: y\r\n".encode() for number in range(200)]
+    started = time.monotonic()
+    answer = raw(proxy, b"GET / HTTP/1.1\r\nHost: x\r\n", *drops, pause=0.1)
+    assert time.monotonic() - started < 15, "not as long as the client liked"
+    assert answer.startswith(b"HTTP/1.1 408 ")
+
+
+def test_a_body_that_drips_is_answered_408_and_no_replica_hears_of_it(
+    proxy: Proxy, client: httpx.Client, replicas: list[Replica]
+) -> None:
+    before = sum(replica.asked for replica in replicas)
+    head = b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 100000\r\n\r\n"
+    answer = raw(proxy, head, *[b" " * 100] * 200, pause=0.1)
+    assert answer.startswith(b"HTTP/1.1 408 ")
+    assert sum(replica.asked for replica in replicas) == before
+
+
+def test_the_longest_body_passes_and_a_longer_one_is_refused(client: httpx.Client, replicas: list[Replica]) -> None:
+    assert client.post("/api/v1/runs", content=b" " * LONGEST).json()["body"] == LONGEST
+    before = sum(replica.asked for replica in replicas)
+    assert_problem(client.post("/api/v1/runs", content=b" " * (LONGEST + 1)), 413)
+    in_pieces = iter([b" " * 65536] * 32)
+    assert_problem(client.post("/api/v1/runs", content=in_pieces), 413)
+    assert sum(replica.asked for replica in replicas) == before
+
+
+def test_a_flood_of_longest_bodies_leaves_the_proxy_well(proxy: Proxy, client: httpx.Client) -> None:
+    """Each holds its megabyte until it is whole or its time is over; others are served meanwhile."""
+    head = b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 1048576\r\n\r\n"
+    connections = [socket.create_connection(("127.0.0.1", proxy.port), timeout=20) for _ in range(40)]
+    try:
+        for connection in connections:
+            connection.sendall(head + b" " * 900_000)
+        assert ask(client) in ("one", "two")
+        answers = [connection.recv(12) for connection in connections]
+    finally:
+        for connection in connections:
+            connection.close()
+    assert set(answers) == {b"HTTP/1.1 408"}
+    assert ask(client) in ("one", "two")
+
+
+def test_one_address_may_not_hold_every_connection(proxy: Proxy, client: httpx.Client) -> None:
+    with contextlib.ExitStack() as stack:
+        connections = [stack.enter_context(socket.socket()) for _ in range(70)]
+        assert sum(is_refused(connection, proxy.port) for connection in connections) >= 15
+    wait_until(lambda: proxy.answers("/"), "its own connections are free again")
+
+
+def is_refused(connection: socket.socket, port: int) -> bool:
+    connection.settimeout(0.005)
+    try:
+        connection.connect(("127.0.0.1", port))
+        return connection.recv(1) == b""
+    except ConnectionResetError:
+        return True
+    except TimeoutError:
+        return False  # it may stay, and say something
+
+
+def test_who_asks_is_what_the_proxy_sees(client: httpx.Client) -> None:
+    lies = {
+        "X-Forwarded-For": "1.2.3.4",
+        "X-Forwarded-Proto": "https",
+        "X-Forwarded-Host": "evil.example",
+        "Forwarded": "for=1.2.3.4",
+        "X-Real-IP": "1.2.3.4",
+    }
+    heard = client.get("/", headers=lies).json()["headers"]
+    told = {name: value for name, value in heard.items() if "forwarded" in name or name == "x-real-ip"}
+    assert told == {"x-forwarded-for": "127.0.0.1", "x-forwarded-proto": "http"}
+
+
+@pytest.mark.parametrize(
+    "target", ["/metrics", "/metrics/", "//metrics", "/%6detrics", "/METRICS", "/metrics?x=1", "http://x/metrics"]
+)
+def test_metrics_are_for_inside_however_they_are_spelt(proxy: Proxy, client: httpx.Client, target: str) -> None:
+    answer = raw(proxy, f"GET {target} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode())
+    assert answer.startswith(b"HTTP/1.1 403 ")
+    if target == "/metrics":
+        assert_problem(client.get(target), 403)
+
+
+def test_other_paths_pass_as_they_are(client: httpx.Client) -> None:
+    path = "/s/abc?x=%20metrics"
+    assert client.get(path).json()["path"] == path
+
+
+def test_events_come_at_once_and_may_take_their_time(client: httpx.Client, replicas: list[Replica]) -> None:
+    silence = {"X-Silence": str(2 * REQUEST_TIMEOUT)}
+    with client.stream("GET", "/api/v1/batches/x/events", headers=silence) as response:
+        lines = response.iter_lines()
+        assert next(lines) == "data: first", "before the second is even sent"
+        for replica in replicas:
+            replica.proceed.set()
+        assert "data: second" in list(lines)
+
+
+def test_a_replica_that_is_not_ready_gets_nothing(client: httpx.Client, replicas: list[Replica]) -> None:
+    replicas[0].ready = False
+    wait_until(lambda: who_serves(client) == {"two"}, "the other serves all")
+    assert who_serves(client) == {"two"}
+    replicas[0].ready = True
+    wait_until(lambda: who_serves(client) == {"one", "two"}, "it is in use again")
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "headers"),
+    [("GET", "/x", {}), ("POST", "/api/v1/runs", {}), ("POST", "/api/v1/batches", {"Idempotency-Key": "k"})],
+)
+def test_a_request_its_replica_dropped_goes_to_another(
+    client: httpx.Client, replicas: list[Replica], method: str, path: str, headers: dict[str, str]
+) -> None:
+    replicas[0].breaks = True
+    before = replicas[0].asked
+    assert {ask(client, method, path, **headers) for _ in range(4)} == {"two"}
+    assert replicas[0].asked > before, "it was tried"
+
+
+def test_what_must_not_be_done_twice_is_not_sent_twice(client: httpx.Client, replicas: list[Replica]) -> None:
+    for replica in replicas:
+        replica.breaks = True
+    before = sum(replica.asked for replica in replicas)
+    assert_problem(client.post("/api/v1/batches", content=b"{}"), 502)
+    assert sum(replica.asked for replica in replicas) == before + 1
+
+
+def test_without_any_replica_it_says_when_to_come_again(client: httpx.Client, replicas: list[Replica]) -> None:
+    for replica in replicas:
+        replica.ready = False
+    wait_until(lambda: client.get("/").status_code == 503, "both are found not ready")
+    response = client.get("/")
+    assert_problem(response, 503)
+    assert int(response.headers["Retry-After"]) > 0
+
+
+def test_with_a_certificate_it_speaks_tls(proxy: Proxy, client: httpx.Client, certificate: Path) -> None:
+    context = ssl.create_default_context(cafile=str(certificate))
+    response = httpx.get(f"https://127.0.0.1:{proxy.tls_port}", verify=context)
+    assert response.json()["headers"]["x-forwarded-proto"] == "https"
+    assert "max-age" in response.headers["Strict-Transport-Security"]
+    old = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+    old.load_verify_locations(certificate)
+    old.set_ciphers("DEFAULT@SECLEVEL=0")
+    with pytest.warns(DeprecationWarning, match="TLSv1_1"):
+        old.maximum_version = ssl.TLSVersion.TLSv1_1
+    with pytest.raises(httpx.ConnectError):
+        httpx.get(f"https://127.0.0.1:{proxy.tls_port}", verify=old)
