@@ -7,13 +7,16 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
 
-.PHONY: run test check bench margins setup frontend lock clean
+.PHONY: run test drill check bench margins setup frontend lock clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
 
 test: setup check ## everything: style, types, import rules, all tests, browser included
-	$(BIN)/python -m pytest tests
+	$(BIN)/python -m pytest tests --ignore tests/drill
+
+drill: setup ## at length: fifty kills at random, load, fuzzing; RIDELAB_KILLS= and RIDELAB_SEED= change it
+	$(BIN)/python -m pytest tests/drill -s
 
 check: setup ## style, types and import rules
 	$(BIN)/ruff check .
