@@ -1,7 +1,8 @@
 import { useDocumentTitle, useHotkeys } from "@mantine/hooks";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
-import { useEffect, useMemo } from "react";
+import { Suspense, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
+import { LazyBatchPage } from "./batch/lazy";
 import { standardScenario } from "./editor/diff";
 import { ConnectionBanner } from "./shell/ConnectionBanner";
 import { CouldNotLoad } from "./shell/Blank";
@@ -18,11 +19,20 @@ import type { Lab } from "./state/labState";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./state/queries";
 import type { Router } from "./state/router";
 import { makeScene } from "./state/scene";
+import { useSelect } from "./state/store";
 import { pageTitle } from "./title";
 
 export function App({ lab, router }: { readonly lab: Lab; readonly router: Router }) {
   const form = useQuery(schemaQuery).data;
   const standard = useMemo(() => (form ? standardScenario(form) : {}), [form]);
+  const shared = useSelect(lab, (state) => state.shared);
+  if (shared?.batch) {
+    return (
+      <Suspense>
+        <LazyBatchPage key={shared.slug} id={shared.batch.id} link={shared} />
+      </Suspense>
+    );
+  }
   return (
     <DeskProvider value={{ lab, router, standard }}>
       <Desk />
@@ -81,7 +91,7 @@ function Desk() {
       </div>
       <div className={classes.notices}>
         <Notices strategies={strategies.data ?? []} />
-        <ConnectionBanner />
+        <ConnectionBanner onBack={lab.resume} />
       </div>
     </div>
   );

@@ -1,9 +1,10 @@
 import { MantineProvider } from "@mantine/core";
 import "@mantine/core/styles.css";
 import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
-import { StrictMode } from "react";
+import { StrictMode, Suspense } from "react";
 import { createRoot } from "react-dom/client";
 import { App } from "./App";
+import { LazyBatchPage } from "./batch/lazy";
 import "./global.css";
 import { loadPlotly } from "./plots/plotly";
 import { ErrorBoundary } from "./shell/ErrorBoundary";
@@ -15,12 +16,20 @@ const queries = new QueryClient({
   // A local server needs no network, and asking again is the connection banner's work.
   defaultOptions: { queries: { retry: false, networkMode: "always", refetchOnWindowFocus: false } },
 });
-const router = createRouter();
-const lab = createLab(router, queries);
 
-// The first run, the plotting code and the form are fetched at the same time.
-lab.open(router.get());
-router.onTravel(lab.open);
+/** A sweep has a page of its own, which needs nothing of the dashboard. */
+const batchId = /^\/b\/([^/]+)\/?$/.exec(window.location.pathname)?.[1];
+
+function dashboard() {
+  const router = createRouter();
+  const lab = createLab(router, queries);
+  // The first run, the plotting code and the form are fetched at the same time.
+  lab.open(router.get());
+  router.onTravel(lab.open);
+  return <App lab={lab} router={router} />;
+}
+
+const page = batchId === undefined ? dashboard() : <LazyBatchPage id={batchId} />;
 void loadPlotly();
 
 const root = document.getElementById("root");
@@ -30,7 +39,7 @@ createRoot(root).render(
     <QueryClientProvider client={queries}>
       <MantineProvider theme={theme} defaultColorScheme="auto">
         <ErrorBoundary>
-          <App lab={lab} router={router} />
+          <Suspense>{page}</Suspense>
         </ErrorBoundary>
       </MantineProvider>
     </QueryClientProvider>

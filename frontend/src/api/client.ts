@@ -2,20 +2,26 @@
 
 import { connection } from "./connection";
 import { decodeSeries } from "./decode";
-import type { Link, NewLink, SharedView } from "./pending";
 import { ApiProblem, Unreachable, isAbort, readProblem } from "./problem";
 import type {
+  Batch,
+  BatchTable,
   Catalogue,
   EncodedSeries,
+  Estimate,
   FigureTemplate,
   JsonObject,
+  Link,
   LiveAnswer,
+  NewLink,
   Preset,
   Run,
   Scenario,
   SeriesByStrategy,
+  SharedView,
   Strategy,
   StrategyId,
+  Sweep,
 } from "./types";
 
 const BASE = "/api/v1";
@@ -65,14 +71,25 @@ async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await request(BASE + path, signal ? { signal } : {})) as T;
 }
 
-async function post<T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> {
+interface PostOptions {
+  readonly signal?: AbortSignal | undefined;
+  readonly headers?: Readonly<Record<string, string>>;
+}
+
+async function post<T>(path: string, body: unknown, { signal, headers = {} }: PostOptions = {}): Promise<T> {
   const init: RequestInit = {
     method: "POST",
-    headers: { "content-type": "application/json" },
+    headers: { "content-type": "application/json", ...headers },
     body: JSON.stringify(body),
     ...(signal ? { signal } : {}),
   };
   return (await request(BASE + path, init)) as T;
+}
+
+export interface SweepWish {
+  readonly scenario: Scenario;
+  readonly strategies: readonly StrategyId[];
+  readonly sweep: Sweep;
 }
 
 export interface LiveWish {
@@ -97,13 +114,24 @@ export const api = {
     (await get<{ readonly figures: Readonly<Record<string, FigureTemplate>> }>("/figures", signal)).figures,
 
   createRun: (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal) =>
-    post<Run>("/runs", { scenario, strategies }, signal),
+    post<Run>("/runs", { scenario, strategies }, { signal }),
   run: (id: string, signal?: AbortSignal) => get<Run>(`/runs/${encodeURIComponent(id)}`, signal),
 
+  estimate: (wish: SweepWish, signal?: AbortSignal) => post<Estimate>("/batches", { ...wish, dry_run: true }, { signal }),
+  createBatch: (wish: SweepWish, key: string) => post<Batch>("/batches", wish, { headers: { "idempotency-key": key } }),
+  batch: (id: string, signal?: AbortSignal) => get<Batch>(`/batches/${encodeURIComponent(id)}`, signal),
+  cancelBatch: (id: string) => post<Batch>(`/batches/${encodeURIComponent(id)}/cancel`, {}),
+  batchTable: (id: string, figures: readonly string[], signal?: AbortSignal) =>
+    get<BatchTable>(`/batches/${encodeURIComponent(id)}/table?${new URLSearchParams({ figures: figures.join(",") })}`, signal),
+  batchEventsAddress: (id: string, after: number) => `${BASE}/batches/${encodeURIComponent(id)}/events?after=${after}`,
+  batchResultsAddress: (id: string, format: "json" | "csv" | "parquet") =>
+    `${BASE}/batches/${encodeURIComponent(id)}/results?format=${format}`,
+
+  shareBatch: (batchId: string, view: SharedView) => post<NewLink>("/links", { batch_id: batchId, view }),
   share: (runId: string, view: SharedView) => post<NewLink>("/links", { run_id: runId, view }),
   link: (slug: string, signal?: AbortSignal) => get<Link>(`/links/${encodeURIComponent(slug)}`, signal),
 
-  live: (wish: LiveWish, signal?: AbortSignal) => post<LiveAnswer>("/live", wish, signal),
+  live: (wish: LiveWish, signal?: AbortSignal) => post<LiveAnswer>("/live", wish, { signal }),
 
   series: async (
     id: string,

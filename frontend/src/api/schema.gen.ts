@@ -1,6 +1,130 @@
 // Generated from the backend's OpenAPI by `npm run api`; do not edit.
 
 export interface paths {
+    "/api/v1/batches": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Batches
+         * @description The newest batches first.
+         */
+        get: operations["listBatches"];
+        put?: never;
+        /**
+         * Create Batch
+         * @description Submit a sweep; 202 comes after the commit: what was accepted completes, whatever crashes.
+         */
+        post: operations["createBatch"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/batches/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Batch
+         * @description A batch as it stands.
+         */
+        get: operations["getBatch"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/batches/{id}/cancel": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Cancel Batch
+         * @description Queued and running runs stop; finished results stay. A batch that has ended is answered as it is.
+         */
+        post: operations["cancelBatch"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/batches/{id}/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Batch Events
+         * @description Server-sent events `state` and `progress` with `{state, done, failed, total}`; the last is the final state.
+         */
+        get: operations["getBatchEvents"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/batches/{id}/results": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Batch Results
+         * @description One row a run, in order, streamed; a batch that still runs has rows that wait.
+         */
+        get: operations["getBatchResults"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/batches/{id}/table": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Batch Table
+         * @description Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for.
+         */
+        get: operations["getBatchTable"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/catalogue": {
         parameters: {
             query?: never;
@@ -33,6 +157,46 @@ export interface paths {
          * @description Figure templates in the order of display: layout, and a trace without data for each strategy.
          */
         get: operations["getFigures"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/links": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Link
+         * @description Share a stored run or a batch; the answer comes after the commit.
+         */
+        post: operations["createLink"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/links/{slug}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Link
+         * @description What a link opens: results as they were computed, the scenario as today's schema has it, the view.
+         */
+        get: operations["getLink"];
         put?: never;
         post?: never;
         delete?: never;
@@ -241,6 +405,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/metrics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Metrics
+         * @description Figures for Prometheus: counts, gauges and latencies, nothing of anybody's scenario.
+         */
+        get: operations["getMetrics"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/readyz": {
         parameters: {
             query?: never;
@@ -280,6 +464,260 @@ export interface components {
              * @description Greatest change of the commanded force; none is unlimited.
              */
             rate_limit?: number | null;
+        };
+        /**
+         * Batch
+         * @description A batch as it stands; `done` runs succeeded, `failed` runs did not and say why in their rows.
+         */
+        Batch: {
+            /**
+             * Core Version
+             * @description That accepted it; each row names the one that computed it
+             */
+            core_version: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Done */
+            done: number;
+            /**
+             * Estimated Cost
+             * @description Upper estimate [s of one core]
+             */
+            estimated_cost: number;
+            /** Failed */
+            failed: number;
+            /** Fields */
+            fields: components["schemas"]["BatchField"][];
+            /** Finished At */
+            finished_at: string | null;
+            /** Id */
+            id: string;
+            /**
+             * Reason
+             * @description Why the batch as a whole failed
+             */
+            reason: string | null;
+            /** Scenario */
+            scenario: {
+                [key: string]: unknown;
+            };
+            /** Started At */
+            started_at: string | null;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /** Strategies */
+            strategies: string[];
+            /** Sweep */
+            sweep: {
+                [key: string]: unknown;
+            };
+            /** Total */
+            total: number;
+        };
+        /**
+         * Batches
+         * @description The newest first.
+         */
+        Batches: {
+            /** Batches */
+            batches: components["schemas"]["Batch"][];
+        };
+        /**
+         * BatchField
+         * @description A field the sweep changes.
+         */
+        BatchField: {
+            /** Name */
+            name: string;
+            /** Title */
+            title: string;
+            /** Unit */
+            unit: string;
+        };
+        /**
+         * BatchRequest
+         * @description What to run: each point of the sweep under each strategy.
+         */
+        BatchRequest: {
+            /**
+             * Dry Run
+             * @description Only check and estimate: nothing is stored or computed
+             * @default false
+             */
+            dry_run: boolean;
+            /**
+             * @default {
+             *       "vehicle": {
+             *         "body_mass": 1270,
+             *         "cg_height": 0.54,
+             *         "cg_to_front": 1.015,
+             *         "cg_to_rear": 1.895,
+             *         "front_damping": 6000,
+             *         "front_spring": 27000,
+             *         "front_tyre_stiffness": 268000,
+             *         "front_wheel_mass": 66.3,
+             *         "pitch_inertia": 1536.7,
+             *         "rear_damping": 6000,
+             *         "rear_spring": 30000,
+             *         "rear_tyre_stiffness": 268000,
+             *         "rear_wheel_mass": 66.3
+             *       },
+             *       "road": {
+             *         "bump": {
+             *           "height": 0.1,
+             *           "shape": "cosine",
+             *           "start": 100,
+             *           "width": 4
+             *         },
+             *         "length": 150,
+             *         "roughness": 0.000064,
+             *         "seed": 1
+             *       },
+             *       "speed": {
+             *         "controller": "guarded",
+             *         "detection_distance": 80,
+             *         "initial_speed_kmh": 50,
+             *         "target_speed_kmh": 22.5
+             *       },
+             *       "brake": {
+             *         "brakes": 2,
+             *         "drag_area": 0.65,
+             *         "effective_radius": 0.13,
+             *         "friction_coefficient": 0.38,
+             *         "maximum_deceleration": 4,
+             *         "piston_area": 0.0025,
+             *         "pressure_lag": 0.1,
+             *         "rolling_resistance": 0.012,
+             *         "threshold_speed": 0.1,
+             *         "wheel_radius": 0.3
+             *       },
+             *       "actuator": {},
+             *       "mpc": {
+             *         "control_horizon": 20,
+             *         "deflection_limit": 0.08,
+             *         "deflection_weight": 3,
+             *         "force_change_weight": 1e-10,
+             *         "force_limit": 5000,
+             *         "force_weight": 1e-9,
+             *         "prediction_horizon": 30,
+             *         "preview": "lookahead",
+             *         "road_weights": {
+             *           "bump": [
+             *             3,
+             *             1,
+             *             6
+             *           ],
+             *           "rough": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         },
+             *         "sample_time": 0.01,
+             *         "solver": "daqp",
+             *         "stage_weights": {
+             *           "brake": [
+             *             2,
+             *             6,
+             *             1
+             *           ],
+             *           "bump": [
+             *             1,
+             *             1,
+             *             6
+             *           ],
+             *           "cruise": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         }
+             *       },
+             *       "lqr": {
+             *         "deflection_weight": 3,
+             *         "weights": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       }
+             *     }
+             */
+            scenario: components["schemas"]["Scenario"];
+            /** Strategies */
+            strategies: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            sweep: components["schemas"]["Sweep"];
+        };
+        /**
+         * BatchResults
+         * @description Every run of a batch, in order.
+         */
+        BatchResults: {
+            /** Batch */
+            batch: string;
+            /** Core Version */
+            core_version: string;
+            /** Rows */
+            rows: components["schemas"]["BatchRow"][];
+            /** Scenario */
+            scenario: {
+                [key: string]: unknown;
+            };
+            /** Sweep */
+            sweep: {
+                [key: string]: unknown;
+            };
+            /** Units */
+            units: {
+                [key: string]: string;
+            };
+        };
+        /**
+         * BatchRow
+         * @description A run of a batch; further members are the swept fields by name and, of a run with status ok, its figures.
+         */
+        BatchRow: {
+            /**
+             * Reason
+             * @description Of a failed run
+             */
+            reason: string | null;
+            /** Run */
+            run: number;
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "ok" | "failed" | "waiting" | "cancelled";
+            /** Strategy */
+            strategy: string;
+        };
+        /**
+         * BatchTable
+         * @description A batch's rows column by column.
+         */
+        BatchTable: {
+            /** Batch */
+            batch: string;
+            /** Columns */
+            columns: {
+                [key: string]: (number | string | boolean | number[] | null)[];
+            };
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /** Units */
+            units: {
+                [key: string]: string;
+            };
         };
         /**
          * Brake
@@ -485,6 +923,27 @@ export interface components {
             windows: components["schemas"]["QuantityAnswer"][];
         };
         /**
+         * CreatedLink
+         * @description A new link.
+         */
+        CreatedLink: {
+            /**
+             * Series Pinned
+             * @description Whether time histories are kept for ever too. Never of a batch; of a run of another core version only where an earlier link pinned them. Metrics always are.
+             */
+            series_pinned: boolean;
+            /**
+             * Slug
+             * @description 22 characters, 128 random bits
+             */
+            slug: string;
+            /**
+             * Url
+             * @description Path of the page that opens it
+             */
+            url: string;
+        };
+        /**
          * CreatedRun
          * @description A run as the request that made it sees it.
          */
@@ -501,6 +960,34 @@ export interface components {
             strategies: {
                 [key: string]: components["schemas"]["CachedResult"] | components["schemas"]["CachedFailure"];
             };
+        };
+        /**
+         * Estimate
+         * @description What a batch would be.
+         */
+        Estimate: {
+            /**
+             * Contradictory
+             * @description Runs whose fields contradict each other: they would be failed rows
+             */
+            contradictory: number;
+            /**
+             * Estimated Cost
+             * @description Upper estimate, which the limit is held against [s of one core]
+             */
+            estimated_cost: number;
+            /**
+             * Estimated Seconds
+             * @description By some runs tried just now [s]; none where trying takes long
+             */
+            estimated_seconds: number | null;
+            /** Points */
+            points: number;
+            /**
+             * Total
+             * @description Runs: points times strategies
+             */
+            total: number;
         };
         /**
          * Figures
@@ -524,6 +1011,130 @@ export interface components {
              * @constant
              */
             status: "ok";
+        };
+        /**
+         * LatinHypercube
+         * @description Evenly spread random points (scipy.stats.qmc.LatinHypercube); whole-number fields get whole numbers.
+         */
+        LatinHypercube: {
+            /**
+             * Ranges
+             * @description Field -> [lowest, highest]
+             */
+            ranges: {
+                [key: string]: number[];
+            };
+            /** Samples */
+            samples: number;
+            /**
+             * Seed
+             * @description Same seed, same points
+             * @default 0
+             */
+            seed: number;
+        };
+        /**
+         * Link
+         * @description What a link opens.
+         */
+        Link: {
+            batch: components["schemas"]["Batch"] | null;
+            /**
+             * Core Version
+             * @description Which computed it
+             */
+            core_version: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Current Core Version
+             * @description Which the service runs
+             */
+            current_core_version: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "run" | "batch";
+            run: components["schemas"]["Run"] | null;
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Schema Version
+             * @description Which the scenario was stored under; `scenario` is today's
+             */
+            schema_version: number;
+            /** Series Pinned */
+            series_pinned: boolean;
+            /** Slug */
+            slug: string;
+            /** Url */
+            url: string;
+            /** @description As it was sent */
+            view: components["schemas"]["LinkView"];
+        };
+        /**
+         * LinkRequest
+         * @description What to share: a stored run or a batch, and how it is looked at.
+         */
+        LinkRequest: {
+            /** Batch Id */
+            batch_id?: string | null;
+            /** Run Id */
+            run_id?: string | null;
+            /** @default {} */
+            view: components["schemas"]["LinkView"];
+        };
+        /**
+         * LinkView
+         * @description How a run or a batch is looked at; what is left out is as the page opens it. Comes back as it was sent.
+         */
+        LinkView: {
+            /**
+             * Axis
+             * @description What is on the x axis.
+             */
+            axis?: ("distance" | "time") | null;
+            /**
+             * Baseline
+             * @description What changes in % are against.
+             */
+            baseline?: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+            /**
+             * Cursor
+             * @description Place on the x axis, [m] or [s]; null is none.
+             */
+            cursor?: number | null;
+            /**
+             * Hidden
+             * @description Of those shown, the ones switched off in the plots.
+             */
+            hidden?: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
+            /**
+             * Strategies
+             * @description Shown, in this order.
+             */
+            strategies?: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
+            /**
+             * X
+             * @description Of a batch only: the field on the x axis, dotted.
+             */
+            x?: string | null;
+            /**
+             * Y
+             * @description Of a batch only: the figure on the y axis, window.signal.statistic.
+             */
+            y?: string | null;
+            /**
+             * Zoom
+             * @description Range of the x axis, [m] or [s]; null is all.
+             */
+            zoom?: [
+                number,
+                number
+            ] | null;
         };
         /**
          * LiveRequest
@@ -882,6 +1493,11 @@ export interface components {
             detail: string;
             /** Errors */
             errors: components["schemas"]["ProblemPlace"][];
+            /**
+             * Request Id
+             * @description Also in the header X-Request-ID and in the service's log
+             */
+            request_id: string;
             /** Status */
             status: number;
             /** Title */
@@ -1496,6 +2112,27 @@ export interface components {
             travel_time: number;
         };
         /**
+         * Sweep
+         * @description Exactly one of its three forms.
+         */
+        Sweep: {
+            /**
+             * Grid
+             * @description Field -> values; every combination, the last field changing fastest
+             */
+            grid?: {
+                [key: string]: (number | string | null | number[])[];
+            } | null;
+            latin_hypercube?: components["schemas"]["LatinHypercube"] | null;
+            /**
+             * List
+             * @description Field -> value, point by point; a field a point does not name keeps its value
+             */
+            list?: {
+                [key: string]: number | string | null | number[];
+            }[] | null;
+        };
+        /**
          * TypedArray
          * @description Little-endian float32 in base64: plotly's typed-array form.
          */
@@ -1601,6 +2238,490 @@ export interface components {
 }
 export type $defs = Record<string, never>;
 export interface operations {
+    listBatches: {
+        parameters: {
+            query?: {
+                /** @description At most so many */
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Batches"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    createBatch: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The same key and body again answer the same batch, so that a lost answer can be asked for again */
+                "idempotency-key"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["BatchRequest"];
+            };
+        };
+        responses: {
+            /** @description Of a dry run */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Estimate"];
+                };
+            };
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Batch"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getBatch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Batch"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    cancelBatch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Batch"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getBatchEvents: {
+        parameters: {
+            query?: {
+                /** @description The same, in the address */
+                after?: number | null;
+            };
+            header?: {
+                /** @description The last number seen: a browser sends it */
+                "last-event-id"?: string | null;
+            };
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": string;
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getBatchResults: {
+        parameters: {
+            query?: {
+                format?: "json" | "csv" | "parquet";
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BatchResults"];
+                    "application/vnd.apache.parquet": unknown;
+                    "text/csv": unknown;
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getBatchTable: {
+        parameters: {
+            query?: {
+                /** @description Keys with commas, such as bump.body_acceleration.peak */
+                figures?: string;
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BatchTable"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     getCatalogue: {
         parameters: {
             query?: never;
@@ -1650,6 +2771,159 @@ export interface operations {
             };
             /** @description Internal Server Error */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    createLink: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LinkRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CreatedLink"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getLink: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters; anything else is 404 */
+                slug: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Link"];
+                };
+            };
+            /** @description Not changed */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2229,6 +3503,27 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Health"];
+                };
+            };
+        };
+    };
+    getMetrics: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/openmetrics-text": unknown;
+                    "text/plain": string;
                 };
             };
         };

@@ -47,6 +47,26 @@ export interface LiveAnswer extends RunBase {
   readonly strategies: Readonly<Record<StrategyId, Deep<Schemas["LiveResult"]> | Failure>>;
 }
 
+/** How a shared result is looked at; what is left out is as the page opens it. */
+export type SharedView = Deep<Omit<Schemas["LinkView"], "strategies" | "hidden" | "baseline">> & {
+  readonly strategies?: readonly StrategyId[] | null;
+  readonly hidden?: readonly StrategyId[] | null;
+  readonly baseline?: StrategyId | null;
+};
+export type NewLink = Deep<Schemas["CreatedLink"]>;
+
+export type Batch = Deep<Omit<Schemas["Batch"], "scenario">> & { readonly scenario: Scenario };
+export type BatchTable = Deep<Schemas["BatchTable"]>;
+export type Estimate = Deep<Schemas["Estimate"]>;
+export type Sweep = Deep<Schemas["Sweep"]>;
+
+export type Link = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "view">> & {
+  readonly view: SharedView;
+  readonly scenario: Scenario;
+  readonly run: Run | null;
+  readonly batch: Batch | null;
+};
+
 export type EncodedSeries = Readonly<Record<SignalKey, Deep<Schemas["TypedArray"]>>>;
 export type SeriesByStrategy = Readonly<Record<StrategyId, Series>>;
 

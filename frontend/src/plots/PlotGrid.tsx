@@ -2,21 +2,15 @@
 
 import { useQuery } from "@tanstack/react-query";
 import { useComputedColorScheme } from "@mantine/core";
-import { useEffect, useState } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../state/address";
 import { useDesk } from "../state/context";
 import { DETAIL_POINTS, seriesQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
-import type { Palette } from "./figure";
-import { loadPlotly, type Plotly } from "./plotly";
+import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
-
-export const PALETTES: Readonly<Record<"light" | "dark", Palette>> = {
-  light: { text: "#4a555b", grid: "rgba(120, 135, 142, 0.2)", zero: "rgba(120, 135, 142, 0.55)" },
-  dark: { text: "#a9b3b9", grid: "rgba(140, 150, 156, 0.2)", zero: "rgba(140, 150, 156, 0.5)" },
-};
+import { usePlotly } from "./usePlotly";
 
 /** Zoomed in further than this part of the run, the overview's samples are too coarse. */
 const DETAIL_BELOW = 0.5;
@@ -39,20 +33,6 @@ export function PlotGrid({ figures, scene }: Props) {
       ))}
     </div>
   );
-}
-
-function usePlotly(): Plotly | null {
-  const [plotly, setPlotly] = useState<{ readonly current: Plotly } | null>(null);
-  useEffect(() => {
-    let wanted = true;
-    void loadPlotly().then((current) => {
-      if (wanted) setPlotly({ current });
-    });
-    return () => {
-      wanted = false;
-    };
-  }, []);
-  return plotly?.current ?? null;
 }
 
 /** The exact run's finer samples once somebody looks closely; the overview until they are there. */

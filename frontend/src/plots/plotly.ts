@@ -12,6 +12,21 @@ export interface PlotTrace {
   readonly opacity?: number;
 }
 
+/** Single runs as points. */
+export interface PointTrace {
+  readonly type: "scatter";
+  readonly mode: "markers" | "lines+markers";
+  readonly name: string;
+  readonly x: readonly (number | string)[];
+  readonly y: readonly number[];
+  readonly marker: Options;
+  readonly line?: Options;
+  /** The table's row of each point. */
+  readonly customdata: readonly number[];
+  readonly hovertemplate?: string;
+  readonly hoverinfo?: "skip";
+}
+
 export interface PlotFigure {
   readonly data: readonly PlotTrace[];
   readonly layout: PlotLayout;
@@ -42,12 +57,18 @@ interface ImageOptions {
 export interface Plotly {
   readonly react: (
     element: HTMLElement,
-    data: readonly PlotTrace[],
+    data: readonly (PlotTrace | PointTrace)[],
     layout: PlotLayout,
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;
   readonly purge: (element: HTMLElement) => void;
   readonly toImage: (figure: PlotFigure, options: ImageOptions) => Promise<string>;
+}
+
+/** An element plotly has drawn in. */
+export interface PlotElement extends HTMLElement {
+  readonly on: (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void) => void;
+  readonly removeAllListeners: (event: "plotly_click") => void;
 }
 
 let loading: Promise<Plotly> | null = null;

@@ -4,7 +4,7 @@ import { Button, Popover, Text, Tooltip } from "@mantine/core";
 import { IconLink } from "@tabler/icons-react";
 import { useRef, useState } from "react";
 import { ApiProblem } from "../api/problem";
-import type { NewLink } from "../api/pending";
+import type { NewLink } from "../api/types";
 import { copyWhenThere } from "../export/clipboard";
 import shell from "../shell/shell.module.css";
 import { LinkField } from "./LinkField";

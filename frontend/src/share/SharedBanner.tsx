@@ -4,7 +4,7 @@ import { Button, Text } from "@mantine/core";
 import { IconCopy, IconLock, IconRefresh } from "@tabler/icons-react";
 import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
-import type { Link } from "../api/pending";
+import type { Link } from "../api/types";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
 import { useDesk, useLab } from "../state/context";
 import { useStore } from "../state/store";

@@ -11,7 +11,7 @@ interface Props {
   readonly children?: ReactNode;
 }
 
-function Blank({ title, text, children }: Props) {
+export function Blank({ title, text, children }: Props) {
   return (
     <div className={classes.blank}>
       <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>

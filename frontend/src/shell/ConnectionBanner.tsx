@@ -6,7 +6,6 @@ import { IconPlugConnectedX } from "@tabler/icons-react";
 import { useCallback, useEffect, useState } from "react";
 import { probe, type Readiness } from "../api/client";
 import { connection, type Trouble } from "../api/connection";
-import { useDesk } from "../state/context";
 import { useStore } from "../state/store";
 import classes from "./shell.module.css";
 
@@ -19,19 +18,20 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
   ready: "The server is busy. Your edits are kept.",
 };
 
-export function ConnectionBanner() {
+/** `onBack` asks again for what queries do not hold. */
+export function ConnectionBanner({ onBack }: { readonly onBack?: () => void }) {
   const { trouble, wait } = useStore(connection);
-  return trouble === null ? null : <Reconnecting trouble={trouble} asked={wait} />;
+  return trouble === null ? null : <Reconnecting trouble={trouble} asked={wait} onBack={onBack} />;
 }
 
 interface Props {
   readonly trouble: Trouble;
   /** Seconds the server asked to wait. */
   readonly asked: number;
+  readonly onBack: (() => void) | undefined;
 }
 
-function Reconnecting({ trouble, asked }: Props) {
-  const { lab } = useDesk();
+function Reconnecting({ trouble, asked, onBack }: Props) {
   const queries = useQueryClient();
   const [attempt, setAttempt] = useState(0);
   const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, asked));
@@ -44,14 +44,14 @@ function Reconnecting({ trouble, asked }: Props) {
       setReadiness(answer);
       if (answer === "ready") {
         connection.ok();
-        lab.resume();
+        onBack?.();
         void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
         return;
       }
       setAttempt((count) => count + 1);
       setWait(Math.min(LONGEST_WAIT_S, FIRST_WAIT_S * 2 ** attempt));
     },
-    [lab, queries, attempt],
+    [onBack, queries, attempt],
   );
 
   useEffect(() => {

@@ -1,13 +1,15 @@
 /** Name, presets, undo and redo, what the last answer cost, sharing and the colour scheme. */
 
-import { ActionIcon, Button, Menu, Text, Tooltip, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
-import { IconArrowBackUp, IconArrowForwardUp, IconMoon, IconSun, IconTemplate } from "@tabler/icons-react";
-import type { ReactNode } from "react";
+import { Button, Menu, Text } from "@mantine/core";
+import { IconArrowBackUp, IconArrowForwardUp, IconTemplate } from "@tabler/icons-react";
 import type { Preset } from "../api/types";
 import { useDesk, useLab, useReadOnly } from "../state/context";
 import { ExportMenu } from "../export/ExportMenu";
 import { ShareRun } from "../share/ShareRun";
+import { SweepButton } from "../sweep/SweepButton";
+import { IconButton } from "./IconButton";
 import { Logo } from "./Logo";
+import { SchemeToggle } from "./SchemeToggle";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
 
@@ -31,27 +33,11 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       </IconButton>
       <StatusLine place="header" />
       <span className={classes.grow} />
+      <SweepButton />
       <ShareRun />
       <ExportMenu />
       <SchemeToggle />
     </header>
-  );
-}
-
-interface IconButtonProps {
-  readonly label: string;
-  readonly disabled?: boolean;
-  readonly onClick: () => void;
-  readonly children: ReactNode;
-}
-
-function IconButton({ label, disabled = false, onClick, children }: IconButtonProps) {
-  return (
-    <Tooltip label={label}>
-      <ActionIcon variant="subtle" size={32} aria-label={label} disabled={disabled} onClick={onClick}>
-        {children}
-      </ActionIcon>
-    </Tooltip>
   );
 }
 
@@ -84,16 +70,5 @@ function PresetMenu({ presets, disabled }: { readonly presets: readonly Preset[]
         ))}
       </Menu.Dropdown>
     </Menu>
-  );
-}
-
-function SchemeToggle() {
-  const { setColorScheme } = useMantineColorScheme();
-  const isDark = useComputedColorScheme("light") === "dark";
-  const next = isDark ? "light" : "dark";
-  return (
-    <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
-      {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
-    </IconButton>
   );
 }

@@ -1,6 +1,6 @@
 /** What the lab holds, and what can be done with it. */
 
-import type { Link } from "../api/pending";
+import type { Link } from "../api/types";
 import type { Scenario, StrategyId } from "../api/types";
 import type { PlacedErrors } from "../editor/errors";
 import type { Pointer } from "../editor/path";

@@ -1,6 +1,6 @@
 /** A link's view and the page's: how it is looked at, there and back. */
 
-import type { Link, SharedView } from "../api/pending";
+import type { Link, SharedView } from "../api/types";
 import type { StrategyId } from "../api/types";
 import type { View, Zoom } from "./address";
 import type { Scene } from "./scene";

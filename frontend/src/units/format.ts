@@ -72,6 +72,12 @@ export function formatExact(value: number, unit: string): string {
   return shown === "" ? number : `${number}\u00a0${shown}`;
 }
 
+/** `1 run`, `12 345 runs`. */
+export function count(number: number, one: string, several = `${one}s`): string {
+  const text = String(number);
+  return `${text.length > 4 ? grouped(text) : text} ${number === 1 ? one : several}`;
+}
+
 export function formatWithUnit(value: number, unit: string, digits = 3): string {
   const shown = prettyUnit(unit);
   return shown === "" ? formatNumber(value, digits) : `${formatNumber(value, digits)}\u00a0${shown}`;

@@ -1,0 +1,71 @@
+/** Name, the way back, sharing, files and the colour scheme. */
+
+import { Button, Menu } from "@mantine/core";
+import { IconArrowLeft, IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "@tabler/icons-react";
+import { api } from "../api/client";
+import type { Batch } from "../api/types";
+import { download } from "../export/image";
+import { ShareLink } from "../share/ShareLink";
+import { Logo } from "../shell/Logo";
+import { SchemeToggle } from "../shell/SchemeToggle";
+import shell from "../shell/shell.module.css";
+import classes from "./batch.module.css";
+import type { BatchView } from "./view";
+
+interface Props {
+  readonly batch: Batch | undefined;
+  readonly view: BatchView;
+}
+
+const FORMATS = [
+  { format: "csv", label: "CSV", icon: IconFileTypeCsv },
+  { format: "parquet", label: "Parquet", icon: IconTable },
+  { format: "json", label: "JSON", icon: IconBraces },
+] as const;
+
+const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" };
+
+export function BatchHeader({ batch, view }: Props) {
+  return (
+    <header className={shell.header}>
+      <a href="/" className={classes.home} aria-label="Ridelab, to the dashboard">
+        <Logo />
+      </a>
+      <h1 className={shell.name}>Ridelab</h1>
+      <Button component="a" href="/" size="xs" variant="default" aria-label="Dashboard" classNames={compact} leftSection={<IconArrowLeft size={15} />}>
+        Dashboard
+      </Button>
+      <span className={shell.grow} />
+      <ShareLink
+        make={() => (batch ? api.shareBatch(batch.id, toShare(batch, view)) : Promise.reject(new Error("there is no sweep")))}
+        obstacle={batch ? null : "There is no sweep to share yet"}
+        opens="It opens this sweep with its plot as it is here, for whoever has it. Nobody can change it."
+      />
+      <Menu position="bottom-end" width={260}>
+        <Menu.Target>
+          <Button size="xs" variant="default" aria-label="Export" classNames={compact} leftSection={<IconDownload size={15} />} disabled={!batch}>
+            Export
+          </Button>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Label>One row a run, every figure</Menu.Label>
+          {FORMATS.map(({ format, label, icon: Icon }) => (
+            <Menu.Item
+              key={format}
+              leftSection={<Icon size={16} />}
+              onClick={() => batch && download(api.batchResultsAddress(batch.id, format), `ridelab-batch-${batch.id}.${format}`)}
+            >
+              {label}
+            </Menu.Item>
+          ))}
+        </Menu.Dropdown>
+      </Menu>
+      <SchemeToggle />
+    </header>
+  );
+}
+
+function toShare({ fields, strategies }: Batch, { x, y, hidden }: BatchView) {
+  const shown = x ?? fields[0]?.name;
+  return { ...(shown === undefined ? {} : { x: shown }), y, hidden: hidden.filter((id) => strategies.includes(id)) };
+}

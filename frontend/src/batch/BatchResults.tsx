@@ -1,0 +1,78 @@
+/** The plot and the rows, and from a row to its run. */
+
+import { Text } from "@mantine/core";
+import { keepPreviousData, useMutation, useQuery } from "@tanstack/react-query";
+import { useMemo } from "react";
+import { api } from "../api/client";
+import { ApiProblem } from "../api/problem";
+import type { Batch, Catalogue, Strategy } from "../api/types";
+import { BatchPlot } from "./BatchPlot";
+import { BatchRows } from "./BatchRows";
+import classes from "./batch.module.css";
+import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
+import { lowest, rowsOf, scenarioOf, type Columns } from "./table";
+import { tableQuery } from "./useBatch";
+import type { BatchView } from "./view";
+
+interface Props {
+  readonly batch: Batch;
+  readonly catalogue: Catalogue;
+  /** The batch's, in the catalogue's order. */
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Figure[];
+  readonly view: BatchView;
+  readonly onView: (change: Partial<BatchView>) => void;
+}
+
+const NOTHING: Columns = {};
+
+export function BatchResults({ batch, catalogue, strategies, figures, view, onView }: Props) {
+  const y = figures.find(({ key }) => key === view.y) ?? figures.find(({ key }) => key === OPENING_FIGURE) ?? figures[0];
+  const x = batch.fields.find(({ name }) => name === view.x) ?? batch.fields[0];
+  const keys = useMemo(() => [...new Set([...(y ? [y.key] : []), ...paperFigures(catalogue)])], [catalogue, y]);
+  const table = useQuery({ ...tableQuery(batch, keys), placeholderData: keepPreviousData });
+  const columns = table.data?.columns ?? NOTHING;
+  const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
+  const best = useMemo(() => {
+    if (!y) return null;
+    const ids = visible.map(({ id }) => id);
+    return lowest(columns, rowsOf(columns, (row) => ids.includes(String(columns.strategy?.[row]))), y.key);
+  }, [columns, visible, y]);
+
+  const opening = useMutation({
+    mutationFn: (row: number) => api.createRun(scenarioOf(batch.scenario, columns, batch.fields.map(({ name }) => name), row), batch.strategies),
+    networkMode: "always",
+    onSuccess: ({ id }) => window.location.assign(`/r/${encodeURIComponent(id)}`),
+  });
+  const open = (row: number) => {
+    if (!opening.isPending) opening.mutate(row);
+  };
+  const shown = useMemo(
+    () => keys.flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
+    [keys, figures],
+  );
+
+  if (!x || !y) return null;
+  return (
+    <div className={classes.results} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
+      {table.isError && (
+        <Text size="sm" role="alert" className={classes.failed}>
+          The rows could not be read: {table.error.message}
+        </Text>
+      )}
+      {opening.isError && (
+        <Text size="sm" role="alert" className={classes.failed}>
+          This run could not be opened: {opening.error instanceof ApiProblem && opening.error.errors[0] ? opening.error.errors[0].message : opening.error.message}
+        </Text>
+      )}
+      <BatchPlot {...{ batch, columns, strategies, figures, x, y, view, best, onView }} onOpen={open} />
+      <BatchRows
+        {...{ batch, columns, strategies, best }}
+        loading={table.isPending}
+        figures={shown}
+        opening={opening.isPending || opening.isSuccess ? opening.variables : null}
+        onOpen={open}
+      />
+    </div>
+  );
+}

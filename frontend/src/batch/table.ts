@@ -1,0 +1,85 @@
+/** A batch's rows as columns: which are shown, in which order, and which is best. */
+
+import type { BatchTable, Scenario, StrategyId } from "../api/types";
+import { setAt } from "../editor/path";
+import { pointerOf } from "../sweep/fields";
+
+export type Cell = BatchTable["columns"][string][number] | undefined;
+export type Columns = BatchTable["columns"];
+
+export interface Order {
+  readonly column: string;
+  readonly descending: boolean;
+}
+
+export const cell = (columns: Columns, name: string, row: number): Cell => columns[name]?.[row];
+
+function compare(a: Cell, b: Cell): number {
+  if (typeof a === "number" && typeof b === "number") return a - b;
+  return String(a).localeCompare(String(b), "en", { numeric: true });
+}
+
+const isMissing = (value: Cell) => value === null || value === undefined;
+
+/** Row numbers in the order asked for; what has no value comes last either way. Rows alike keep their order. */
+export function ordered(columns: Columns, rows: readonly number[], { column, descending }: Order): readonly number[] {
+  const values = columns[column] ?? [];
+  return [...rows].sort((left, right) => {
+    const [a, b] = [values[left], values[right]];
+    if (isMissing(a) || isMissing(b)) return Number(isMissing(a)) - Number(isMissing(b));
+    return descending ? compare(b, a) : compare(a, b);
+  });
+}
+
+export function rowsOf(columns: Columns, keep: (row: number) => boolean): readonly number[] {
+  return (columns.run ?? []).flatMap((_, row) => (keep(row) ? [row] : []));
+}
+
+/** The row with the lowest value among those; `null` where none has one. */
+export function lowest(columns: Columns, rows: readonly number[], column: string): number | null {
+  let best: number | null = null;
+  let least = Infinity;
+  for (const row of rows) {
+    const value = cell(columns, column, row);
+    if (typeof value === "number" && value < least) {
+      least = value;
+      best = row;
+    }
+  }
+  return best;
+}
+
+/** The scenario a row ran. */
+export function scenarioOf(base: Scenario, columns: Columns, fields: readonly string[], row: number): Scenario {
+  return fields.reduce((scenario, name) => {
+    const value = cell(columns, name, row);
+    return value === undefined ? scenario : setAt(scenario, pointerOf(name), value);
+  }, base);
+}
+
+export interface Points {
+  readonly strategy: StrategyId;
+  readonly rows: readonly number[];
+  readonly x: readonly (number | string)[];
+  readonly y: readonly number[];
+}
+
+const asPlace = (value: Cell): number | string | null =>
+  typeof value === "number" || typeof value === "string" ? value : Array.isArray(value) ? value.join(", ") : null;
+
+/** What a plot shows: for each strategy the rows that have both values, in ascending x. */
+export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x: string, y: string, scale: number): readonly Points[] {
+  return strategies.map((strategy) => {
+    const rows = ordered(
+      columns,
+      rowsOf(columns, (row) => cell(columns, "strategy", row) === strategy && typeof cell(columns, y, row) === "number" && asPlace(cell(columns, x, row)) !== null),
+      { column: x, descending: false },
+    );
+    return {
+      strategy,
+      rows,
+      x: rows.map((row) => asPlace(cell(columns, x, row)) ?? ""),
+      y: rows.map((row) => Number(cell(columns, y, row)) * scale),
+    };
+  });
+}

@@ -1,0 +1,8 @@
+/** What plots draw their axes with, by colour scheme. */
+
+import type { Palette } from "./figure";
+
+export const PALETTES: Readonly<Record<"light" | "dark", Palette>> = {
+  light: { text: "#4a555b", grid: "rgba(120, 135, 142, 0.2)", zero: "rgba(120, 135, 142, 0.55)" },
+  dark: { text: "#a9b3b9", grid: "rgba(140, 150, 156, 0.2)", zero: "rgba(140, 150, 156, 0.5)" },
+};

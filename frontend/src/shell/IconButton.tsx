@@ -1,0 +1,21 @@
+/** A button that is only a picture: its name is its label and its tooltip. */
+
+import { ActionIcon, Tooltip } from "@mantine/core";
+import type { ReactNode } from "react";
+
+interface Props {
+  readonly label: string;
+  readonly disabled?: boolean;
+  readonly onClick: () => void;
+  readonly children: ReactNode;
+}
+
+export function IconButton({ label, disabled = false, onClick, children }: Props) {
+  return (
+    <Tooltip label={label}>
+      <ActionIcon variant="subtle" size={32} aria-label={label} disabled={disabled} onClick={onClick}>
+        {children}
+      </ActionIcon>
+    </Tooltip>
+  );
+}

@@ -1,0 +1,35 @@
+/** How many runs a sweep is, and how long they will take. */
+
+import { Text } from "@mantine/core";
+import type { Estimate } from "../api/types";
+import { formatDuration } from "../units/dates";
+import { count } from "../units/format";
+import classes from "./sweep.module.css";
+
+interface Props {
+  readonly estimate: Estimate | undefined;
+  readonly strategies: number;
+  /** It is being worked out. */
+  readonly pending: boolean;
+}
+
+function describe({ total, points, estimated_seconds: seconds, estimated_cost: cost }: Estimate, strategies: number): string {
+  const runs = `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
+  return `${runs}, ${seconds === null ? `at most ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`}`;
+}
+
+export function EstimateLine({ estimate, strategies, pending }: Props) {
+  const contradictory = estimate?.contradictory ?? 0;
+  return (
+    <div className={classes.estimate} role="status" data-testid="estimate">
+      <Text size="sm" fw={600}>
+        {estimate ? describe(estimate, strategies) : pending ? "Counting…" : "\u00a0"}
+      </Text>
+      {contradictory > 0 && (
+        <Text size="xs" c="dimmed">
+          In {contradictory === estimate?.total ? "all" : count(contradictory, "run")} of them values contradict each other: they become rows that say why.
+        </Text>
+      )}
+    </div>
+  );
+}

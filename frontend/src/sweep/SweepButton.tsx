@@ -1,0 +1,42 @@
+/** Opens the sweep dialog over the form's scenario; its code is fetched when somebody first does. */
+
+import { Button, Tooltip } from "@mantine/core";
+import { useDisclosure } from "@mantine/hooks";
+import { IconGridDots } from "@tabler/icons-react";
+import { useQuery } from "@tanstack/react-query";
+import { lazy, Suspense } from "react";
+import shell from "../shell/shell.module.css";
+import { useLab, useScenario } from "../state/context";
+import { schemaQuery, strategiesQuery } from "../state/queries";
+
+const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
+
+export function SweepButton() {
+  const [opened, { open, close }] = useDisclosure(false);
+  const form = useQuery(schemaQuery).data;
+  const strategies = useQuery(strategiesQuery).data;
+  const chosen = useLab((state) => state.strategies);
+  const scenario = useScenario();
+  return (
+    <>
+      <Tooltip label="Run many variants of this scenario">
+        <Button
+          size="xs"
+          variant="default"
+          aria-label="Sweep…"
+          leftSection={<IconGridDots size={15} />}
+          classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+          disabled={!form || !strategies}
+          onClick={open}
+        >
+          Sweep…
+        </Button>
+      </Tooltip>
+      {opened && form && strategies && (
+        <Suspense>
+          <SweepDialog form={form} scenario={scenario} strategies={strategies} chosen={chosen} onClose={close} />
+        </Suspense>
+      )}
+    </>
+  );
+}

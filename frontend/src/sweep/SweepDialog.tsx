@@ -1,0 +1,115 @@
+/** Puts a sweep together: which fields, from where to where, under which strategies; says what it costs before it starts. */
+
+import { Alert, Button, Checkbox, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { useMediaQuery } from "@mantine/hooks";
+import { useMemo, useState } from "react";
+import type { Scenario, Strategy } from "../api/types";
+import type { Group as Form } from "../editor/schema";
+import { StrategyKey } from "../tables/StrategyKey";
+import { draftField, type FieldDraft, type Method, type SweepDraft } from "./draft";
+import { EstimateLine } from "./EstimateLine";
+import { FieldPicker } from "./FieldPicker";
+import { sweepFields } from "./fields";
+import { SweptFieldRow } from "./SweptFieldRow";
+import classes from "./sweep.module.css";
+import { useSweep } from "./useSweep";
+
+interface Props {
+  readonly form: Form;
+  readonly scenario: Scenario;
+  readonly strategies: readonly Strategy[];
+  /** Switched on in the dashboard. */
+  readonly chosen: readonly string[];
+  readonly onClose: () => void;
+}
+
+const FIRST_FIELD = "road.bump.height";
+
+export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Props) {
+  const fields = useMemo(() => sweepFields(form), [form]);
+  const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
+  const [draft, setDraft] = useState<SweepDraft>(() => ({
+    method: "grid",
+    fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
+    samples: "200",
+    seed: "0",
+    strategies: chosen,
+  }));
+  const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
+  const patchField = (name: string, change: Partial<FieldDraft>) =>
+    patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
+  const { errors, general, estimate, pending, starting, start } = useSweep(draft, scenario);
+
+  return (
+    <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}>
+      <Text size="sm" c="dimmed">
+        Runs many variants of the scenario in the form, each under every strategy chosen here. What is not swept stays as it is.
+      </Text>
+      <SegmentedControl
+        size="xs"
+        aria-label="How values are combined"
+        value={draft.method}
+        data={[
+          { value: "grid" satisfies Method, label: "Grid: every combination" },
+          { value: "hypercube" satisfies Method, label: "Latin hypercube: random, evenly spread" },
+        ]}
+        className={classes.method ?? ""}
+        onChange={(method) => patch({ method })}
+      />
+      <div className={classes.fields}>
+        {draft.fields.map((each) => (
+          <SweptFieldRow
+            key={each.field.name}
+            draft={each}
+            method={draft.method}
+            error={errors[each.field.name]}
+            onChange={(change) => patchField(each.field.name, change)}
+            onRemove={() => patch({ fields: draft.fields.filter(({ field }) => field !== each.field) })}
+          />
+        ))}
+        <FieldPicker
+          fields={fields.filter((field) => !draft.fields.some((each) => each.field === field))}
+          numbersOnly={draft.method === "hypercube"}
+          error={errors.fields}
+          onPick={(field) => patch({ fields: [...draft.fields, draftField(field)] })}
+        />
+      </div>
+      {draft.method === "hypercube" && (
+        <Group gap="md" align="flex-start">
+          <TextInput size="xs" w={120} label="Samples" inputMode="numeric" value={draft.samples} error={errors.samples} onChange={(event) => patch({ samples: event.currentTarget.value })} />
+          <TextInput size="xs" w={120} label="Seed" description="" inputMode="numeric" value={draft.seed} error={errors.seed} onChange={(event) => patch({ seed: event.currentTarget.value })} />
+        </Group>
+      )}
+      <Checkbox.Group label="Strategies" size="xs" value={[...draft.strategies]} error={errors.strategies} onChange={(ids) => patch({ strategies: strategies.map(({ id }) => id).filter((id) => ids.includes(id)) })}>
+        <div className={classes.strategies}>
+          {strategies.map((strategy) => (
+            <Checkbox
+              key={strategy.id}
+              size="xs"
+              value={strategy.id}
+              label={
+                <span className={classes.strategy}>
+                  <StrategyKey strategy={strategy} /> {strategy.label}
+                </span>
+              }
+            />
+          ))}
+        </div>
+      </Checkbox.Group>
+      {general.map((message) => (
+        <Alert key={message} color="red" variant="light" p="xs" role="alert">
+          {message}
+        </Alert>
+      ))}
+      <div className={classes.footer}>
+        <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} />
+        <Button variant="default" onClick={onClose}>
+          Cancel
+        </Button>
+        <Button disabled={estimate === undefined} loading={starting} onClick={start}>
+          Start
+        </Button>
+      </div>
+    </Modal>
+  );
+}
