@@ -22,7 +22,6 @@ logger = logging.getLogger(__name__)
 MEDIA_TYPE = "application/problem+json"
 TYPES = "urn:problem-type:ridelab:"
 MOST_ERRORS = 50
-UNREAD = frozenset({408, 413, 414, 415, 431})
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
 
 DETAILS = {
@@ -83,9 +82,7 @@ def problem(
         "errors": list(errors),
         "request_id": request_id(),
     }
-    # Of a body that was not read to its end the rest may still be coming: that connection is of no more use.
-    closing = {"Connection": "close"} if status in UNREAD else {}
-    return Response(orjson.dumps(content), status, {**(headers or {}), **closing}, MEDIA_TYPE)
+    return Response(orjson.dumps(content), status, dict(headers or {}), MEDIA_TYPE)
 
 
 def pointer(path: Sequence[str | int]) -> str:

@@ -6,6 +6,8 @@ security headers and the same kind of problem.
 
 import asyncio
 import logging
+import socket
+import struct
 import sys
 from typing import TYPE_CHECKING, Any
 from uuid import uuid4
@@ -25,6 +27,8 @@ if TYPE_CHECKING:
     from fastapi import FastAPI
 
 logger = logging.getLogger(__name__)
+
+RESET_ON_CLOSE = struct.pack("ii", 1, 0)
 
 
 class GuardedProtocol(H11Protocol):
@@ -61,7 +65,11 @@ class GuardedProtocol(H11Protocol):
             self._watch()
 
     def on_response_complete(self) -> None:
-        """The next request on this connection, or the rest of a body nobody reads, has its time too."""
+        """The next request on this connection has its time too, and so has the rest of a body nobody reads.
+
+        That rest is read and dropped: a connection closed at once would be reset, and the client, still sending,
+        would never see its answer.
+        """
         super().on_response_complete()
         if not self._answering():
             self._watch()
@@ -70,12 +78,18 @@ class GuardedProtocol(H11Protocol):
         """The client takes less than it is sent."""
         super().pause_writing()
         if self._stuck is None:
-            self._stuck = self.loop.call_later(self.WRITE_TIMEOUT, self.transport.abort)
+            self._stuck = self.loop.call_later(self.WRITE_TIMEOUT, self._cut_off)
 
     def resume_writing(self) -> None:
         """It takes something again."""
         super().resume_writing()
         self._unstick()
+
+    def _cut_off(self) -> None:
+        """Reset the connection: the system would go on offering what the client does not take."""
+        connection = self.transport.get_extra_info("socket")
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET_ON_CLOSE)
+        self.transport.abort()
 
     def _unstick(self) -> None:
         if self._stuck is not None:

@@ -38,6 +38,7 @@ HEADERS = {
     "X-Frame-Options": "DENY",
 }
 
+CLOSE = {"Connection": "close"}
 LONGEST_ADDRESS = 8192  # [bytes]
 LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
@@ -87,10 +88,10 @@ def _refusal(scope: Scope) -> Response | None:
     """The answer to a head that no well-meaning client sends."""
     headers: list[tuple[bytes, bytes]] = scope["headers"]
     if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
-        return problem(414, f"The address may have {LONGEST_ADDRESS} characters.")
+        return problem(414, f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)
     if sum(len(name) + len(value) + 4 for name, value in headers) > LONGEST_HEADERS:
-        return problem(431, f"The headers may have {LONGEST_HEADERS} bytes in all.")
+        return problem(431, f"The headers may have {LONGEST_HEADERS} bytes in all.", headers=CLOSE)
     if {b"content-length", b"transfer-encoding"} <= {name for name, _ in headers}:
         # A proxy before us may have believed the other one: what follows on this connection is anybody's.
-        return problem(400, "The request body has two lengths.", kind="two-lengths", headers={"Connection": "close"})
+        return problem(400, "The request body has two lengths.", kind="two-lengths", headers=CLOSE)
     return None
