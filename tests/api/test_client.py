@@ -1,0 +1,265 @@
+"""The Python client against the real service: what it returns is what the service stores."""
+
+import contextlib
+import csv
+import io
+import socket
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+
+from backend.client import Batch, Ridelab, RidelabAPIError, RidelabConnectionError, RunResult
+from sim_core.scenario import Bump, Road, Scenario
+from sim_core.signals import SIGNALS
+from sim_core.simulation import simulate
+
+SHORT = Scenario(road=Road(length=112, bump=Bump(start=72)))  # nobody else's, so that nothing is stored yet
+HEIGHTS = [0.03, 0.05, 0.07]
+# A second or two of one core each, so that a batch of them is still running when it is cancelled.
+LONG = {"road": {"length": 60.3, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
+
+
+@pytest.fixture(scope="module")
+def ridelab(client: httpx.Client) -> Iterator[Ridelab]:
+    with Ridelab(str(client.base_url)) as ridelab:
+        yield ridelab
+
+
+@pytest.fixture(scope="module")
+def shared(ridelab: Ridelab) -> RunResult:
+    return ridelab.run(SHORT, ["lv", "passive"])
+
+
+@pytest.fixture(scope="module")
+def batch(ridelab: Ridelab) -> Batch:
+    batch = ridelab.submit(SHORT, ["lv", "passive"], {"grid": {"road.bump.height": np.array(HEIGHTS)}})
+    return batch.wait()
+
+
+def test_a_run_is_what_the_core_computes(ridelab: Ridelab, shared: RunResult) -> None:
+    expected = simulate(SHORT, "lv")
+    outcome = shared["lv"]
+    assert list(shared.strategies) == ["lv", "passive"]
+    assert outcome.status == "ok"
+    peak = outcome.metrics["bump"]["body_acceleration"]["peak"]
+    assert peak == pytest.approx(expected.metrics["bump"]["body_acceleration"]["peak"], rel=1e-9)
+    assert outcome.figures()["bump.body_acceleration.peak"] == peak
+    assert (outcome.travel_time, outcome.arrival_speed_kmh) == pytest.approx(
+        (expected.travel_time, expected.arrival_speed_kmh), rel=1e-9
+    )
+    assert [stage["stage"] for stage in outcome.stages] == [span.stage for span in expected.stages]
+    assert shared.scenario == SHORT.model_dump(mode="json")
+    again = ridelab.run(SHORT.model_dump(mode="json"), ["lv", "passive"])
+    assert again["lv"].cached is True
+    assert again.id == shared.id
+
+
+def test_units_are_those_of_the_services_catalogue(ridelab: Ridelab, shared: RunResult) -> None:
+    catalogue = ridelab.get("/catalogue")
+    signals = {item["key"]: item["unit"] for item in catalogue["signals"]}
+    events = {f"events.{item['key']}": item["unit"] for item in catalogue["events"]}
+    for name, unit in shared.units.items():
+        parts = name.split(".")
+        if len(parts) == 3:
+            assert unit == signals[parts[1]]
+    assert {name: unit for name, unit in shared.units.items() if name.startswith("events.")} == events
+
+
+def test_a_stored_run_comes_back(ridelab: Ridelab, shared: RunResult) -> None:
+    found = ridelab.get_run(shared.id)
+    assert found["lv"].metrics == shared["lv"].metrics
+    assert found["lv"].cached is None
+    with pytest.raises(RidelabAPIError) as caught:
+        ridelab.get_run("no/such")
+    assert caught.value.status == 404
+
+
+def test_time_histories_as_arrays(ridelab: Ridelab, shared: RunResult) -> None:
+    series = ridelab.series(shared, "lv", ["body_acceleration"])
+    assert list(series) == ["time", "position", "body_acceleration"]
+    expected = simulate(SHORT, "lv").series
+    for key, values in series.items():
+        assert values.dtype == np.float32
+        np.testing.assert_allclose(values, expected[key], rtol=1e-6, atol=1e-6)  # float32
+    assert set(ridelab.series(shared.id, "passive", points=300)) == set(SIGNALS)
+
+
+@pytest.mark.parametrize("file_format", ["csv", "parquet", "json"])
+def test_time_histories_as_files(ridelab: Ridelab, shared: RunResult, file_format: str, tmp_path: Path) -> None:
+    path = tmp_path / f"it.{file_format}"
+    assert ridelab.download_series(shared, path, strategies=["lv"], signals=["speed"], points=200) == path
+    expected = ridelab.series(shared, "lv", ["speed"], points=200)["speed"]
+    if file_format == "csv":
+        found = [float(row["speed [m/s]"]) for row in csv.DictReader(io.StringIO(path.read_text()))]
+    elif file_format == "parquet":
+        found = pq.read_table(path)["speed [m/s]"].to_pylist()
+    else:
+        found = httpx.Response(200, content=path.read_bytes()).json()["series"]["speed"]
+    np.testing.assert_allclose(found, expected, rtol=1e-6)
+
+
+def test_refusals_name_the_field(ridelab: Ridelab) -> None:
+    with pytest.raises(RidelabAPIError) as caught:
+        ridelab.run({"road": {"bump": {"height": 9}, "length": 130}}, ["lv", "nothing"])
+    assert caught.value.status == 422
+    places = {place.field: place.message for place in caught.value.errors}
+    assert set(places) == {"road.bump.height", "strategies[1]"}
+    with pytest.raises(RidelabAPIError) as caught:
+        ridelab.submit({}, ["lv"], {"grid": {"road.bump.height": [0.1, 9]}})
+    assert [place.field for place in caught.value.errors] == ["road.bump.height[1]"]
+    with pytest.raises(ValueError, match="JSON"):
+        ridelab.run({"road": {"length": float("nan")}}, ["lv"])
+
+
+def test_a_batch_is_followed_to_its_end(ridelab: Ridelab) -> None:
+    heard: list[tuple[str, int]] = []
+    sweep = {"grid": {"road.bump.width": [3, 3.5, 4.5], "road.seed": range(5)}}
+    batch = ridelab.submit(SHORT, ["passive"], sweep)
+    assert batch.total == 15
+    batch.wait(lambda batch: heard.append((batch.state, batch.done)))
+    assert heard[-1] == ("done", 15)
+    assert [done for _, done in heard] == sorted(done for _, done in heard)
+    assert batch.answer["finished_at"] is not None
+    assert ridelab.get_batch(batch.id).answer == batch.answer
+
+
+def test_a_key_makes_one_batch(ridelab: Ridelab, batch: Batch) -> None:
+    sweep = {"grid": {"road.bump.height": HEIGHTS}}
+    one = ridelab.submit(SHORT, ["passive"], sweep, idempotency_key="the-clients-own")
+    assert ridelab.submit(SHORT, ["passive"], sweep, idempotency_key="the-clients-own").id == one.id
+    assert ridelab.submit(SHORT, ["passive"], sweep).id != one.id
+    with pytest.raises(RidelabAPIError) as caught:
+        ridelab.submit(SHORT, ["lv"], sweep, idempotency_key="the-clients-own")
+    assert caught.value.status == 409
+
+
+def test_rows_are_the_runs(ridelab: Ridelab, shared: RunResult, batch: Batch) -> None:
+    rows = list(batch.rows())
+    assert [(row["road.bump.height"], row["strategy"]) for row in rows] == [
+        (height, name) for height in HEIGHTS for name in ("lv", "passive")
+    ]
+    run = ridelab.run(SHORT.model_copy(update={"road": Road(length=112, bump=Bump(start=72, height=0.05))}), ["lv"])
+    assert rows[2]["metrics"] == run["lv"].metrics
+
+
+def test_results_as_files(batch: Batch, tmp_path: Path) -> None:
+    path = batch.download(tmp_path / "all.csv")
+    rows = list(csv.DictReader(io.StringIO(path.read_text())))
+    assert [float(row["road.bump.height [m]"]) for row in rows[::2]] == HEIGHTS
+    table = pq.read_table(batch.download(tmp_path / "all.bin", "parquet"))
+    assert table["strategy"].to_pylist() == ["lv", "passive"] * 3
+    with pytest.raises(ValueError, match="parquet"):
+        batch.download(tmp_path / "all.xls")
+
+
+def test_an_estimate_stores_nothing(ridelab: Ridelab) -> None:
+    before = ridelab.get("/batches")["batches"][0]["id"]
+    found = ridelab.estimate(SHORT, ["lv", "passive"], {"grid": {"road.bump.height": HEIGHTS}})
+    assert (found["total"], found["points"]) == (6, 3)
+    assert ridelab.get("/batches")["batches"][0]["id"] == before
+
+
+def test_a_batch_is_cancelled(ridelab: Ridelab) -> None:
+    batch = ridelab.submit(LONG, ["lv"], {"grid": {"road.seed": range(60)}})
+    assert batch.cancel() is batch
+    assert batch.state == "cancelled"
+    batch.wait()
+    rows = [row["status"] for row in batch.rows()]
+    assert rows.count("ok") == batch.done < 60
+    assert rows.count("cancelled") == 60 - batch.done
+
+
+def test_links_pin_a_run_and_a_batch(ridelab: Ridelab, shared: RunResult, batch: Batch) -> None:
+    view = {"baseline": "lv", "axis": "time", "zoom": [1.0, 2.5]}
+    link = ridelab.link(shared, view)
+    assert link.url == f"{ridelab.address}/s/{link.slug}"
+    opened = ridelab.open_link(link.slug)
+    assert (opened.kind, opened.view, opened.scenario) == ("run", view, shared.scenario)
+    assert opened.run is not None
+    assert opened.run["lv"].metrics == shared["lv"].metrics
+    assert opened.batch is None
+    assert opened.core_version == opened.current_core_version == shared.core_version
+    of_batch = ridelab.open_link(ridelab.link(batch).slug)
+    assert of_batch.batch is not None
+    assert (of_batch.kind, of_batch.batch.id, of_batch.run) == ("batch", batch.id, None)
+    with pytest.raises(RidelabAPIError) as caught:
+        ridelab.open_link("A" * 22)
+    assert caught.value.status == 404
+
+
+class Relay:
+    """Passes bytes on to the service, and loses its first connections in the middle of an answer."""
+
+    def __init__(self, service: httpx.URL, lost: int, after: int) -> None:
+        self._to = (service.host, service.port or 80)
+        self._lost, self._after = lost, after
+        self.connections = 0
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.address = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def close(self) -> None:
+        self._listener.close()
+
+    def _serve(self) -> None:
+        while True:
+            try:
+                incoming, _ = self._listener.accept()
+            except OSError:
+                return
+            self.connections += 1
+            outgoing = socket.create_connection(self._to)
+            left = self._after if self.connections <= self._lost else None
+            threading.Thread(target=self._pass, args=(incoming, outgoing, None), daemon=True).start()
+            threading.Thread(target=self._pass, args=(outgoing, incoming, left), daemon=True).start()
+
+    @staticmethod
+    def _pass(source: socket.socket, target: socket.socket, left: int | None) -> None:
+        try:
+            while data := source.recv(4096):
+                target.sendall(data if left is None else data[:left])
+                if left is not None and (left := left - len(data)) <= 0:
+                    break
+        except OSError:
+            pass
+        for end in (source, target):
+            with contextlib.suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)  # wakes the thread that still reads from it, as closing does not
+            end.close()
+
+
+def test_nothing_is_lost_or_doubled_over_broken_connections(client: httpx.Client, ridelab: Ridelab) -> None:
+    """Every one of the first connections breaks off within the answer's head or body."""
+    before = len(ridelab.get("/batches?limit=500")["batches"])
+    relay = Relay(client.base_url, lost=3, after=40)
+    try:
+        with Ridelab(relay.address) as through:
+            batch = through.submit(SHORT, ["passive"], {"grid": {"road.seed": range(30, 40)}})
+            batch.wait()
+    finally:
+        relay.close()
+    assert relay.connections > 3
+    assert (batch.state, batch.done) == ("done", 10)
+    assert len(ridelab.get("/batches?limit=500")["batches"]) == before + 1
+
+
+def test_an_answer_that_breaks_off_is_no_result(client: httpx.Client, batch: Batch, tmp_path: Path) -> None:
+    relay = Relay(client.base_url, lost=100, after=3000)
+    try:
+        with Ridelab(relay.address, retries=1) as through:
+            cut = Batch(through._http, batch.answer)
+            taken: list[dict[str, Any]] = []
+            with pytest.raises(RidelabConnectionError):
+                taken.extend(cut.rows())
+            with pytest.raises(RidelabConnectionError):
+                cut.download(tmp_path / "all.csv")
+    finally:
+        relay.close()
+    assert len(taken) < 6
+    assert not list(tmp_path.iterdir())
