@@ -49,3 +49,13 @@ def dashboard(context: BrowserContext, server: Server) -> Iterator[Dashboard]:
     page.evaluate("localStorage.clear()")
     page.close()
     assert dashboard.failures == []
+
+
+@pytest.fixture
+def reader(browser: Browser, server: Server) -> Iterator[Dashboard]:
+    """Somebody else: a browser that has seen nothing of this yet, in the dark."""
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, base_url=server.url, color_scheme="dark")
+    dashboard = Dashboard(context.new_page(), server.url)
+    yield dashboard
+    context.close()
+    assert dashboard.failures == []

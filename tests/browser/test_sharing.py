@@ -4,11 +4,10 @@ import json
 import re
 import secrets
 import sqlite3
-from collections.abc import Iterator
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from tests.browser.dashboard import Dashboard
 from tests.browser.server import Server
@@ -22,16 +21,6 @@ def share(page: Page) -> str:
     address = page.get_by_role("dialog", name="Share").get_by_label("Address of the link")
     expect(address).to_have_value(re.compile(r"/s/[A-Za-z0-9_-]{22}$"))
     return address.input_value()
-
-
-@pytest.fixture
-def reader(browser: Browser, server: Server) -> Iterator[Dashboard]:
-    """Somebody else: a browser that has seen nothing of this yet, in the dark."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768}, base_url=server.url, color_scheme="dark")
-    dashboard = Dashboard(context.new_page(), server.url)
-    yield dashboard
-    context.close()
-    assert dashboard.failures == []
 
 
 def test_a_link_opens_the_same_numbers_and_the_same_view(dashboard: Dashboard, reader: Dashboard) -> None:

@@ -67,7 +67,6 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
           value={percent}
           color={batch.state === "failed" ? "red" : batch.state === "cancelled" ? "gray" : "petrol"}
           aria-label="Finished runs"
-          aria-valuetext={`${finished} of ${batch.total}`}
         />
       </Progress.Root>
       {!connected && !ended && (

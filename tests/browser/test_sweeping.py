@@ -1,0 +1,221 @@
+"""Sweeps: put together in the dialog, estimated, started, followed, looked at, exported, shared, opened run by run."""
+
+import csv
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import Server
+from tests.browser.test_sharing import share
+
+LONG_MS = 60_000  # computing on a busy machine
+
+
+def open_dialog(page: Page) -> Locator:
+    page.get_by_role("button", name="Sweep…").click()
+    dialog = page.get_by_role("dialog", name="Sweep")
+    expect(dialog).to_be_visible()
+    return dialog
+
+
+def add_field(dialog: Locator, search: str, title: str) -> None:
+    """Finds a field by what somebody would type, and takes it."""
+    dialog.get_by_role("combobox", name="Add a field").fill(search)
+    dialog.page.get_by_role("listbox").get_by_role("option", name=title).click()
+
+
+def submit(server: Server, sweep: dict[str, Any], strategies: list[str]) -> str:
+    """A batch as a script submits it; its page's path."""
+    body = {"scenario": {}, "strategies": strategies, "sweep": sweep}
+    answer = httpx.post(f"{server.url}/api/v1/batches", json=body, timeout=60).raise_for_status().json()
+    return f"/b/{answer['id']}"
+
+
+def expect_done(page: Page) -> None:
+    expect(page.get_by_test_id("batch-state")).to_have_text("Done", timeout=LONG_MS)
+
+
+def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Path) -> None:
+    dashboard.open()
+    page, first = dashboard.page, dashboard.page.url
+    dashboard.type_into("Width", "3")
+    expect(page).not_to_have_url(first)
+    dialog = open_dialog(page)
+    dialog.get_by_label("Height, from", exact=True).fill("0.05")
+    dialog.get_by_label("Height, to", exact=True).fill("0.15")
+    dialog.get_by_label("Height, number of values").fill("3")
+    add_field(dialog, "target_speed", "Target speed")
+    dialog.get_by_role("radiogroup", name="Target speed: values by").get_by_text("List").click()
+    dialog.get_by_label("Target speed, values", exact=True).fill("15, 25")
+    dialog.get_by_role("checkbox", name="LQR").uncheck()
+    expect(dialog.get_by_test_id("estimate")).to_contain_text(
+        re.compile(r"^12 runs \(6 points × 2 strategies\), about ")
+    )
+    dialog.get_by_role("button", name="Start").click()
+
+    expect(page).to_have_url(re.compile("/b/"))
+    expect(page).to_have_title("Sweep of Height × Target speed · Ridelab")
+    expect_done(page)
+    expect(page.get_by_test_id("batch-counts")).to_have_text("12 runs of 12 finished")
+    expect(page.get_by_text("Other than the paper: Width 3\u00a0m.")).to_be_visible()
+    expect(page.get_by_role("progressbar", name="Finished runs")).to_have_attribute("aria-valuenow", "100")
+    expect(page.locator("tbody tr[data-status=ok]")).to_have_count(12)
+    expect(page.locator(".scatterlayer .point")).to_have_count(13)  # each run, and a ring around the lowest
+    expect(page.get_by_role("region", name="Plot")).to_contain_text(
+        re.compile(r"Lowest: [\d.]+\s?m/s², LV control at Height 0.05")
+    )
+
+    for name in ("CSV", "Parquet", "JSON"):
+        page.get_by_role("button", name="Export").click()
+        with page.expect_download() as download:
+            page.get_by_role("menuitem", name=name).click()
+        download.value.save_as(tmp_path / name)
+        assert download.value.suggested_filename.endswith(f".{name.lower()}")
+    table = list(csv.DictReader((tmp_path / "CSV").read_text().splitlines()))
+    assert {(row["road.bump.height [m]"], row["speed.target_speed_kmh [km/h]"], row["strategy"]) for row in table} == {
+        (height, speed, strategy)
+        for height in ("0.05", "0.1", "0.15")
+        for speed in ("15", "25")
+        for strategy in ("lv", "passive")
+    }
+    assert len(json.loads((tmp_path / "JSON").read_text())["rows"]) == 12
+    assert (tmp_path / "Parquet").read_bytes()[:4] == b"PAR1"
+
+
+def test_the_dialog_says_what_cannot_be_run(dashboard: Dashboard) -> None:
+    dashboard.open()
+    dialog = open_dialog(dashboard.page)
+    start = dialog.get_by_role("button", name="Start")
+    expect(start).to_be_enabled()
+    dialog.get_by_label("Height, to", exact=True).fill("3")
+    row = dialog.get_by_role("group", name="Height")
+    expect(row.get_by_role("alert")).to_have_text("To: must be from −1 to 1\u00a0m")
+    expect(start).to_be_disabled()
+    dialog.get_by_role("button", name="Remove Height").click()
+    expect(dialog.get_by_text("Add a field to sweep")).to_be_visible()
+
+    add_field(dialog, "mpc.prediction_horizon", "Prediction horizon")  # below the control horizon: contradictory
+    dialog.get_by_label("Prediction horizon, from", exact=True).fill("10")
+    dialog.get_by_label("Prediction horizon, to", exact=True).fill("30")
+    dialog.get_by_label("Prediction horizon, number of values").fill("2")
+    expect(dialog.get_by_text(re.compile("values contradict each other"))).to_be_visible()
+
+    dialog.get_by_text("Latin hypercube").click()
+    dialog.get_by_label("Samples").fill("99999999")
+    expect(dialog.get_by_text("Samples: a whole number from 1 to 1000000")).to_be_visible()
+    dialog.get_by_label("Samples").fill("900000")  # allowed by the field, not by the server
+    expect(dialog.get_by_role("alert")).to_contain_text("over the limit")
+    expect(start).to_be_disabled()
+
+
+def test_a_latin_hypercube_is_started_once(dashboard: Dashboard) -> None:
+    """An answer that is lost and asked for again is not a second batch."""
+    dashboard.open()
+    page = dashboard.page
+    dialog = open_dialog(page)
+    dialog.get_by_text("Latin hypercube").click()
+    dialog.get_by_label("Samples").fill("7")
+    dialog.get_by_label("Seed").fill("3")
+    expect(dialog.get_by_test_id("estimate")).to_contain_text("21 runs")
+    keys: list[str | None] = []
+
+    def lose_the_first(route: Any) -> None:
+        if "dry_run" in (route.request.post_data or ""):
+            route.continue_()
+            return
+        keys.append(route.request.headers.get("idempotency-key"))
+        answer = route.fetch()
+        if len(keys) == 1:
+            route.abort()
+        else:
+            route.fulfill(response=answer)
+
+    page.route("**/api/v1/batches", lose_the_first)
+    start = dialog.get_by_role("button", name="Start")
+    start.click()
+    expect(dialog.get_by_role("alert")).to_contain_text("does not answer")
+    start.click()
+    expect(page).to_have_url(re.compile("/b/"))
+    assert keys[0] is not None
+    assert keys == [keys[0], keys[0]]
+    expect_done(page)
+    expect(page.get_by_test_id("batch-results")).to_have_attribute("data-rows", "21")
+
+
+def test_a_row_opens_its_run(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    page.goto(submit(server, {"grid": {"road.bump.height": [0.04, 0.08]}}, ["lv", "passive"]))
+    expect_done(page)
+    shown = page.locator("tr[data-run='3'] td").last.inner_text()
+    page.get_by_role("button", name="Open run 3 in the dashboard").click()
+    dashboard.expect_curves()
+    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == 0.08
+    assert set(dashboard.stored_run()["strategies"]) == {"lv", "passive"}
+    expect(dashboard.row("passive").locator("td").last).to_contain_text(str(round(float(shown), 2)))
+
+
+def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    points = [{"road.bump.height": 0.05}, {"road.bump.start": 149.9}, {"road.bump.height": 0.15}]
+    page.goto(submit(server, {"list": points}, ["lv"]))
+    expect_done(page)
+    expect(page.get_by_test_id("batch-counts")).to_contain_text("1 failed")
+    failed = page.locator("tr[data-status=failed]")
+    expect(failed).to_contain_text(re.compile(r"failed: .*road"))
+    runs = page.locator("tbody tr[data-run]")
+    header = page.get_by_role("columnheader", name="Height")
+    header.get_by_role("button").click()
+    expect(header).to_have_attribute("aria-sort", "ascending")
+    header.get_by_role("button").click()
+    expect(header).to_have_attribute("aria-sort", "descending")
+    assert runs.evaluate_all("rows => rows.map(row => row.dataset.run)") == ["2", "1", "0"]
+    page.get_by_role("checkbox", name="Failed only").check()
+    expect(runs).to_have_count(1)
+
+
+def test_a_sweep_can_be_cancelled_and_keeps_what_is_done(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    ranges = {"road.bump.height": [0.01, 0.2], "mpc.deflection_weight": [1, 5]}
+    page.goto(submit(server, {"latin_hypercube": {"ranges": ranges, "samples": 8000}}, ["lv"]))
+    expect(page.get_by_test_id("batch-state")).to_have_text("Running", timeout=LONG_MS)
+    expect(page.get_by_test_id("batch-counts")).to_contain_text(
+        re.compile(r"^[1-9]\d* runs? of 8000 finished"), timeout=LONG_MS
+    )
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_test_id("batch-state")).to_have_text("Cancelled: what had finished stays", timeout=LONG_MS)
+    expect(page.get_by_role("button", name="Cancel")).to_have_count(0)
+    expect(page.locator("tbody tr[data-status=ok]").first).to_be_visible(timeout=LONG_MS)
+
+
+def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, reader: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 5]}}
+    page.goto(submit(server, grid, ["lv", "passive"]))
+    expect_done(page)
+    page.get_by_label("Over", exact=True).select_option("road.bump.width")
+    page.get_by_role("combobox", name="Figure").fill("travel time")
+    page.get_by_role("listbox").get_by_role("option", name="Travel time").click()
+    page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive").click()
+    expect(page).to_have_url(re.compile(r"x=road.bump.width&y=travel_time&hide=passive"))
+    link = share(page)
+
+    reader.page.goto(link)
+    expect(reader.page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep of")
+    expect(reader.page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
+    expect(reader.page.get_by_role("combobox", name="Figure")).to_have_value("Travel time")
+    passive = reader.page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")
+    expect(passive).to_have_attribute("aria-pressed", "false")
+    expect(reader.page.locator("tbody tr[data-status=ok]")).to_have_count(8)
+    assert reader.page.url == link
+
+
+@pytest.mark.parametrize("path", ["/b/AAAAAAAAAAAAAAAAAAAAAA", "/b/x"])
+def test_an_unknown_sweep_says_so(dashboard: Dashboard, path: str) -> None:
+    dashboard.page.goto(path)
+    expect(dashboard.page.get_by_role("heading", name="There is no sweep at this address")).to_be_visible()
