@@ -49,7 +49,7 @@ def compare(
     if as_json:
         _print_json(runs, told)
     else:
-        _print(found, runs, told, limit)
+        _print(found, runs, names, told[:limit] if limit else told, len(told))
     if told:
         raise typer.Exit(DIFFERENT)
 
@@ -79,7 +79,9 @@ def _print_json(runs: list[RunResult], told: list[Difference]) -> None:
     typer.echo(json.dumps(answer, indent=1, ensure_ascii=False))
 
 
-def _print(found: list[targets.Found], runs: list[RunResult], told: list[Difference], limit: int) -> None:
+def _print(
+    found: list[targets.Found], runs: list[RunResult], names: list[str], told: list[Difference], all_told: int
+) -> None:
     from backend.cli.tables import aligned, shown, with_unit
     from sim_core import dotted
 
@@ -88,20 +90,19 @@ def _print(found: list[targets.Found], runs: list[RunResult], told: list[Differe
     for name, one, other in inputs(runs[0].scenario, runs[1].scenario):
         unit = dotted.fields()[name].unit if name in dotted.fields() else "1"
         typer.echo(f"   {with_unit(name, unit)}: {shown(one)} -> {shown(other)}")
-    count = sum(len(outcome.figures()) for outcome in runs[0])
     if not told:
-        typer.echo(f"Equal within the tolerance: {count} figures of {', '.join(runs[0].strategies)}")
+        count = sum(len(runs[0][name].figures()) for name in names)
+        typer.echo(f"Equal within the tolerance: {count} figures of {', '.join(names)}")
         return
-    listed = told[:limit] if limit else told
     rows = [
         [item.strategy, with_unit(item.figure, item.unit), shown(item.a), shown(item.b), _percent(item.change)]
-        for item in listed
+        for item in told
     ]
     typer.echo("")
     for line in aligned(["strategy", "figure", "A", "B", "change"], rows, left={0, 1}):
         typer.echo(line)
-    more = f", {len(told) - len(listed)} of them not shown (--limit 0)" if len(told) > len(listed) else ""
-    typer.echo(f"\n{len(told)} figures differ beyond the tolerance{more}")
+    more = f", {all_told - len(told)} of them not shown (--limit 0)" if all_told > len(told) else ""
+    typer.echo(f"\n{all_told} figures differ beyond the tolerance{more}")
 
 
 def _percent(change: float) -> str:

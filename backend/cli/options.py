@@ -5,10 +5,12 @@ from typing import Annotated
 
 import typer
 
+SERVER_VARIABLE = "RIDELAB_SERVER"
+
 Server = Annotated[
     str | None,
     typer.Option(
-        envvar="RIDELAB_SERVER",
+        envvar=SERVER_VARIABLE,
         metavar="URL",
         help="Service to work with; without one a private one is started for as long as the command runs.",
         show_default=False,

@@ -12,6 +12,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Self
 
+from backend.cli.options import SERVER_VARIABLE
 from backend.cli.reporting import InputError, UnavailableError, terminal
 from backend.client import Ridelab
 
@@ -24,7 +25,8 @@ _FOLDER = Path(__file__).parents[2]
 def child_environment() -> dict[str, str]:
     """The environment in which `python -P -m backend` finds this very package, whatever the current folder holds."""
     paths = [str(_FOLDER), os.environ.get("PYTHONPATH", "")]
-    return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
+    kept = {name: value for name, value in os.environ.items() if name != SERVER_VARIABLE}  # no setting of a service
+    return {**kept, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
 
 
 class Services:

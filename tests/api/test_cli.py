@@ -1,0 +1,332 @@
+"""The `ridelab` command against the real service, and with the private one it starts by itself."""
+
+import csv
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import psutil
+import pyarrow.parquet as pq
+import pytest
+
+from backend.cli import app
+from sim_core.__main__ import main as core_main
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+ROOT = Path(__file__).parents[2]
+COMMAND = [sys.executable, "-m", "backend.cli"]
+SCENARIO = {"road": {"length": 118, "bump": {"start": 77}}}  # nobody else's
+# A second or two of one core each, so that a sweep of them is still running when it is interrupted.
+LONG = {"road": {"length": 60.1, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
+
+
+class Cli:
+    """The command in this process, with the tests' service."""
+
+    def __init__(self, capfdbinary: pytest.CaptureFixture[bytes]) -> None:
+        self._captured = capfdbinary
+        self.error = ""
+
+    def __call__(self, *arguments: str | Path, code: int = 0) -> str:
+        found = app.run([str(argument) for argument in arguments])
+        sys.stdout.flush()
+        captured = self._captured.readouterr()
+        self.error = captured.err.decode()
+        assert found == code, self.error
+        return captured.out.decode()
+
+
+@pytest.fixture
+def cli(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
+    return Cli(capfdbinary)
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Path:
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps(SCENARIO), encoding="utf-8")
+    return path
+
+
+def timeless(table: str) -> list[str]:
+    """A run's table without its first line and what changes from run to run: how long it took."""
+    return [re.sub(r" +[\d.]+ ms$", "", line) for line in table.rstrip().splitlines()[1:]]
+
+
+def test_run_prints_the_cores_own_table(cli: Cli, scenario: Path, capfdbinary: pytest.CaptureFixture[bytes]) -> None:
+    printed = cli("run", scenario)
+    assert core_main(["run", "--scenario", str(scenario)]) == 0
+    sys.stdout.flush()
+    expected = timeless(capfdbinary.readouterr().out.decode())
+    assert timeless(printed)[: len(expected)] == expected
+    assert printed.startswith(f"Ridelab core 0.1.0, {scenario}; changes against Passive")
+
+
+def test_a_run_can_be_named_in_every_way(cli: Cli, client: httpx.Client, scenario: Path, tmp_path: Path) -> None:
+    address = cli("run", scenario, "--strategy", "lv,passive", "--set", "road.seed=3").splitlines()[-1]
+    assert address.startswith(f"{client.base_url}/r/".replace("//r", "/r"))
+    run_id = address.rpartition("/")[2]
+    saved = tmp_path / "saved.json"
+    saved.write_text(cli("run", address, "-s", "lv", "-s", "passive", "--json"), encoding="utf-8")
+    run = json.loads(saved.read_text())
+    assert run["id"] == run_id
+    assert run["units"]["bump.body_acceleration.peak"] == "m/s^2"
+    slug = client.post("/api/v1/links", json={"run_id": run_id}).json()["slug"]
+    for name in (run_id, address, saved, slug, address.replace(f"/r/{run_id}", f"/s/{slug}")):
+        assert "Equal within the tolerance: 134 figures of lv, passive" in cli("compare", name, run_id), name
+    changed = cli("compare", run_id, saved, "--strategy", "lv")
+    assert "67 figures" in changed
+    assert cli("open", run_id, "--print") == f"{address}\n"
+    assert cli("open", slug, "--print").endswith(f"/s/{slug}\n")
+    assert cli("open", scenario, "--set", "road.seed=3", "-s", "lv,passive", "--print") == f"{address}\n"
+    assert "no run, batch or link" in (cli("open", "A" * 22, "--print", code=2), cli.error)[1]
+
+
+def test_compare_tells_what_was_changed_and_by_how_much(cli: Cli, scenario: Path) -> None:
+    other = scenario.with_name("other.json")
+    other.write_text(json.dumps({"road": {**SCENARIO["road"], "seed": 1, "roughness": 0.0001}}), encoding="utf-8")
+    printed = cli("compare", scenario, other, "--strategy", "passive", "--limit", "3", code=1)
+    assert "road.roughness [m^3]: 6.4e-05 -> 0.0001" in printed
+    assert re.search(r"^passive +rough_road\.\w+\.\w+ \[.+\] .* [+-][\d.]+ %$", printed, re.MULTILINE)
+    told = json.loads(cli("compare", scenario, other, "--strategy", "passive", "--json", code=1))
+    changes = [abs(item["change"]) for item in told["differences"] if item["change"] is not None]
+    assert changes == sorted(changes, reverse=True)
+    # A road that is rougher by a factor has every magnitude on it greater by that factor's root.
+    roots = [item for item in told["differences"] if item["figure"] == "rough_road.body_acceleration.rms"]
+    assert roots[0]["change"] == pytest.approx((0.0001 / 6.4e-05) ** 0.5 - 1, rel=1e-6)
+    cli("compare", scenario, other, "--strategy", "passive", "--tolerance", "5", "--tolerance-abs", "9")
+
+
+def test_a_refusal_names_the_field(cli: Cli, scenario: Path) -> None:
+    scenario.write_text('{"road": {"bump": {"height": 3}}}', encoding="utf-8")
+    assert cli("run", scenario, code=2) == ""
+    assert cli.error == "road.bump.height: Input should be less than or equal to 1\n"
+    assert cli("run", "--set", "road.bump.start=149", code=2) == ""
+    assert cli.error.startswith("road.bump.start: The bump must end before the road does")
+    assert cli("run", "--strategy", "best", code=2) == ""
+    assert cli.error.startswith("strategies[0]: Unknown strategy; there are lv, lqr")
+
+
+@pytest.mark.parametrize("file_format", ["csv", "json", "parquet"])
+def test_a_sweep_writes_every_row(cli: Cli, scenario: Path, tmp_path: Path, file_format: str) -> None:
+    out = tmp_path / f"results.{file_format}"
+    grid = ("--grid", "road.bump.height=0.03:0.05:3", "--grid", "mpc.preview=lookahead,none")
+    assert cli("sweep", scenario, *grid, "-s", "lv", "-s", "passive", "--out", out) == ""
+    assert re.fullmatch(r"batch [\w-]{22}: 12 of 12 runs done, 0 failed\n", cli.error)
+    if file_format == "csv":
+        rows: list[Any] = list(csv.DictReader(io.StringIO(out.read_text(encoding="utf-8"))))
+        heights = [float(row["road.bump.height [m]"]) for row in rows]
+    elif file_format == "json":
+        rows = json.loads(out.read_text())["rows"]
+        heights = [row["road.bump.height"] for row in rows]
+    else:
+        rows = pq.read_table(out).to_pylist()
+        heights = [row["road.bump.height [m]"] for row in rows]
+    assert heights == [0.03] * 4 + [0.04] * 4 + [0.05] * 4
+    assert {row["strategy"] for row in rows} == {"lv", "passive"}
+
+
+def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(cli: Cli, scenario: Path) -> None:
+    printed = cli("sweep", scenario, "--grid", "road.bump.start=70,117", code=1)
+    head, good, bad = printed.splitlines()
+    assert re.split(r" {2,}", head)[:3] == ["road.bump.start [m]", "strategy", "status"]
+    assert re.split(r" {2,}", head)[4:] == [
+        "bump.body_acceleration.peak [m/s^2]",
+        "bump.front_tyre_load.peak [N]",
+        "reason",
+    ]
+    assert good.split()[:3] == ["70", "lv", "ok"]
+    assert bad.split()[:3] == ["117", "lv", "failed"]
+    assert "road.bump.start: The bump must end before the road does" in bad
+    assert "1 of 2 runs done, 1 failed" in cli.error
+    long = cli("sweep", scenario, "--grid", "road.bump.height=0.01:0.05:25", "-s", "passive")
+    assert long.splitlines()[-1] == "... 5 more; --out FILE writes all with every figure"
+
+
+def test_other_sweeps(cli: Cli, scenario: Path, tmp_path: Path) -> None:
+    points = tmp_path / "points.json"
+    points.write_text('[{"road.bump.height": 0.02}, {"road.bump.width": 3}]', encoding="utf-8")
+    ended = json.loads(cli("sweep", scenario, "--list", points, "-s", "passive", "--json"))
+    assert (ended["state"], ended["total"], ended["done"]) == ("done", 2, 2)
+    cube = ("--latin-hypercube", "road.bump.height=0.02:0.04", "--samples", "6", "--seed", "4")
+    rows = json.loads(cli("sweep", scenario, *cube, "-s", "passive", "--out", "-", "--format", "json"))["rows"]
+    assert len({row["road.bump.height"] for row in rows}) == 6
+    assert all(0.02 <= row["road.bump.height"] <= 0.04 for row in rows)
+    assert cli("sweep", scenario, *cube, "--dry-run").startswith("6 runs at 6 points")
+    assert cli("sweep", scenario, "--grid", "road.bump.height=0.1,2", code=2) == ""
+    assert cli.error == "road.bump.height: Input should be less than or equal to 1\n"
+
+
+def test_a_sweep_left_alone_is_exported_later(cli: Cli, scenario: Path, client: httpx.Client, tmp_path: Path) -> None:
+    batch_id = cli("sweep", scenario, "--grid", "road.seed=21:26:6", "--detach").strip()
+    assert "--wait" in cli.error
+    out = tmp_path / "later.csv"
+    assert cli("export", batch_id, "--wait", "--out", out) == ""
+    assert [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))] == ["ok"] * 6
+    address = cli("open", batch_id, "--print").strip()
+    slug = address.rpartition("/")[2]
+    assert client.get(f"/api/v1/links/{slug}").json()["batch"]["id"] == batch_id
+    again = tmp_path / "again.parquet"
+    cli("export", address, "--out", again)
+    assert pq.read_table(again).num_rows == 6
+    assert "compare takes single runs" in (cli("compare", address, "paper", code=2), cli.error)[1]
+
+
+def test_a_runs_time_histories_and_figures_are_exported(cli: Cli, scenario: Path, tmp_path: Path) -> None:
+    run_id = cli("run", scenario, "-s", "lv,passive").split("/r/")[1].strip()
+    out = tmp_path / "series.csv"
+    cli("export", run_id, "--out", out, "--signals", "speed,front_force", "--points", "200")
+    rows = list(csv.DictReader(io.StringIO(out.read_text(encoding="utf-8"))))
+    assert list(rows[0]) == ["strategy", "time [s]", "position [m]", "speed [m/s]", "front_force [N]"]
+    assert {row["strategy"] for row in rows} == {"lv", "passive"}
+    whole = tmp_path / "series.parquet"
+    cli("export", run_id, "--out", whole, "--strategy", "lv")
+    assert pq.read_table(whole).num_columns == len(SIGNALS)
+    figures = tmp_path / "run.json"
+    cli("export", run_id, "--metrics", "--out", figures)
+    assert "Equal" in cli("compare", figures, run_id)
+    before = figures.read_bytes()
+    cli("export", run_id, "--out", figures, "--signals", "nothing", code=2)
+    assert cli.error.startswith("signals: Unknown name; there are time, position")
+    assert figures.read_bytes() == before
+
+
+def environment(**more: str) -> dict[str, str]:
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
+    return {**kept, "PYTHONPATH": str(ROOT), **more}
+
+
+@pytest.fixture
+def elsewhere(tmp_path: Path) -> Path:
+    """A working folder with a trap: a package of the same name."""
+    (tmp_path / "backend").mkdir()
+    (tmp_path / "backend" / "__init__.py").write_text("raise SystemExit('the wrong backend')", encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def no_service_left() -> Iterator[None]:
+    """What the command started is gone soon after the command."""
+    before = set(private_services())
+    yield
+    end = time.monotonic() + 30
+    while left := set(private_services()) - before:
+        assert time.monotonic() < end, left
+        time.sleep(0.1)
+
+
+def private_services() -> list[int]:
+    processes = psutil.process_iter(["cmdline"])
+    return [process.pid for process in processes if "backend.cli.embedded" in (process.info["cmdline"] or ())]
+
+
+def command(*arguments: str) -> list[str]:
+    return [sys.executable, "-P", "-m", "backend.cli", *arguments]
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(elsewhere: Path) -> None:
+    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            command(*arguments), cwd=elsewhere, env=environment(), capture_output=True, text=True, check=False
+        )
+
+    first = run("run", "bump_only", "--strategy", "passive")
+    assert (first.returncode, first.stderr) == (0, "")
+    run_id = first.stdout.split()[-1]
+    assert (elsewhere / "data" / "ridelab.sqlite").is_file()
+    again = run("run", "bump_only", "--strategy", "passive", "--json")
+    answer = json.loads(again.stdout)
+    assert (answer["id"], answer["strategies"]["passive"]["cached"]) == (run_id, True)
+    nowhere = run("run", "--data-dir", "/dev/null/data")
+    assert nowhere.returncode == 3
+    assert nowhere.stderr.startswith("Ridelab does not start: ")
+    assert "Traceback" not in nowhere.stderr
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_ctrl_c_cancels_a_sweep(client: httpx.Client, tmp_path: Path) -> None:
+    file = tmp_path / "long.json"
+    file.write_text(json.dumps(LONG), encoding="utf-8")
+    arguments = command("sweep", str(file), "--grid", "road.seed=1:80:80", "--server", str(client.base_url))
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    batch_id = running_batch(client, 80)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert re.fullmatch(rf"Cancelled; \d+ of 80 runs are finished and stay stored: batch {batch_id}\n", said)
+    assert client.get(f"/api/v1/batches/{batch_id}").json()["state"] == "cancelled"
+
+
+def running_batch(client: httpx.Client, total: int) -> str:
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        newest = client.get("/api/v1/batches?limit=1").json()["batches"]
+        if newest and newest[0]["total"] == total and newest[0]["state"] == "running":
+            return str(newest[0]["id"])
+        time.sleep(0.05)
+    raise TimeoutError("The sweep did not begin")
+
+
+@pytest.mark.usefixtures("no_service_left")
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_a_private_service_ends_with_its_command_however_that_ends(elsewhere: Path, how: signal.Signals) -> None:
+    before = set(private_services())
+    with (elsewhere / "out").open("wb") as out:
+        process = subprocess.Popen(command("open", "--print"), cwd=elsewhere, env=environment(), stdout=out, stderr=out)
+        end = time.monotonic() + 60
+        while b"Serving until Ctrl-C" not in (elsewhere / "out").read_bytes():
+            assert time.monotonic() < end
+            assert process.poll() is None, (elsewhere / "out").read_text()
+            time.sleep(0.05)
+    address = (elsewhere / "out").read_text().splitlines()[0]
+    assert set(private_services()) - before
+    assert httpx.get(address).status_code in (200, 503)  # 503 where the dashboard is not built
+    process.send_signal(how)
+    assert process.wait(60) == (0 if how == signal.SIGINT else -signal.SIGKILL)
+
+
+def test_a_reader_that_goes_away_is_no_error(client: httpx.Client) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    arguments = command("run", "--json", "--server", str(client.base_url))
+    run = subprocess.run(arguments, env=environment(), stdout=write, stderr=subprocess.PIPE, check=False)
+    os.close(write)
+    assert (run.returncode, run.stderr) == (141, b"")
+
+
+def test_serve_is_the_service_itself(elsewhere: Path) -> None:
+    arguments = command("serve", "--port", "0", "--data-dir", "mine")
+    mine = environment(RIDELAB_SERVER="http://127.0.0.1:9")  # the commands' variable, no setting of the service
+    with (elsewhere / "log").open("wb") as log:
+        process = subprocess.Popen(arguments, cwd=elsewhere, env=mine, stdout=log, stderr=log)
+    end = time.monotonic() + 60
+    while (found := re.search(rb"Ridelab is at (\S+)\n", (elsewhere / "log").read_bytes())) is None:
+        assert time.monotonic() < end
+        assert process.poll() is None, (elsewhere / "log").read_text()
+        time.sleep(0.05)
+    assert httpx.get(found[1].decode() + "/healthz").status_code == 200
+    assert (elsewhere / "mine" / "ridelab.sqlite").is_file()
+    process.terminate()
+    assert process.wait(60) in (0, -signal.SIGTERM)  # uvicorn passes the signal on once it has ended well
+
+
+def test_the_installed_command_is_this_one() -> None:
+    installed = Path(sys.executable).parent / "ridelab"
+    run = subprocess.run([installed, "--version"], cwd="/", capture_output=True, text=True, check=False)
+    assert (run.returncode, run.stdout) == (0, "Ridelab 0.1.0\n"), run.stderr
+
+
+def test_strategies_are_all_of_them_unless_named(cli: Cli, scenario: Path) -> None:
+    assert set(json.loads(cli("run", scenario, "--json"))["strategies"]) == set(STRATEGIES)
