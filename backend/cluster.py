@@ -28,6 +28,7 @@ logger = logging.getLogger(__name__)
 
 NICE = 19
 CONNECT_TIMEOUT = 10  # to a scheduler [s]
+CLOSE_TIMEOUT = 3  # for it to take leave [s]
 QUIET = {
     "distributed.worker.profile.enabled": False,  # samples every thread a hundred times a second, for a dashboard
     "distributed.admin.tick.interval": "1s",
@@ -75,7 +76,8 @@ class Cluster:
         if self._embedded is not None:
             return self._settings.batch_workers
         with _lost():
-            threads: Mapping[str, int] = await asyncio.wait_for(self._connection.nthreads(), CONNECT_TIMEOUT)
+            async with asyncio.timeout(CONNECT_TIMEOUT):
+                threads: Mapping[str, int] = await self._connection.nthreads()
             return sum(threads.values())
 
     async def compute(self, chunk: Chunk) -> Answer:
@@ -95,7 +97,8 @@ class Cluster:
     async def stop(self, batch_id: str) -> None:
         """End every chunk of that batch, at once, on whatever worker it is."""
         with contextlib.suppress(ClusterLostError), _lost():
-            await asyncio.wait_for(self._connection.run(_stop, batch_id, on_error="ignore"), CONNECT_TIMEOUT)
+            async with asyncio.timeout(CONNECT_TIMEOUT):
+                await self._connection.run(_stop, batch_id, on_error="ignore")
 
     async def close(self) -> None:
         """Leave the cluster; the embedded one ends, with its processes."""
@@ -105,7 +108,8 @@ class Cluster:
         for part in (client, embedded):
             if part is not None:
                 with contextlib.suppress(Exception):  # what is gone already needs no end
-                    await asyncio.wait_for(part.close(), 5)
+                    async with asyncio.timeout(CLOSE_TIMEOUT):
+                        await part.close()
         for address in addresses:
             if address in _pools:
                 await _pools.pop(address).close()

@@ -152,7 +152,8 @@ class Workers:
     async def _free_slot(self) -> ProcessPool:
         self._waiting += 1
         try:
-            return await asyncio.wait_for(self._idle.get(), PATIENCE)
+            async with asyncio.timeout(PATIENCE):
+                return await self._idle.get()
         except TimeoutError:
             raise WorkersBusyError from None
         finally:

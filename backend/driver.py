@@ -164,7 +164,8 @@ class Driver:
     async def _rest(self) -> None:
         """Until something happens: a chunk comes back, a batch is accepted or cancelled, or time for a look."""
         with contextlib.suppress(TimeoutError):
-            await asyncio.wait_for(self._wake.wait(), LOOK)
+            async with asyncio.timeout(LOOK):  # asyncio.wait_for of Python 3.11 may swallow a cancellation
+                await self._wake.wait()
         self._wake.clear()
 
     async def _look(self, cluster: "Cluster") -> None:
@@ -190,7 +191,7 @@ class Driver:
             if runs is not None:
                 self._send(cluster, progress, runs)
                 turns.append(progress)
-            elif not progress.on_their_way:
+            elif not progress.on_their_way and not progress.returned:  # one may have come back meanwhile
                 await self._finish(progress)
 
     async def _next_chunk(self, progress: Progress) -> list[WaitingRun] | None:

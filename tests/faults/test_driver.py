@@ -1,0 +1,187 @@
+"""The driver with a cluster that misbehaves on purpose: what cannot be computed fails alone, all else completes."""
+
+import asyncio
+import threading
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sqlalchemy.exc import OperationalError
+
+from backend import cluster, driver
+from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun
+from backend.driver import Driver
+from backend.plan import plan
+from backend.settings import Settings
+from backend.store import Store, StoredBatch
+from backend.store.batches import BatchRow
+from backend.sweeps import Sweep
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from tests.api.test_batch_store import BATCH
+
+RUNS = 40
+Behaviour = Callable[[Chunk], Answer]
+
+
+def answered(chunk: Chunk) -> Answer:
+    done = [
+        ComputedRun(key=run.key, strategy=run.strategy, status="ok", summary='{"metrics":{}}', compute_ms=1.0)
+        for run in chunk.runs
+    ]
+    return Answer(computed=done)
+
+
+def seeds(chunk: Chunk) -> list[int]:
+    return [int(run.changes.split(":")[1].rstrip("}")) for run in chunk.runs]
+
+
+class Misbehaving:
+    """Stands for `backend.cluster.Cluster`; every chunk goes to `behaviour`, and is counted."""
+
+    behaviour: Behaviour = staticmethod(answered)
+    chunks: Sequence[Chunk] = ()
+    starts = 0
+
+    def __init__(self, _: Settings) -> None:
+        self.connected = True
+
+    async def start(self) -> None:
+        type(self).starts += 1
+
+    async def slots(self) -> int:
+        return 2
+
+    async def compute(self, chunk: Chunk) -> Answer:
+        await asyncio.sleep(0)
+        type(self).chunks = [*self.chunks, chunk]
+        try:
+            return type(self).behaviour(chunk)
+        except ConnectionError:
+            self.connected = False
+            raise ClusterLostError("gone") from None
+
+    async def stop(self, _: str) -> None:
+        pass
+
+    async def close(self) -> None:
+        pass
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cluster, "Cluster", Misbehaving)
+    monkeypatch.setattr(Misbehaving, "chunks", ())
+    monkeypatch.setattr(Misbehaving, "starts", 0)
+    monkeypatch.setattr(driver, "PAUSE", 0.01)
+    monkeypatch.setattr(driver, "LOOK", 0.02)
+
+
+def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSION, **patches: Any) -> list[BatchRow]:
+    """The rows of a batch after a driver with that cluster has finished it."""
+
+    async def run() -> list[BatchRow]:
+        store = Store(f"sqlite:///{folder}/ridelab.sqlite")
+        store.migrate()
+        base = Scenario().model_dump(mode="json")
+        planned = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": list(range(RUNS))}}))
+        batch = StoredBatch(
+            **{name: getattr(BATCH, name) for name in BATCH.__slots__}
+            | {
+                "scenario": base,
+                "total": RUNS,
+                "strategies": ["lv"],
+                "fields": ["road.seed"],
+                "core_version": core_version,
+                "schema_version": SCHEMA_VERSION,
+            }
+        )
+        if core_version != CORE_VERSION:
+            planned.runs[:] = [{**each, "result_key": f"old-{each['position']}"} for each in planned.runs]
+        store.batches.create(batch, planned.runs, None)
+        for name, value in patches.items():
+            setattr(store.batches, name, value(getattr(store.batches, name)))
+        Misbehaving.behaviour = staticmethod(behaviour)
+        driving = Driver(store=store, settings=Settings(data_dir=folder))
+        driving.start()
+        try:
+            async with asyncio.timeout(60):
+                while (await store.call(store.batches.load, batch.id)).state != "done":  # type: ignore[union-attr]
+                    await asyncio.sleep(0.02)
+        finally:
+            await driving.close()
+            rows = store.batches.rows(batch.id, -1, 1000)
+            store.close()
+        return rows
+
+    return asyncio.run(run())
+
+
+def test_every_run_is_handed_out_once(tmp_path: Path) -> None:
+    rows = drive(tmp_path, answered)
+    assert [row.status for row in rows] == ["ok"] * RUNS
+    assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
+
+
+@pytest.mark.parametrize("trouble", ["lost", "timeout", "bug"])
+def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any) -> None:
+    def poisoned(chunk: Chunk) -> Answer:
+        return Answer(trouble=trouble) if 17 in seeds(chunk) else answered(chunk)
+
+    rows = drive(tmp_path, poisoned)
+    assert [row.position for row in rows if row.status == "failed"] == [17]
+    assert rows[17].reason == driver.REASONS[trouble]
+    assert [row.status for row in rows].count("ok") == RUNS - 1
+    alone = [chunk for chunk in Misbehaving.chunks if seeds(chunk) == [17]]
+    assert len(alone) == (driver.STRIKES if trouble == "lost" else 1)
+
+
+def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> None:
+    tries = {"version": 0, "busy": 0}
+
+    def reluctant(chunk: Chunk) -> Answer:
+        for trouble in ("version", "busy"):
+            if tries[trouble] < 5:
+                tries[trouble] += 1
+                return Answer(trouble=trouble)  # type: ignore[arg-type]
+        return answered(chunk)
+
+    assert {row.status for row in drive(tmp_path, reluctant)} == {"ok"}
+
+
+def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs_again(tmp_path: Path) -> None:
+    broke: set[int] = set()
+
+    def breaking(chunk: Chunk) -> Answer:
+        if Misbehaving.starts < 3 and Misbehaving.starts not in broke:
+            broke.add(Misbehaving.starts)
+            raise ConnectionError
+        return answered(chunk)
+
+    rows = drive(tmp_path, breaking)
+    assert {row.status for row in rows} == {"ok"}
+    assert Misbehaving.starts == 3
+
+
+def test_results_wait_for_a_database_that_is_away(tmp_path: Path) -> None:
+    fails = threading.Semaphore(6)
+
+    def unreliable(save: Callable[..., None]) -> Callable[..., None]:
+        def saving(*args: Any) -> None:
+            if fails.acquire(blocking=False):
+                raise OperationalError("INSERT", {}, Exception("disk full"))
+            save(*args)
+
+        return saving
+
+    rows = drive(tmp_path, answered, save=unreliable)
+    assert {row.status for row in rows} == {"ok"}
+    handed = sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk))
+    assert handed == list(range(RUNS)), "computed once, committed when that was possible"
+
+
+def test_what_another_core_version_left_is_computed_under_this_ones_keys(tmp_path: Path) -> None:
+    rows = drive(tmp_path, answered, core_version="0.0.9")
+    assert {row.status for row in rows} == {"ok"}
+    assert not any(run.key.startswith("old") for chunk in Misbehaving.chunks for run in chunk.runs)
