@@ -48,7 +48,9 @@ class Program:
         self._log = folder / f"{name}.log"
         self._environment = {**os.environ, **environment}
         self._restart = restart
-        self._ending = threading.Event()
+        self._ended = threading.Event()
+        self._may_live = threading.Event()
+        self._may_live.set()
         self._process = self._spawn()
         self._watch = threading.Thread(target=self._keep, daemon=True)
         self._watch.start()
@@ -75,14 +77,21 @@ class Program:
         except psutil.NoSuchProcess:
             return []
 
-    def kill(self) -> None:
+    def kill(self, *, stays_dead: bool = False) -> None:
         """Kill -9 its process, and only that one: what it started is left alone, as a crash would leave it."""
+        if stays_dead:
+            self._may_live.clear()
         self._process.kill()
         self._process.wait()
 
+    def revive(self) -> None:
+        """Let it be started again, where it was to stay dead."""
+        self._may_live.set()
+
     def end(self, seconds: float = 15) -> int | None:
         """End it in order, for good; returns its exit code, None where it had to be killed."""
-        self._ending.set()
+        self._ended.set()
+        self._may_live.set()
         left = self.children()
         code: int | None = None
         if self.running:
@@ -105,6 +114,9 @@ class Program:
     def _keep(self) -> None:
         while True:
             self._process.wait()
-            if not self._restart or self._ending.wait(self.PAUSE):
+            if not self._restart or self._ended.wait(self.PAUSE):
+                return
+            self._may_live.wait()
+            if self._ended.is_set():
                 return
             self._process = self._spawn()

@@ -1,0 +1,242 @@
+"""docker-compose.yml's topology as plain processes, over TLS: it works, and it goes on when any part is killed."""
+
+import re
+import socket
+import ssl
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import psutil
+import pytest
+
+from backend.leadership import LOCK_ID
+from tests.servers.compose import Topology
+from tests.servers.postgres import Postgres
+from tests.servers.process import Program, wait_until
+
+TAKEOVER = 30.0  # after the death of the replica that drives, batches go on within [s]
+FINISH = 120.0  # a batch of some seconds, on a busy machine [s]
+SHORT = {"length": 120, "bump": {"start": 90}}
+
+
+@pytest.fixture(scope="module")
+def topology(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Topology]:
+    topology = Topology(tmp_path_factory.mktemp("topology"), postgres, API_WORKERS="1", WORKER_CORES="1")
+    try:
+        topology.wait_until_ready()
+        wait_until(lambda: both_serve(topology), "both replicas serve", FINISH)
+        yield topology
+    finally:
+        topology.end()
+        postgres.start()
+
+
+@pytest.fixture
+def client(topology: Topology) -> Iterator[httpx.Client]:
+    with httpx.Client(base_url=topology.url, timeout=90) as client:
+        yield client
+
+
+def submit(client: httpx.Client, first_height: float, runs: int) -> str:
+    """A batch of lv runs that no other test has computed; its id."""
+    heights = [round(first_height + 1e-5 * number, 6) for number in range(runs)]
+    sweep = {"grid": {"road.bump.height": heights}}
+    body = {"scenario": {"road": SHORT}, "strategies": ["lv"], "sweep": sweep}
+    response = client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": f"from-{first_height}"})
+    assert response.status_code == 202, response.text
+    identifier: str = response.json()["id"]
+    return identifier
+
+
+def batch(client: httpx.Client, identifier: str) -> dict[str, Any]:
+    answer: dict[str, Any] = client.get(f"/api/v1/batches/{identifier}").raise_for_status().json()
+    return answer
+
+
+def done(client: httpx.Client, identifier: str) -> int:
+    """How many of its runs are stored; while it runs the rows tell."""
+    rows = client.get(f"/api/v1/batches/{identifier}/results").raise_for_status().json()["rows"]
+    return sum(row["status"] == "ok" for row in rows)
+
+
+def wait_until_begun(client: httpx.Client, identifier: str) -> int:
+    """Until some runs are stored and others are not; how many are."""
+    wait_until(lambda: done(client, identifier) > 0, "the batch begins", FINISH)
+    stored = done(client, identifier)
+    assert batch(client, identifier)["state"] == "running", "the test needs a longer batch"
+    return stored
+
+
+def assert_completes(client: httpx.Client, postgres: Postgres, identifier: str, runs: int) -> None:
+    """Every run once, every result stored once."""
+    wait_until(lambda: batch(client, identifier)["state"] not in ("queued", "running"), "the batch ends", FINISH)
+    end = batch(client, identifier)
+    assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0)
+    rows = client.get(f"/api/v1/batches/{identifier}/results").json()["rows"]
+    assert [row["run"] for row in rows] == list(range(runs))
+    assert {row["status"] for row in rows} == {"ok"}
+    assert len({row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}) > runs / 2, "results of their own"
+
+
+def driver(topology: Topology) -> Program:
+    """The replica that holds the lock: the database knows who connected."""
+    found: list[Program] = []
+
+    def look() -> bool:
+        for (port,) in topology.ask_database(
+            "SELECT client_port FROM pg_stat_activity JOIN pg_locks USING (pid) "
+            "WHERE locktype = 'advisory' AND objid = %s AND granted",
+            LOCK_ID,
+        ):
+            found.extend(replica for replica in topology.replicas if port in ports_of(replica))
+        return bool(found)
+
+    wait_until(look, "a replica drives")
+    return found[0]
+
+
+def ports_of(program: Program) -> set[int]:
+    """The ports of its connections; none where it is dead."""
+    try:
+        return {connection.laddr.port for connection in psutil.Process(program.pid).net_connections()}
+    except psutil.Error:
+        return set()
+
+
+def test_a_run_a_link_and_a_batch_go_through_the_proxy(
+    topology: Topology, client: httpx.Client, postgres: Postgres
+) -> None:
+    run = client.post("/api/v1/runs", json={"scenario": {"road": SHORT}, "strategies": ["lv", "passive"]})
+    assert run.status_code == 200
+    link = client.post("/api/v1/links", json={"run_id": run.json()["id"], "view": {"baseline": "passive"}})
+    assert link.status_code == 201
+    for number in (0, 1):
+        answer = httpx.get(f"{topology.replica_url(number)}/api/v1/links/{link.json()['slug']}", timeout=60)
+        assert answer.json()["run"]["id"] == run.json()["id"], "whichever replica is asked"
+    identifier = submit(client, 0.05, 20)
+    with client.stream("GET", f"/api/v1/batches/{identifier}/events") as events:
+        last = [line for line in events.iter_lines() if line.startswith("data:")][-1]
+    assert '"done"' in last
+    assert_completes(client, postgres, identifier, 20)
+    assert submit(client, 0.05, 20) == identifier, "the same key, whichever replica is asked"
+
+
+def test_what_dask_opens_is_for_who_has_a_certificate(topology: Topology) -> None:
+    for program in (topology.scheduler, *topology.workers):
+        listening = [c.laddr for c in psutil.Process(program.pid).net_connections() if c.status == "LISTEN"]
+        assert {address.ip for address in listening} == {"127.0.0.1"}
+        kinds = [kind_of_port(address.port) for address in listening]
+        assert sorted(kinds) == ["health", "tls"]
+
+
+def kind_of_port(port: int) -> str:
+    """`health` where HTTP tells of health and of nothing else; `tls` where nobody gets in without a certificate."""
+    try:
+        answers = {
+            path: httpx.get(f"http://127.0.0.1:{port}{path}", timeout=10).status_code
+            for path in ("/health", "/status", "/metrics", "/info/main/workers.html", "/json/counts.json")
+        }
+    except httpx.TransportError:
+        context = ssl.create_default_context()
+        context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+        with socket.create_connection(("127.0.0.1", port), timeout=10) as connection:
+            secure = context.wrap_socket(connection)  # in TLS 1.3 the server says what it thinks afterwards
+            with secure, pytest.raises(ssl.SSLError, match="certificate required"):
+                secure.recv(1)
+        return "tls"
+    assert answers.pop("/health") == 200
+    assert set(answers.values()) == {404}
+    return "health"
+
+
+def test_requests_go_on_when_a_replica_is_killed(topology: Topology, client: httpx.Client) -> None:
+    wait_until(lambda: both_serve(topology), "both replicas serve")
+    answers: list[int] = []
+    ends = threading.Event()
+
+    def ask() -> None:
+        with httpx.Client(base_url=topology.url, timeout=60) as mine:
+            while not ends.is_set():
+                answers.append(mine.get("/api/v1/presets", headers={"Connection": "close"}).status_code)
+                time.sleep(0.03)  # a client in a hurry, not a flood
+
+    threads = [threading.Thread(target=ask) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    try:
+        wait_until(lambda: len(answers) > 10, "requests are under way")
+        killed = topology.replicas[0]
+        before, starts = len(answers), killed.starts
+        killed.kill()
+        wait_until(lambda: len(answers) > before + 30, "requests go on")
+        wait_until(lambda: killed.starts > starts and both_serve(topology), "it is back", FINISH)
+    finally:
+        ends.set()
+        for thread in threads:
+            thread.join()
+    assert set(answers) == {200}
+
+
+def both_serve(topology: Topology) -> bool:
+    try:
+        return all(httpx.get(f"{topology.replica_url(n)}/readyz", timeout=5).status_code == 200 for n in (0, 1))
+    except httpx.TransportError:
+        return False
+
+
+def test_another_replica_drives_on_when_the_one_that_drives_is_killed(
+    topology: Topology, client: httpx.Client, postgres: Postgres
+) -> None:
+    identifier = submit(client, 0.06, 500)
+    stored = wait_until_begun(client, identifier)
+    killed = driver(topology)
+    killed.kill(stays_dead=True)
+    at = time.monotonic()
+    try:
+        wait_until(lambda: done(client, identifier) > stored, "the batch goes on", TAKEOVER)
+        wait_until(lambda: driver(topology) is not killed, "the other drives", TAKEOVER)
+        assert time.monotonic() - at < TAKEOVER
+        assert_completes(client, postgres, identifier, 500)
+    finally:
+        killed.revive()
+
+
+@pytest.mark.parametrize(("part", "first_height"), [("scheduler", 0.07), ("worker", 0.08)])
+def test_a_batch_outlives_a_killed_part_of_dask(
+    topology: Topology, client: httpx.Client, postgres: Postgres, part: str, first_height: float
+) -> None:
+    identifier = submit(client, first_height, 200)
+    wait_until_begun(client, identifier)
+    program = topology.scheduler if part == "scheduler" else topology.workers[0]
+    starts, left = program.starts, program.children()
+    program.kill()
+    assert_completes(client, postgres, identifier, 200)
+    wait_until(lambda: program.starts > starts, "it is started again")
+    wait_until(lambda: not any(child.is_running() for child in left), "what it had started ends too")
+
+
+def test_a_batch_outlives_the_end_of_everything_at_once(
+    topology: Topology, client: httpx.Client, postgres: Postgres
+) -> None:
+    identifier = submit(client, 0.09, 200)
+    stored = wait_until_begun(client, identifier)
+    for program in topology.programs[1:]:
+        program.kill()
+    postgres.kill()
+    postgres.start()
+    topology.wait_until_ready()
+    assert done(client, identifier) >= stored, "nothing that was stored is lost"
+    assert_completes(client, postgres, identifier, 200)
+
+
+def test_every_result_was_stored_once_and_nothing_failed_unforeseen(topology: Topology) -> None:
+    (counts,) = topology.ask_database(
+        "SELECT count(*), count(DISTINCT result_key), (SELECT count(*) FROM results) FROM batch_runs"
+    )
+    assert counts[0] == counts[1] == 20 + 500 + 200 + 200 + 200
+    assert counts[2] == counts[0] + 2, "and the run of two strategies"
+    for program in topology.replicas:
+        assert not re.search(r"Traceback|unforeseen", program.log), program.log[-5000:]
