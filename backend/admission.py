@@ -130,8 +130,13 @@ class Admission:
 
     @property
     def load(self) -> dict[str, float]:
-        """`cost` [s of one core] accepted and not finished, `requests` and `streams` open."""
-        return {"cost": self._queued_cost, "requests": self._requests.held, "streams": self._streams.held}
+        """`cost` [s of one core] accepted and not finished; `requests`, `streams` and long `bodies` open."""
+        return {
+            "cost": self._queued_cost,
+            "requests": self._requests.held,
+            "streams": self._streams.held,
+            "bodies": self._bodies.held,
+        }
 
     def check(self, scenario: Scenario, strategies: Iterable[str]) -> None:
         """Refuse a request that is too big for anybody.

@@ -39,9 +39,11 @@ def _hash(content: dict[str, Any]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """The same value with each whole float as an integer (which also makes -0.0 a 0)."""
+    """The same value with each whole float as an integer (which also makes -0.0 a 0), each huge integer as a float."""
     if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
         return int(value)
+    if isinstance(value, int) and not -(2**63) <= value < 2**63:
+        return float(value)
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

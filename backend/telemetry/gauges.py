@@ -23,7 +23,7 @@ class LoadedAdmission(Protocol):
 
     @property
     def load(self) -> dict[str, float]:
-        """`cost` [s of one core] accepted and not finished, `requests` and `streams` open."""
+        """`cost` [s of one core] accepted and not finished; `requests`, `streams` and long `bodies` open."""
 
 
 class ServiceCollector(Collector):
@@ -47,6 +47,7 @@ class ServiceCollector(Collector):
         )
         yield GaugeMetricFamily("ridelab_open_requests", "Computing requests that are open", held["requests"])
         yield GaugeMetricFamily("ridelab_open_streams", "Event streams that are open", held["streams"])
+        yield GaugeMetricFamily("ridelab_open_bodies", "Long request bodies being worked on", held["bodies"])
 
 
 def service_registry(workers: LoadedWorkers, admission: LoadedAdmission) -> CollectorRegistry:
