@@ -26,7 +26,7 @@ from sim_core import __version__ as CORE_VERSION
 
 logger = logging.getLogger(__name__)
 
-NICE = 19
+NICE = 10  # of 19: beside one that computes for a person it gets a tenth of a core
 CONNECT_TIMEOUT = 10  # to a scheduler [s]
 CLOSE_TIMEOUT = 3  # for it to take leave [s]
 QUIET = {
