@@ -53,13 +53,17 @@ class RidelabAPIError(RidelabClientError):
         status: HTTP status.
         detail: What is wrong, for a person to read.
         errors: Each place concerned.
+        request_id: What the service's log calls the request.
     """
 
-    def __init__(self, status: int, detail: str, errors: Sequence[ErrorPlace] = ()) -> None:
-        super().__init__(status, detail, errors)
+    def __init__(
+        self, status: int, detail: str, errors: Sequence[ErrorPlace] = (), request_id: str | None = None
+    ) -> None:
+        super().__init__(status, detail, errors, request_id)
         self.status = status
         self.detail = detail
         self.errors = list(errors)
+        self.request_id = request_id
 
     @classmethod
     def of(cls, status: int, problem: Mapping[str, Any]) -> Self:
@@ -72,11 +76,14 @@ class RidelabAPIError(RidelabClientError):
             )
             for item in problem.get("errors") or []
         ]
-        return cls(status, str(problem.get("detail") or problem.get("title") or f"HTTP {status}"), places)
+        detail = str(problem.get("detail") or problem.get("title") or f"HTTP {status}")
+        return cls(status, detail, places, problem.get("request_id"))
 
     @property
     def lines(self) -> list[str]:
-        """What to show: `field: message` for each place, or the detail where none is named."""
+        """What to show: `field: message` for each place, or the detail; with the request's id where the log helps."""
+        if self.status >= 500 and self.request_id:
+            return [f"{self.detail} (request {self.request_id})"]
         named = [f"{place.field}: {place.message}" if place.field else place.message for place in self.errors]
         return named or [self.detail]
 

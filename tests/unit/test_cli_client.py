@@ -148,6 +148,8 @@ def test_an_errors_text_is_its_places() -> None:
     error = RidelabAPIError.of(422, problem)
     assert error.lines == ["road.length: too long", "strategy: unknown", "not like that"]
     assert RidelabAPIError.of(404, {"status": 404, "detail": "Nothing."}).lines == ["Nothing."]
+    broken = {"status": 500, "detail": "Something went wrong.", "errors": [], "request_id": "abc"}
+    assert str(RidelabAPIError.of(500, broken)) == "Something went wrong. (request abc)"
 
 
 def test_scenarios_and_numpy_values_are_sent_as_json() -> None:
