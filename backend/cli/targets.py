@@ -83,9 +83,13 @@ def _document(content: bytes, name: str) -> Found:
     if "strategies" not in value:
         return Found(name=name, scenario=value)
     try:
-        return Found(name=name, scenario=value["scenario"], run=RunResult.of(value))
+        run = RunResult.of(value)
+        whole = isinstance(run.scenario, dict) and all(outcome.figures() for outcome in run if outcome.status == "ok")
     except (KeyError, TypeError, AttributeError):
-        raise InputError(f"{name}: this is not a whole run as ridelab run --json prints it") from None
+        whole = False
+    if not whole:
+        raise InputError(f"{name}: this is not a whole run as ridelab run --json prints it")
+    return Found(name=name, scenario=run.scenario, run=run)
 
 
 def _address(address: str, services: Services) -> Found:

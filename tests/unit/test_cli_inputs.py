@@ -249,6 +249,12 @@ def test_comparing_files_needs_no_service(
         ('{"road": {"seed": 1, "seed": 2}}', "same key twice"),
         ('{"road": {"length": NaN}}', "NaN"),
         ('{"strategies": {"lv": 1}, "scenario": {}}', "not a whole run"),
+        ('{"id": "", "core_version": "", "scenario": [], "strategies": {}}', "not a whole run"),
+        (
+            '{"id": "", "core_version": "", "scenario": {}, "strategies": {"lv": {"status": "ok", "compute_ms": 1, '
+            '"metrics": {"bump": {"speed": {"rms": 1}}}}}}',
+            "not a whole run",
+        ),
         (b"\xff", "not valid UTF-8"),
     ],
 )
