@@ -9,6 +9,7 @@ import { CouldNotLoad } from "./shell/Blank";
 import { EditorPane } from "./shell/EditorPane";
 import { Header } from "./shell/Header";
 import { Notices } from "./shell/Notices";
+import { PrintedTitle } from "./shell/PrintedTitle";
 import { Results } from "./shell/Results";
 import classes from "./shell/shell.module.css";
 import { StatusLine } from "./shell/StatusLine";
@@ -76,6 +77,7 @@ function Desk() {
   return (
     <div className={classes.shell}>
       <Header presets={presets.data ?? []} />
+      <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />
         <main className={classes.main}>

@@ -9,6 +9,7 @@ import "./global.css";
 import { loadPlotly } from "./plots/plotly";
 import { ErrorBoundary } from "./shell/ErrorBoundary";
 import { createLab } from "./state/lab";
+import { watchPrinting } from "./state/printing";
 import { createRouter } from "./state/router";
 import { theme } from "./theme";
 
@@ -31,6 +32,7 @@ function dashboard() {
 
 const page = batchId === undefined ? dashboard() : <LazyBatchPage id={batchId} />;
 void loadPlotly();
+watchPrinting();
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no #root");

@@ -1,16 +1,29 @@
-/** Data, pictures and a command line of what is shown. */
+/** Data, pictures and commands of what is shown. */
 
-import { Button, Menu } from "@mantine/core";
-import { IconCheck, IconDownload, IconFileTypeCsv, IconPhoto, IconTerminal2 } from "@tabler/icons-react";
+import { Button, Menu, Modal, Textarea } from "@mantine/core";
+import { IconBrandPython, IconCheck, IconDownload, IconPhoto, IconTerminal2, IconWorldUpload } from "@tabler/icons-react";
 import { useQuery } from "@tanstack/react-query";
+import { useState } from "react";
 import { api } from "../api/client";
 import { useDesk, useLab, useView } from "../state/context";
-import { figuresQuery, strategiesQuery } from "../state/queries";
+import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { makeScene } from "../state/scene";
 import shell from "../shell/shell.module.css";
-import { curlCommand } from "./curl";
+import { asCommand, asCurl, asPython, type Wanted } from "./copyAs";
+import classes from "./export.module.css";
 import { download, plotsImage } from "./image";
 import { useCopied } from "./useCopied";
+
+const FORMATS = [
+  { format: "csv", label: "CSV" },
+  { format: "parquet", label: "Parquet" },
+] as const;
+
+const COPIES = [
+  { label: "Copy as Python", icon: IconBrandPython, write: asPython },
+  { label: "Copy as command line", icon: IconTerminal2, write: asCommand },
+  { label: "Copy as curl", icon: IconWorldUpload, write: asCurl },
+] as const;
 
 export function ExportMenu() {
   const shown = useLab((state) => state.shown);
@@ -19,7 +32,9 @@ export function ExportMenu() {
   const { lab } = useDesk();
   const figures = useQuery(figuresQuery).data;
   const strategies = useQuery(strategiesQuery).data;
-  const { copied, copy } = useCopied();
+  const form = useQuery(schemaQuery).data;
+  const [refused, setRefused] = useState<string | null>(null);
+  const { copied, copy } = useCopied(setRefused);
   const runId = shown?.runId ?? null;
 
   const saveImage = (format: "png" | "svg") => {
@@ -27,50 +42,73 @@ export function ExportMenu() {
     const scene = makeScene(shown, strategies, chosen, view);
     void plotsImage(figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
   };
+  const copyAs = (write: (wanted: Wanted) => string) => {
+    if (!form) return;
+    const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
+    copy(write({ origin: window.location.origin, form, scenario, strategies: chosen }));
+  };
 
   return (
-    <Menu position="bottom-end" width={270}>
-      <Menu.Target>
-        <Button
-          size="xs"
-          variant="default"
-          aria-label="Export"
-          leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
-          classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
-          disabled={!shown}
-        >
-          {copied ? "Copied" : "Export"}
-        </Button>
-      </Menu.Target>
-      <Menu.Dropdown>
-        <Menu.Label>Time histories, full resolution</Menu.Label>
-        {(strategies ?? [])
-          .filter(({ id }) => shown && id in shown.summaries && chosen.includes(id))
-          .map(({ id, label }) => (
-            <Menu.Item
-              key={id}
-              leftSection={<IconFileTypeCsv size={16} />}
-              disabled={runId === null}
-              onClick={() => download(api.seriesAddress(runId ?? "", id, "csv"), `ridelab-${runId ?? ""}-${id}.csv`)}
-            >
-              {label} as CSV
+    <>
+      <Menu position="bottom-end" width={290}>
+        <Menu.Target>
+          <Button
+            size="xs"
+            variant="default"
+            aria-label="Export"
+            leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
+            classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+            disabled={!shown}
+          >
+            {copied ? "Copied" : "Export"}
+          </Button>
+        </Menu.Target>
+        <Menu.Dropdown className={classes.dropdown ?? ""}>
+          <Menu.Label>Time histories, full resolution</Menu.Label>
+          {(strategies ?? [])
+            .filter(({ id }) => shown && id in shown.summaries && chosen.includes(id))
+            .map(({ id, label }) => (
+              <div key={id} className={classes.files}>
+                <span className={classes.file}>{label}</span>
+                {FORMATS.map(({ format, label: name }) => (
+                  <Menu.Item
+                    key={format}
+                    className={classes.format ?? ""}
+                    aria-label={`${label} as ${name}`}
+                    disabled={runId === null || shown?.missing !== null}
+                    onClick={() => download(api.seriesAddress(runId ?? "", id, format), `ridelab-${runId ?? ""}-${id}.${format}`)}
+                  >
+                    {name}
+                  </Menu.Item>
+                ))}
+              </div>
+            ))}
+          <Menu.Label>Plots as shown</Menu.Label>
+          {(["png", "svg"] as const).map((format) => (
+            <Menu.Item key={format} leftSection={<IconPhoto size={16} />} disabled={shown?.missing !== null} onClick={() => saveImage(format)}>
+              {format === "png" ? "PNG picture" : "SVG drawing"}
             </Menu.Item>
           ))}
-        <Menu.Label>Plots as shown</Menu.Label>
-        <Menu.Item leftSection={<IconPhoto size={16} />} onClick={() => saveImage("png")}>
-          PNG picture
-        </Menu.Item>
-        <Menu.Item leftSection={<IconPhoto size={16} />} onClick={() => saveImage("svg")}>
-          SVG drawing
-        </Menu.Item>
-        <Menu.Label>Scenario</Menu.Label>
-        <Menu.Item
-          leftSection={<IconTerminal2 size={16} />}
-          onClick={() => copy(curlCommand(window.location.origin, lab.get().history?.present ?? shown?.scenario ?? {}, chosen))}
-        >
-          Copy as curl
-        </Menu.Item>
-      </Menu.Dropdown>
-    </Menu>
+          <Menu.Label>This run again, elsewhere</Menu.Label>
+          {COPIES.map(({ label, icon: Icon, write }) => (
+            <Menu.Item key={label} leftSection={<Icon size={16} />} onClick={() => copyAs(write)}>
+              {label}
+            </Menu.Item>
+          ))}
+        </Menu.Dropdown>
+      </Menu>
+      <Modal opened={refused !== null} onClose={() => setRefused(null)} title="Here it is: select and copy it" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
+        <Textarea
+          readOnly
+          autosize
+          maxRows={14}
+          data-autofocus
+          aria-label="Text to copy"
+          classNames={{ input: classes.code ?? "" }}
+          value={refused ?? ""}
+          onFocus={(event) => event.currentTarget.select()}
+        />
+      </Modal>
+    </>
   );
 }

@@ -7,6 +7,8 @@ import type { Scene } from "../state/scene";
 
 const WIDTH = 1200;
 const PANEL_HEIGHT = 190;
+/** Room for the line at the foot that says where the picture comes from. */
+const FOOT = 34;
 const GAP = 0.28; // of a panel, for its title
 const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", zero: "rgba(120, 135, 142, 0.6)" };
 
@@ -35,21 +37,27 @@ export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, 
       yref: shape.yref === "paper" ? `${name("y", index)} domain` : name("y", index),
     })),
   );
-  const annotations = templates.map(({ layout: { meta } }, index) => ({
+  const annotations: Readonly<Record<string, unknown>>[] = templates.map(({ layout: { meta } }, index) => ({
     text: `<b>${meta.title}</b> [${meta.unit}]`,
     xref: "paper", yref: "paper", x: 0, y: 1 - index * row - row * 0.1, xanchor: "left", yanchor: "bottom",
     showarrow: false, font: { size: 13, color: ON_PAPER.text },
   }));
+  const { runId, coreVersion } = scene.shown;
+  const source = `Ridelab core ${coreVersion}${runId === null ? ", a live preview" : `, run ${runId}`}`;
+  annotations.push({
+    text: source, xref: "paper", yref: "paper", x: 0, y: 0, xanchor: "left", yanchor: "top", yshift: -30,
+    showarrow: false, font: { size: 11, color: ON_PAPER.text },
+  });
   return {
     data,
-    height: PANEL_HEIGHT * templates.length,
+    height: PANEL_HEIGHT * templates.length + FOOT,
     layout: {
       ...axes,
       shapes, annotations,
       title: { text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]`, font: { size: 15 }, x: 0.03 },
       font: { family: "Arial, sans-serif", color: ON_PAPER.text },
       paper_bgcolor: "#ffffff", plot_bgcolor: "#ffffff",
-      margin: { l: 60, r: 20, t: 70, b: 30 },
+      margin: { l: 60, r: 20, t: 70, b: 30 + FOOT },
       showlegend: true, legend: { orientation: "h", y: 1, yanchor: "bottom", x: 1, xanchor: "right" },
     },
   };

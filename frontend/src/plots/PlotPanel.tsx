@@ -4,7 +4,9 @@ import { useIntersection } from "@mantine/hooks";
 import { memo, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
 import type { Zoom } from "../state/address";
+import { printing } from "../state/printing";
 import type { Scene } from "../state/scene";
+import { useStore } from "../state/store";
 import { buildFigure, type Palette } from "./figure";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
@@ -26,7 +28,8 @@ const NEAR = "40px 0px";
 
 export const PlotPanel = memo(function PlotPanel({ plotly, template, scene, series, palette, onZoom }: Props) {
   const { ref: viewRef, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
-  const inViewport = entry?.isIntersecting ?? false;
+  const printed = useStore(printing);
+  const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
   // Off screen nothing is computed: during a drag only what somebody sees is drawn anew.
   const figure = useMemo(

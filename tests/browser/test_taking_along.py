@@ -1,0 +1,107 @@
+"""What somebody takes along: commands that give the same run elsewhere, files, paper."""
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import ROOT
+
+
+@pytest.fixture
+def clipboard(dashboard: Dashboard) -> Iterator[Page]:
+    """The dashboard's page, which may read what was copied."""
+    dashboard.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    yield dashboard.page
+    dashboard.page.context.clear_permissions()
+
+
+def copied(page: Page, item: str) -> str:
+    page.evaluate("navigator.clipboard.writeText('')")
+    page.get_by_role("button", name="Export").click()
+    page.get_by_role("menuitem", name=item).click()
+    page.wait_for_function("async () => await navigator.clipboard.readText() !== ''")
+    text: str = page.evaluate("navigator.clipboard.readText()")
+    return text
+
+
+def shell(command: str) -> str:
+    """What a POSIX shell prints for it, in the repository with its programs at hand."""
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=ROOT, env=os.environ | {"PATH": path}, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_copied_commands_give_the_same_run(dashboard: Dashboard, clipboard: Page) -> None:
+    dashboard.open()
+    first = clipboard.url
+    for name, value in (("Height", "-0.06"), ("Cruise, Body acceleration, value", "5")):
+        dashboard.type_into(name, value)
+        expect(clipboard).not_to_have_url(first)
+        first = clipboard.url
+    clipboard.get_by_role("combobox", name="Shape").select_option("flat_top")
+    expect(clipboard).not_to_have_url(first)
+    dashboard.expect_curves()
+
+    curl = copied(clipboard, "Copy as curl")
+    assert json.loads(shell(curl))["id"] == dashboard.run_id
+    command = copied(clipboard, "Copy as command line")
+    assert command.startswith("ridelab run --set road.bump.shape=flat_top --set road.bump.height=-0.06")
+    assert json.loads(shell(f"{command} --json"))["id"] == dashboard.run_id
+    script = copied(clipboard, "Copy as Python")
+    assert shell(f"python -c '{script}\nprint(run.id)'").strip() == dashboard.run_id
+
+
+def test_a_command_stands_there_where_copying_is_refused(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.add_init_script(
+        """Object.defineProperty(navigator, 'clipboard', {value: undefined}); document.execCommand = () => false;"""
+    )
+    dashboard.open()
+    page.get_by_role("button", name="Export").click()
+    page.get_by_role("menuitem", name="Copy as command line").click()
+    dialog = page.get_by_role("dialog", name="Here it is: select and copy it")
+    expect(dialog.get_by_role("textbox")).to_have_value(
+        f"ridelab run --strategy lv,lqr,passive --server {dashboard.url}"
+    )
+
+
+def test_parquet_files_and_the_runs_id_in_pictures(dashboard: Dashboard, tmp_path: Path) -> None:
+    dashboard.open()
+    page = dashboard.page
+    for name in ("LV control as Parquet", "SVG drawing"):
+        page.get_by_role("button", name="Export").click()
+        with page.expect_download() as download:
+            page.get_by_role("menuitem", name=name).click()
+        download.value.save_as(tmp_path / name)
+    assert (tmp_path / "LV control as Parquet").read_bytes()[:4] == b"PAR1"
+    assert dashboard.run_id in (tmp_path / "SVG drawing").read_text()
+
+
+def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> None:
+    """The browser fires its events around printing: panels nobody has scrolled to are drawn for them."""
+    dashboard.open()
+    page = dashboard.page
+    page.evaluate(
+        """() => window.addEventListener('afterprint', () => {
+          window.printed = [...document.querySelectorAll('section[data-figure]')]
+            .map(panel => panel.querySelectorAll('.scatterlayer .trace').length);
+        })"""
+    )
+    page.pdf(path=tmp_path / "page.pdf", prefer_css_page_size=True)
+    drawn = page.evaluate("window.printed")
+    assert len(drawn) > 6
+    assert min(drawn) == 3
+    page.emulate_media(media="print")
+    expect(page.get_by_role("button", name="Share")).to_be_hidden()
+    expect(page.get_by_text(dashboard.run_id)).to_be_visible()
+    page.emulate_media(media="screen")
