@@ -5,6 +5,7 @@ import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -15,7 +16,9 @@ from fastapi import FastAPI
 from backend.app import create_app
 from backend.protocol import server_config
 from backend.settings import Settings
+from tests.servers.postgres import Postgres
 
+STORED = ("test_runs", "test_batches", "test_links")
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
@@ -63,8 +66,20 @@ def wait_until_ready(client: httpx.Client, seconds: float = 40) -> None:
 
 
 @pytest.fixture(scope="session")
-def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
-    yield from serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2))
+def service(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    settings = Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2)
+    if request.param == "postgresql":
+        server: Postgres = request.getfixturevalue("postgres")
+        settings = settings.model_copy(update={"database_url": server.new_database()})
+    yield from serve(settings)
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Tests of what is stored run on both databases, one service after the other; the rest on SQLite."""
+    if "service" in metafunc.fixturenames:
+        stores = Path(metafunc.definition.path).stem in STORED
+        databases = ["sqlite", "postgresql"] if stores else ["sqlite"]
+        metafunc.parametrize("service", databases, indirect=True, scope="session")
 
 
 @pytest.fixture(scope="session")
