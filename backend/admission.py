@@ -1,6 +1,7 @@
 """How much is accepted at once, so that an overload is refused early and nobody waits for ever."""
 
 import ipaddress
+import math
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
@@ -93,7 +94,7 @@ class Rate:
                 429,
                 f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second.",
                 kind="too-many-requests",
-                retry_after=max(1, round(wait + 0.5)),
+                retry_after=max(1, math.ceil(wait)),
             )
         if len(self._full_at) >= self.MOST_CLIENTS:
             self._full_at = {name: at for name, at in self._full_at.items() if at > now}

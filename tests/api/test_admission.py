@@ -1,0 +1,180 @@
+"""Who is let in: limits for one client and for all, refused at once and clearly, and places that come free again."""
+
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import httpx
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from backend.admission import Admission, Places, Rate, client_key
+from backend.problems import ProblemError
+from sim_core.scenario import Scenario
+from sim_core.workload import estimate
+
+PASSIVE = estimate(Scenario(), "passive")
+
+
+def refusal(act: Callable[[], Any]) -> tuple[int, int]:
+    """Status and `Retry-After`."""
+    with pytest.raises(ProblemError) as refused:
+        act()
+    assert refused.value.headers is not None
+    return refused.value.status_code, int(refused.value.headers["Retry-After"])
+
+
+def admission(**limits: Any) -> Admission:
+    return Admission(**{"max_request_cost": 30, "max_queued_cost": 120, "max_client_requests": 64, **limits})
+
+
+def test_one_client_and_all_together_have_only_so_many_places() -> None:
+    places = Places(what="things", per_client=2, total=3)
+    with places.taken("a"), places.taken("a"):
+        assert refusal(lambda: places.check("a")) == (429, 2)
+        with places.taken("b"):
+            assert refusal(lambda: places.check("c")) == (503, 2)
+        places.check("c")
+        assert places.held == 2
+    assert places.held == 0
+    places.check("a")
+
+
+def test_streams_are_limited_and_come_free() -> None:
+    gate = admission(max_client_streams=1, max_streams=2)
+    with gate.streaming("a"):
+        assert refusal(lambda: gate.streaming("a").__enter__()) == (429, 2)
+        with gate.streaming("b"):
+            assert refusal(lambda: gate.streaming("c").__enter__()) == (503, 2)
+            assert gate.load["streams"] == 2
+    assert gate.load["streams"] == 0
+    with gate.streaming("a"):
+        pass
+
+
+def test_links_are_limited_by_rate() -> None:
+    now = 100.0
+    rate = Rate(what="links", burst=3, each_second=0.5, clock=lambda: now)
+    for _ in range(3):
+        rate.take("a")
+    assert refusal(lambda: rate.take("a")) == (429, 2)
+    rate.take("b")
+    now += 1.9
+    assert refusal(lambda: rate.take("a")) == (429, 1)
+    now += 0.2
+    rate.take("a")
+    assert refusal(lambda: rate.take("a"))[0] == 429
+    now += 1000
+    for _ in range(3):
+        rate.take("a")
+    assert refusal(lambda: rate.take("a"))[0] == 429
+
+
+@given(st.lists(st.floats(0, 5), max_size=60), st.integers(1, 5), st.sampled_from([0.25, 1.0, 4.0]))
+def test_a_rate_never_lets_through_more_than_it_says(waits: list[float], burst: int, each_second: float) -> None:
+    now, begin, taken = 50.0, 50.0, 0
+    rate = Rate(what="links", burst=burst, each_second=each_second, clock=lambda: now)
+    for wait in waits:
+        now += wait
+        try:
+            rate.take("a")
+        except ProblemError:
+            continue
+        taken += 1
+        assert taken <= burst + (now - begin) * each_second + 1e-6
+
+
+def test_a_rate_forgets_clients_that_have_all_again() -> None:
+    now = 0.0
+    rate = Rate(what="links", burst=2, each_second=1, clock=lambda: now)
+    for index in range(Rate.MOST_CLIENTS):
+        rate.take(str(index))
+    now += 60
+    rate.take("another")
+    assert len(rate._full_at) == 1
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "same"),
+    [
+        ("192.0.2.1", "192.0.2.1", True),
+        ("192.0.2.1", "192.0.2.2", False),
+        ("2001:db8::1", "2001:db8::ffff:2", True),
+        ("2001:db8:0:1::1", "2001:db8:0:2::1", False),
+        ("::ffff:192.0.2.1", "192.0.2.1", True),
+        ("fe80::1%eth0", "fe80::2%eth1", True),
+        ("", "", True),
+        ("unix", "other", False),
+    ],
+)
+def test_an_ipv6_network_is_one_client(one: str, other: str, same: bool) -> None:
+    assert (client_key(one) == client_key(other)) is same
+
+
+def test_cost_is_held_while_it_is_open_and_no_rounding_stays() -> None:
+    gate = admission()
+    for _ in range(100):
+        with gate.computing("a", Scenario(), ["passive"]), gate.computing("b", Scenario(), ["passive"]):
+            assert gate.load["cost"] == pytest.approx(2 * PASSIVE)
+            assert gate.load["requests"] == 2
+    assert gate.load == {"cost": 0, "requests": 0, "streams": 0, "bodies": 0}
+
+
+@pytest.fixture
+def slow(service: Any, monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Workers that answer when they are let; room for four requests of a client and six in all."""
+    import asyncio
+
+    gate = admission(max_client_requests=4, max_queued_cost=5.5 * PASSIVE)
+    go = threading.Event()
+    original = service.app.state.workers.call
+
+    async def wait(*args: Any, **options: Any) -> Any:
+        while not go.is_set():
+            await asyncio.sleep(0.01)
+        return await original(*args, **options)
+
+    monkeypatch.setattr(service.app.state.workers, "call", wait)
+    for holder in (service.app.state.runs, service.app.state.runs._results):
+        monkeypatch.setattr(holder, "_admission", gate)
+    yield gate, go
+    go.set()
+
+
+def test_what_is_too_much_is_refused_at_once_and_what_was_taken_is_answered(service: Any, slow: Any) -> None:
+    gate, go = slow
+
+    def ask(seed: int) -> httpx.Response:
+        scenario = {"road": {"length": 150, "seed": 9000 + seed}}
+        return service.live(["passive"], scenario, points=50)
+
+    with ThreadPoolExecutor(4) as threads:
+        taken = [threads.submit(ask, seed) for seed in range(4)]
+        end = time.monotonic() + 20
+        while gate.load["requests"] < 4:
+            assert time.monotonic() < end
+            time.sleep(0.01)
+        for seed in range(10, 20):
+            refused = ask(seed)
+            assert refused.status_code == 429
+            assert int(refused.headers["retry-after"]) > 0
+            assert service.client.get("/healthz").status_code == 200
+        assert service.client.get("/readyz").status_code == 200
+        with gate.computing("another", Scenario(), ["passive"]):
+            assert gate.load["requests"] == 5
+            assert refusal(lambda: gate.computing("third", Scenario(), ["passive"]).__enter__()) == (503, 2)
+        go.set()
+        assert [answer.result().status_code for answer in taken] == [200] * 4
+    assert ask(30).status_code == 200
+    assert gate.load["cost"] == 0
+
+
+def test_what_is_stored_is_answered_by_a_full_service(service: Any, run: dict[str, Any], slow: Any) -> None:
+    gate, _ = slow
+    with gate.computing("a", Scenario(), ["passive"] * 5):
+        assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200
+        assert service.client.get(f"/api/v1/runs/{run['id']}").status_code == 200
+        assert service.client.get("/api/v1/schema").status_code == 200

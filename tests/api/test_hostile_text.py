@@ -1,0 +1,249 @@
+"""Scripts, formulas, paths and methods that want to be more than they are; and the headers that contain the rest."""
+
+import csv
+import io
+import json
+import re
+import socket
+import time
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from backend import batch_table
+from backend.security import CONTENT_SECURITY_POLICY, HEADERS
+from backend.settings import Settings
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+SCRIPT = "<script>alert(1)</script>"
+NAMES = [
+    SCRIPT,
+    "'\"><img src=x onerror=alert(1)>",
+    "=HYPERLINK(1)",
+    "{{7*7}}${7*7}",
+    "%3Cscript%3E",
+    "a\u202eb",
+    "\u0000",
+]
+FORMULA = re.compile(r"^[=+\-@\t\r]")
+
+
+def no_script(response: httpx.Response) -> None:
+    for part in ("<script>alert", "onerror", "HYPERLINK", "7*7", "%3Cscript", "\u202e"):
+        assert part not in response.text
+        assert all(part not in value for value in response.headers.values())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_name_comes_back(client: httpx.Client, run: dict[str, Any], name: str) -> None:
+    for path, body in (
+        ("runs", {"strategies": [name]}),
+        ("runs", {"strategies": ["passive"], name: 1}),
+        ("runs", {"strategies": ["passive"], "scenario": {"road": {"bump": {"shape": name, name: name}}}}),
+        ("live", {"strategies": ["passive"], "signals": [name]}),
+        ("batches", {"strategies": ["passive"], "sweep": {"grid": {name: [1]}}}),
+        ("batches", {"strategies": ["passive"], "sweep": {"list": [{"mpc.preview": name}]}}),
+        ("batches", {"strategies": ["passive"], "sweep": {name: {}}}),
+        ("links", {"run_id": name}),
+        ("links", {"run_id": run["id"], "view": {"baseline": name}}),
+        ("links", {"run_id": run["id"], "view": {"strategies": [name], name: name}}),
+        ("links", {"run_id": run["id"], "view": {"axis": name, "zoom": [name, name]}}),
+    ):
+        response = client.post(f"/api/v1/{path}", json=body)
+        assert response.status_code in (404, 422), (path, body, response.text)
+        assert response.headers["content-type"] == "application/problem+json"
+        no_script(response)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "\u0000"])
+def test_no_part_of_an_address_comes_back(client: httpx.Client, run: dict[str, Any], name: str) -> None:
+    for path, query in (
+        (f"/{name}", {}),
+        (f"/r/{name}", {}),
+        (f"/b/{name}", {}),
+        (f"/s/{name}", {}),
+        (f"/assets/{name}", {}),
+        (f"/api/v1/{name}", {}),
+        (f"/api/v1/runs/{name}", {}),
+        (f"/api/v1/links/{name}", {}),
+        (f"/api/v1/batches/{name}", {}),
+        (f"/api/v1/runs/{run['id']}/figures/{name}", {}),
+        (f"/api/v1/runs/{run['id']}/series", {"strategy": name}),
+        (f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "signals": name, "format": name}),
+        ("/", {name: name}),
+        ("/docs", {name: name}),
+    ):
+        response = client.get(path, params=query)
+        assert response.status_code in (200, 404, 422)
+        no_script(response)
+
+
+def test_no_header_comes_back(client: httpx.Client) -> None:
+    sent = dict.fromkeys(("X-Request-ID", "Referer", "Origin", "User-Agent", "X-Forwarded-Host", "Cookie"), SCRIPT)
+    sent |= {"Idempotency-Key": SCRIPT + "é", "Last-Event-ID": SCRIPT, "If-None-Match": SCRIPT, "Range": SCRIPT}
+    for path in ("/", "/nowhere", "/api/v1/schema", "/api/v1/runs/x", "/api/v1/batches/x/events", "/favicon.svg"):
+        response = client.get(path, headers={name: value.encode() for name, value in sent.items()})  # type: ignore[misc]
+        assert response.status_code < 500
+        no_script(response)
+        assert "access-control-allow-origin" not in response.headers
+        assert "set-cookie" not in response.headers
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/assets/../index.html",
+        "/assets/..%2findex.html",
+        "/assets/%2e%2e/%2e%2e/pyproject.toml",
+        "/assets/..%5c..%5cpyproject.toml",
+        "/assets/....//....//etc/passwd",
+        "/assets//etc/passwd",
+        "/assets/%00",
+        "/assets/%c0%ae%c0%ae/",
+        "/docs-assets/../../../pyproject.toml",
+        "/docs-assets/%252e%252e/%252e%252e/pyproject.toml",
+        "/docs-assets/",
+        "/assets",
+        "/assets/",
+        "/../../../etc/passwd",
+        "//etc/passwd",
+        "/r/../../etc/passwd",
+        "/.git/config",
+        "/ridelab.sqlite",
+        "/data/ridelab.sqlite",
+    ],
+)
+def test_files_are_served_from_their_folder_alone(client: httpx.Client, path: str) -> None:
+    assert client.base_url.port is not None
+    with socket.create_connection((client.base_url.host, client.base_url.port), timeout=30) as connection:
+        connection.sendall(f"GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode("latin-1"))
+        answer = b""
+        while piece := connection.recv(65536):
+            answer += piece
+    status = int(answer.split()[1])
+    assert status == 404, answer[:300]
+    assert b"application/problem+json" in answer
+    assert b"root:" not in answer
+    assert b"[project]" not in answer
+
+
+@pytest.mark.parametrize("method", ["OPTIONS", "TRACE", "PUT", "PATCH", "DELETE", "CONNECT", "PROPFIND", "X" * 50])
+@pytest.mark.parametrize("path", ["/", "/healthz", "/api/v1/runs", "/api/v1/schema", "/docs", "/assets/x", "/nowhere"])
+def test_other_methods_are_refused(client: httpx.Client, method: str, path: str) -> None:
+    response = client.request(method, path, headers={"Origin": "https://elsewhere.example", "X-Secret": SCRIPT})
+    assert response.status_code in (404, 405)
+    assert response.headers["content-type"] == "application/problem+json"
+    assert "access-control-allow-origin" not in response.headers
+    no_script(response)
+    for name, value in HEADERS.items():
+        assert response.headers[name] == value
+
+
+def test_the_policy_evaluates_nothing_and_loads_nothing_from_elsewhere() -> None:
+    directives = dict(part.split(" ", 1) for part in CONTENT_SECURITY_POLICY.split("; "))
+    assert "unsafe-eval" not in CONTENT_SECURITY_POLICY
+    assert directives["script-src"] == "'self'"
+    assert directives["object-src"] == directives["frame-ancestors"] == directives["base-uri"] == "'none'"
+    assert "http" not in CONTENT_SECURITY_POLICY
+    assert "*" not in CONTENT_SECURITY_POLICY
+
+
+def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any], monkeypatch: Any) -> None:
+    client: httpx.Client = service.client
+    dist: Path = Settings().frontend_dir
+    assets = [f"/assets/{path.name}" for path in (dist / "assets").iterdir()]
+    assert assets
+    series = f"/api/v1/runs/{run['id']}/series?strategy=lv&points=50"
+    json_body = {"Content-Type": "application/json"}
+    answers = {
+        200: [client.get(path) for path in ("/", "/r/x", "/docs", "/docs.js", "/openapi.json", "/metrics", *assets)],
+        304: [client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": f'W/"{run["id"]}"'})],
+        404: [client.get(path) for path in ("/nowhere", "/assets/none.js", "/docs-assets/none.js", "/s/none")],
+        405: [client.post("/healthz"), client.delete("/assets/x.js"), client.put("/docs")],
+        400: [client.post("/api/v1/runs", content="{", headers=json_body)],
+        413: [client.post("/api/v1/runs", content=b" " * 2_000_000, headers=json_body)],
+        415: [client.post("/api/v1/runs", content="{}", headers={"Content-Type": "text/plain"})],
+        422: [client.post("/api/v1/runs", json={}), client.get(f"/api/v1/runs/{run['id']}/series?points=1")],
+    }
+    answers[200] += [client.get(f"{series}&format={name}") for name in ("json", "csv", "parquet")]
+    answers[200] += [client.head("/")]
+    answers[206] = [client.get(assets[0], headers={"Range": "bytes=0-1"})]
+    monkeypatch.setattr(service.app.state.runs, "get", lambda *_: 1 / 0)
+    answers[500] = [client.get(f"/api/v1/runs/{run['id']}")]
+    for status, responses in answers.items():
+        for response in responses:
+            assert response.status_code == status, (response.url, response.text[:200])
+            for name, value in HEADERS.items():
+                assert response.headers[name] == value, response.url
+            assert response.headers["cache-control"]
+            assert response.headers["x-request-id"]
+            assert "server" not in response.headers
+
+
+@pytest.fixture(scope="module")
+def batch(client: httpx.Client) -> str:
+    """A finished batch whose cells are texts, lists, booleans, reasons and numbers of either sign."""
+    changes = [
+        {"road.bump.shape": "cosine", "lqr.weights": [1, 2, 3], "road.bump.height": -0.05, "road.bump.start": 80},
+        {"road.bump.shape": "cosine", "lqr.weights": [3, 2, 1], "road.bump.height": 0.05, "road.bump.start": 119},
+    ]
+    body = {
+        "scenario": {"road": {"length": 121, "bump": {"start": 80}}},
+        "strategies": ["lqr", "passive"],
+        "sweep": {"list": changes},
+    }
+    accepted = client.post("/api/v1/batches", json=body)
+    assert accepted.status_code == 202, accepted.text
+    found, end = accepted.json(), time.monotonic() + 120
+    while found["state"] in ("queued", "running"):
+        assert time.monotonic() < end
+        time.sleep(0.1)
+        found = client.get(f"/api/v1/batches/{found['id']}").json()
+    return str(found["id"])
+
+
+def test_an_event_stream_has_every_header(client: httpx.Client, batch: str) -> None:
+    with client.stream("GET", f"/api/v1/batches/{batch}/events") as response:
+        assert response.status_code == 200
+        assert response.headers["content-type"].startswith("text/event-stream")
+        for name, value in HEADERS.items():
+            assert response.headers[name] == value
+        assert response.headers["x-request-id"]
+        response.read()
+
+
+def test_no_cell_of_a_table_is_a_formula(client: httpx.Client, run: dict[str, Any], batch: str) -> None:
+    texts = [
+        client.get(f"/api/v1/runs/{run['id']}/series", params={"strategy": "lv,passive", "format": "csv"}).text,
+        client.get(f"/api/v1/batches/{batch}/results", params={"format": "csv"}).text,
+    ]
+    for text in texts:
+        rows = list(csv.reader(io.StringIO(text)))
+        assert len(rows) > 2
+        for row in rows:
+            for name, cell in zip(rows[0], row, strict=True):
+                if FORMULA.match(cell) and name != "batch":  # an id, of letters, digits, - and _
+                    float(cell)
+    assert any(cell.startswith("-") for row in csv.reader(io.StringIO(texts[1])) for cell in row), "no negative number"
+
+
+def test_no_name_of_ours_is_a_formula_or_a_script() -> None:
+    for name in (*STRATEGIES, *SIGNALS, *batch_table.FIGURES, *batch_table.FIXED):
+        assert re.fullmatch(r"[a-z][a-z0-9_.]*", name), name
+
+
+def test_the_documentation_loads_nothing_from_elsewhere(client: httpx.Client) -> None:
+    page = client.get("/docs").text
+    loaded = re.findall(r'<(?:script|link|img|iframe|a)\b[^>]*?(?:src|href)="([^"]*)"', page)
+    assert len(loaded) >= 3
+    for source in loaded:
+        assert re.match(r"/[a-z]", source)
+        assert client.get(source).status_code == 200
+    assert "://" not in page + client.get("/docs.js").text
+    style = client.get("/docs-assets/swagger-ui.css").text
+    assert "@import" not in style
+    assert not re.findall(r"url\(\s*+['\"]?+(?!data:)", style)
+    assert "://" not in json.dumps(client.get("/openapi.json").json().get("servers", []))
