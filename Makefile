@@ -15,7 +15,7 @@ run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 test: setup check ## everything: style, types, import rules, all tests, browser included
 	$(BIN)/python -m pytest tests --ignore tests/drill
 
-drill: setup ## at length: fifty kills at random, load, fuzzing; RIDELAB_KILLS= and RIDELAB_SEED= change it
+drill: setup ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
 	$(BIN)/python -m pytest tests/drill -s
 
 check: setup ## style, types and import rules

@@ -1,6 +1,6 @@
 """Kill -9 at random while batches run: afterwards everything accepted is complete, each result stored once.
 
-`make test` does it a few times, `make drill` fifty times; by hand: RIDELAB_KILLS=200 python -m pytest tests/drill -s
+`make test` does it a few times, `make drill` fifty times; by hand: DRILL_KILLS=200 python -m pytest tests/drill -s
 """
 
 import random
@@ -17,7 +17,8 @@ from backend.store.tables import batch_runs, results
 from sim_core import dotted
 from sim_core.scenario import Scenario
 from sim_core.simulation import simulate
-from tests.servers.api import Api
+from tests.servers.api import ask
+from tests.servers.process import Program
 
 RUNS = 240  # of one batch: some seconds of two cores
 LEAST_WORK = 200  # runs that wait while it kills
@@ -31,13 +32,13 @@ class Drill:
     """Random kills under load.
 
     Attributes:
-        ask: The replica that is asked; it may be down at any moment.
+        url: Where the service is asked; it may be down at any moment.
         victims: What can be killed.
         engine: The database, looked at from outside.
         seed: Same seed, same choices.
     """
 
-    ask: Api
+    url: str
     victims: Sequence[Victim]
     engine: Engine
     seed: int
@@ -72,7 +73,7 @@ class Drill:
         }
         body = {"scenario": {"road": {"length": 126.0}}, "strategies": ["lv", "passive"], "sweep": sweep}
         key = {"Idempotency-Key": f"drill-{self.seed}-{number}"}
-        self.batches.append(self.ask.ask("POST", "/batches", json=body, headers=key)["id"])
+        self.batches.append(ask(self.url, "POST", "/batches", json=body, headers=key)["id"])
 
     def _await_work(self) -> None:
         """Until results come in again; a service that has just been killed takes some seconds."""
@@ -100,13 +101,13 @@ class Drill:
         for batch_id in self.batches:
             end = time.monotonic() + 180
             while True:
-                batch = self.ask.ask("GET", f"/batches/{batch_id}")
+                batch = ask(self.url, "GET", f"/batches/{batch_id}")
                 if batch["state"] not in ("queued", "running"):
                     break
                 assert time.monotonic() < end, f"{batch_id} does not go on: {batch['done']} of {batch['total']}"
                 time.sleep(0.2)
             assert (batch["state"], batch["done"], batch["failed"]) == ("done", RUNS, 0), batch["reason"]
-            rows = self.ask.ask("GET", f"/batches/{batch_id}/results")["rows"]
+            rows = ask(self.url, "GET", f"/batches/{batch_id}/results")["rows"]
             assert [row["run"] for row in rows] == list(range(RUNS))
             assert {row["status"] for row in rows} == {"ok"}
             _is_right(batch, rows[self.seed % RUNS])
@@ -118,24 +119,24 @@ class Drill:
         assert wanted == set(self.stored), "a result of every run, and none besides"
 
 
-def kill_api(api: Api) -> Victim:
-    """The service itself, its workers left to notice."""
+def kill_program(program: Program) -> Victim:
+    """The program itself, what it started left to notice."""
 
     def kill() -> str | None:
-        if not api.running:
+        if not program.running:
             return None
-        api.kill()
-        return api.name
+        program.kill()
+        return program.name
 
     return kill
 
 
-def kill_worker(api: Api, chance: random.Random) -> Victim:
-    """One of the processes that compute, for batches or for what-ifs."""
+def kill_worker(program: Program, chance: random.Random) -> Victim:
+    """One of the processes that compute for it."""
 
     def kill() -> str | None:
         found = []
-        for child in api.children():
+        for child in program.children():
             try:
                 if "spawn_main" in " ".join(child.cmdline()):
                     found.append(child)
@@ -147,7 +148,7 @@ def kill_worker(api: Api, chance: random.Random) -> Victim:
             chance.choice(found).kill()
         except psutil.NoSuchProcess:
             return None
-        return "worker process"
+        return f"a process of {program.name}"
 
     return kill
 

@@ -3,7 +3,7 @@
 import random
 from pathlib import Path
 
-from tests.faults.crash_drill import Drill, database, kill_api, kill_worker
+from tests.faults.crash_drill import Drill, database, kill_program, kill_worker
 from tests.servers.api import Api
 
 
@@ -14,8 +14,8 @@ def drill_one_machine(folder: Path, kills: int, seed: int) -> None:
         api.wait_until_ready()
         chance = random.Random(seed)  # noqa: S311
         engine = database(f"sqlite:///{folder}/data/ridelab.sqlite")
-        victims = [kill_api(api), kill_worker(api, chance), kill_worker(api, chance)]
-        Drill(ask=api, victims=victims, engine=engine, seed=seed).run(kills, print)
+        victims = [kill_program(api), kill_worker(api, chance), kill_worker(api, chance)]
+        Drill(url=api.url, victims=victims, engine=engine, seed=seed).run(kills, print)
         engine.dispose()
     finally:
         api.end()

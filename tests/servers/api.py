@@ -12,7 +12,7 @@ from tests.servers.process import Program, free_port, wait_until
 
 
 class Api(Program):
-    """One replica; `ask` keeps asking while it is down or full, as a client of a service that restarts would."""
+    """One replica."""
 
     def __init__(self, folder: Path, *, name: str = "api", port: int | None = None, **environment: str) -> None:
         self.port = port or free_port()
@@ -35,14 +35,15 @@ class Api(Program):
         """Wait for it."""
         wait_until(lambda: self.ready, f"{self.name} is ready", 90)
 
-    def ask(self, method: str, path: str, seconds: float = 120, **options: Any) -> Any:
-        """The JSON of an answer with a good status; anything else but a refusal for good is asked again."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            with contextlib.suppress(httpx.TransportError):
-                answer = httpx.request(method, f"{self.url}/api/v1{path}", timeout=30, **options)
-                if answer.is_success:
-                    return answer.json()
-                assert answer.status_code in (429, 503), f"{answer.status_code} {answer.text}"
-            time.sleep(0.2)
-        raise TimeoutError(f"{self.name} did not answer {method} {path}")
+
+def ask(url: str, method: str, path: str, seconds: float = 120, **options: Any) -> Any:
+    """The JSON of an answer with a good status; while the service is down or full it is asked again."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        with contextlib.suppress(httpx.TransportError):
+            answer = httpx.request(method, f"{url}/api/v1{path}", timeout=30, **options)
+            if answer.is_success:
+                return answer.json()
+            assert answer.status_code in (429, 502, 503, 504), f"{answer.status_code} {answer.text}"
+        time.sleep(0.2)
+    raise TimeoutError(f"{url} did not answer {method} {path}")
