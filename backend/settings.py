@@ -10,6 +10,7 @@ from sqlalchemy import make_url
 from sqlalchemy.exc import ArgumentError
 
 PREFIX = "RIDELAB_"
+CLIENTS = {"RIDELAB_SERVER"}  # what the command line reads: whoever has it set may start a service all the same
 MEBIBYTE = 1024 * 1024
 
 
@@ -80,7 +81,9 @@ class Settings(BaseModel):
             SettingsError: A variable's value does not fit, or no setting has its name.
         """
         values: dict[str, object] = {
-            name.removeprefix(PREFIX).lower(): value for name, value in environment.items() if name.startswith(PREFIX)
+            name.removeprefix(PREFIX).lower(): value
+            for name, value in environment.items()
+            if name.startswith(PREFIX) and name not in CLIENTS
         }
         values |= {name: value for name, value in overrides.items() if value is not None}
         try:

@@ -101,6 +101,7 @@ def test_settings_come_from_the_environment_and_the_command_line_wins(tmp_path: 
     settings = Settings.from_environment(environment, data_dir=tmp_path, database_url=None)
     assert (settings.workers, settings.data_dir) == (3, tmp_path)
     assert settings.store_url == f"sqlite:///{tmp_path}/ridelab.sqlite"
+    assert Settings.from_environment({"RIDELAB_SERVER": "http://h"}) == Settings(), "the command line's own variable"
     assert Settings.from_environment({"RIDELAB_DATABASE_URL": "postgresql://h/d"}).store_url == "postgresql://h/d"
 
 
