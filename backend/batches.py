@@ -1,9 +1,10 @@
 """Batches: accepted whole or refused, then followed, cancelled and read while the driver computes them."""
 
 import asyncio
+import contextlib
 import hashlib
 import secrets
-from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterable, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import Any
 
@@ -145,18 +146,9 @@ class Batches:
             ProblemError: 404, or 429 and 503 where too many streams are open.
         """
         await self._stored(batch_id)
-        place = self._admission.streaming(client)
-        place.__enter__()
-
-        async def stream() -> AsyncIterator[bytes]:
-            try:
-                yield f"retry: {RECONNECT}\n\n".encode()
-                async for event in self._follow(batch_id, after):
-                    yield event
-            finally:
-                place.__exit__(None, None, None)
-
-        return stream()
+        stream = self._stream(batch_id, after, client)
+        # The first piece now: a refusal is still an answer of its own, and from here on the stream ends itself.
+        return _with_first(await anext(stream), stream)
 
     async def table(self, batch_id: str, figures: Sequence[str]) -> dict[str, Any]:
         """Every row column by column, with those figures, as `BatchTable`.
@@ -197,6 +189,12 @@ class Batches:
         while rows := await self._store.call(self._store.batches.rows, batch_id, last, PAGE):
             yield rows
             last = rows[-1].position
+
+    async def _stream(self, batch_id: str, after: int, client: str) -> AsyncGenerator[bytes, None]:
+        with self._admission.streaming(client):
+            yield f"retry: {RECONNECT}\n\n".encode()
+            async for event in self._follow(batch_id, after):
+                yield event
 
     async def _follow(self, batch_id: str, after: int) -> AsyncIterator[bytes]:
         clock = asyncio.get_running_loop().time
@@ -254,6 +252,13 @@ class Batches:
             raise ProblemError(
                 503, "The service is full: too many batches are waiting.", kind="full", retry_after=RETRY_AFTER
             )
+
+
+async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncIterator[bytes]:
+    async with contextlib.aclosing(rest):
+        yield first
+        async for piece in rest:
+            yield piece
 
 
 def batch_answer(batch: StoredBatch) -> dict[str, Any]:
