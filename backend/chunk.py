@@ -36,6 +36,7 @@ class Chunk:
         schema_version: Of the base.
         base: The batch's plain scenario.
         runs: What to compute.
+        budget: After so long no further run of it is begun [s].
         timeout: The whole chunk may take so long [s].
     """
 
@@ -44,6 +45,7 @@ class Chunk:
     schema_version: int
     base: Mapping[str, Any]
     runs: Sequence[WaitingRun]
+    budget: float
     timeout: float
 
 
@@ -59,7 +61,7 @@ class Answer:
     """What became of a chunk.
 
     Attributes:
-        computed: Its results; None where it got none.
+        computed: Its results, perhaps of a part only; None where it got none.
         trouble: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
             too long (`timeout`); the worker has another core version (`version`); an unforeseen exception (`bug`).
         detail: More, for the log.

@@ -177,7 +177,7 @@ async def _on_worker(chunk: Chunk) -> Answer:
         return Answer(trouble="version", detail=f"the Dask worker at {worker.address} has core {CORE_VERSION}")
     pool = _pool(worker, chunk.timeout)
     task = asyncio.create_task(
-        pool.call(run_chunk, chunk.base, chunk.schema_version, chunk.runs, ends_with_caller=True)
+        pool.call(run_chunk, chunk.base, chunk.schema_version, chunk.runs, chunk.budget, ends_with_caller=True)
     )
     running = _running.setdefault(chunk.batch_id, set())
     running.add(task)

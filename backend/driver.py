@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
+CHUNK_BUDGET = 2.0  # and is cut short after this, where its runs take longer than those before [s]
 FIRST_CHUNK = 8  # runs at most, while it is not known how long one takes
 FIRST_COST = 2.0  # their estimated cost [s]; an ordinary run takes a small part of its estimate
 LONGEST_CHUNK = 1000  # runs
@@ -227,13 +228,18 @@ class Driver:
             schema_version=progress.batch.schema_version,
             base=progress.batch.scenario,
             runs=runs,
+            budget=CHUNK_BUDGET,
             timeout=self._settings.run_timeout,
         )
         try:
             answer = await cluster.compute(chunk)
             if answer.computed is not None:
-                progress.note(len(runs), sum(run.compute_ms for run in answer.computed) / 1000)
                 await self._commit(progress, answer.computed, {})
+                done = {run.key for run in answer.computed}
+                left = [run for run in runs if run.key not in done]
+                progress.note(len(runs) - len(left), sum(run.compute_ms for run in answer.computed) / 1000)
+                if left:
+                    progress.returned.append(left)
             else:
                 await self._cope(progress, runs, answer)
         except ClusterLostError as error:

@@ -81,13 +81,21 @@ def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> di
     return {strategy: _run_one(scenario, strategy, points) for strategy in strategies}
 
 
-def run_chunk(base: Mapping[str, Any], schema_version: int, runs: Sequence[WaitingRun]) -> list[ComputedRun]:
-    """Simulate them in order; runs of one point lie side by side and share its scenario, equal ones their result."""
+def run_chunk(
+    base: Mapping[str, Any], schema_version: int, runs: Sequence[WaitingRun], budget: float
+) -> list[ComputedRun]:
+    """Simulate them in order, the first in any case, and begin no further one after `budget` [s].
+
+    Runs of one point lie side by side and share its scenario, equal ones their result.
+    """
+    end = time.perf_counter() + budget
     computed: dict[str, ComputedRun] = {}
     changes, scenario = None, None
     for run in runs:
         if run.key in computed:
             continue
+        if computed and time.perf_counter() > end:
+            break
         if scenario is None or run.changes != changes:
             changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version)
         begin = time.perf_counter()

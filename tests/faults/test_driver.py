@@ -164,6 +164,17 @@ def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs
     assert Misbehaving.starts == 3
 
 
+def test_a_chunk_cut_short_is_finished_later(tmp_path: Path) -> None:
+    def short(chunk: Chunk) -> Answer:
+        whole = answered(chunk).computed
+        assert whole is not None
+        return Answer(computed=whole[:3])
+
+    rows = drive(tmp_path, short)
+    assert {row.status for row in rows} == {"ok"}
+    assert max(len(chunk.runs) for chunk in Misbehaving.chunks) > 3
+
+
 def test_results_wait_for_a_database_that_is_away(tmp_path: Path) -> None:
     fails = threading.Semaphore(6)
 

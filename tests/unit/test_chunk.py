@@ -1,0 +1,63 @@
+"""A batch's chunk in the process that computes it."""
+
+import json
+import pickle
+from typing import Any
+
+import pytest
+
+from backend import worker
+from backend.chunk import WaitingRun
+from backend.plan import plan
+from backend.sweeps import Sweep, SweepError, points
+from sim_core.errors import UnstableVehicleError
+from sim_core.scenario import Scenario
+
+BASE = Scenario().model_dump(mode="json")
+
+
+def waiting(*heights: float, strategy: str = "passive") -> list[WaitingRun]:
+    changes = [json.dumps({"road.bump.height": height}) for height in heights]
+    return [
+        WaitingRun(position=number, changes=text, strategy=strategy, key=text) for number, text in enumerate(changes)
+    ]
+
+
+def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
+    computed = worker.run_chunk(BASE, 1, waiting(0.05, 0.05, 0.08), 60)
+    assert [run.key for run in computed] == [waiting(0.05)[0].key, waiting(0.08)[0].key]
+    peaks = [json.loads(run.summary)["metrics"]["bump"]["body_acceleration"]["peak"] for run in computed]
+    assert peaks[1] == pytest.approx(1.6 * peaks[0], rel=0.2), "the passive car is linear, the road adds a little"
+
+
+def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
+    assert len(worker.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), 0)) == 1
+
+
+def test_what_the_core_refuses_is_a_result_with_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: Any) -> None:
+        raise UnstableVehicleError("The passive car has no stationary response")
+
+    monkeypatch.setattr(worker, "simulate", refuse)
+    (run,) = worker.run_chunk(BASE, 1, waiting(0.05), 60)
+    assert run.status == "failed"
+    assert json.loads(run.summary) == {"reason": "The passive car has no stationary response"}
+
+
+def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
+    with pytest.raises(SweepError) as caught:
+        plan(BASE, ["lv"], Sweep.model_validate({"grid": {"road.bmp": [1], "road.seed": [-1]}}))
+    again = pickle.loads(pickle.dumps(caught.value))  # noqa: S301 - our own
+    assert again.errors == caught.value.errors
+    assert [path for path, _ in again.errors] == [["grid", "road.bmp"], ["grid", "road.seed", 0]]
+
+
+def test_a_hypercubes_points_are_those_of_its_seed_for_ever() -> None:
+    """They are kept with a batch, but a script that sends the same sweep again expects the same points."""
+    ranges = {"road.bump.height": [0.0, 0.2], "mpc.prediction_horizon": [20, 40]}
+    sweep = {"latin_hypercube": {"ranges": ranges, "samples": 2, "seed": 7}}
+    _, found = points(Sweep.model_validate(sweep), BASE)
+    assert found == points(Sweep.model_validate(sweep), BASE)[1]
+    assert {type(point["mpc.prediction_horizon"]) for point in found} == {int}
+    other = {"latin_hypercube": {**sweep["latin_hypercube"], "seed": 8}}
+    assert found != points(Sweep.model_validate(other), BASE)[1]
