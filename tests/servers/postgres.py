@@ -53,7 +53,7 @@ class Postgres:
         if self.running:
             return
         options = [f"-c{name}={value}" for name, value in SETTINGS.items()]
-        command = [_program("postgres"), "-D", str(self.folder / "data"), "-h127.0.0.1", f"-p{self.port}", *options]
+        command = [program("postgres"), "-D", str(self.folder / "data"), "-h127.0.0.1", f"-p{self.port}", *options]
         with (self.folder / "log").open("ab") as log:
             self._process = subprocess.Popen(command, cwd=self.folder, stdout=log, stderr=log, **self._as_user)
         end = time.monotonic() + seconds
@@ -124,7 +124,7 @@ class Postgres:
         secret.write_text(PASSWORD)
         secret.chmod(0o644)
         options = [f"--username={USER}", f"--pwfile={secret}", "--auth=scram-sha-256", "--encoding=UTF8", "--locale=C"]
-        command = [_program("initdb"), f"--pgdata={self.folder / 'data'}", "--no-sync", *options]
+        command = [program("initdb"), f"--pgdata={self.folder / 'data'}", "--no-sync", *options]
         done = subprocess.run(
             command, cwd=self.folder, capture_output=True, text=True, timeout=120, check=False, **self._as_user
         )
@@ -132,6 +132,6 @@ class Postgres:
             raise RuntimeError(f"initdb failed:\n{done.stdout}{done.stderr}")
 
 
-def _program(name: str) -> str:
-    folders = sorted(Path("/usr/lib/postgresql").glob("*/bin"), reverse=True)
-    return find(name, package="postgresql", folders=folders)
+def program(name: str) -> str:
+    """The path of one of PostgreSQL's programs."""
+    return find(name, package="postgresql", folders="usr/lib/postgresql/*/bin")

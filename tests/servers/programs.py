@@ -4,15 +4,19 @@ import os
 import pwd
 import shutil
 import subprocess
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 
-def find(name: str, *, package: str, folders: Iterable[Path] = ()) -> str:
+def find(name: str, *, package: str, folders: str = "") -> str:
     """The program's path; installs its Debian package where that is possible and it is missing.
+
+    Args:
+        name: Of the program.
+        package: What to install.
+        folders: A pattern of folders, from the root, to look into before PATH.
 
     Raises:
         pytest.fail.Exception: There is none and none could be installed; says how to get one.
@@ -20,9 +24,10 @@ def find(name: str, *, package: str, folders: Iterable[Path] = ()) -> str:
     for attempt in ("installed", "packaged"):
         if attempt == "packaged" and not _install(package):
             break
-        path = os.pathsep.join([os.environ.get("PATH", ""), "/usr/sbin", *map(str, folders)])
+        found_folders = sorted(map(str, Path("/").glob(folders)), reverse=True) if folders else []
+        path = os.pathsep.join([*found_folders, os.environ.get("PATH", ""), "/usr/sbin"])
         if found := shutil.which(name, path=path):
-            return str(Path(found).resolve())
+            return found
     pytest.fail(f"These tests need the program {name}. Install it: apt-get install {package}")
 
 

@@ -1,0 +1,75 @@
+"""docs/operations.md names every setting with its default, every variable of the proxy, and every metric."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from prometheus_client.core import Metric
+from pydantic_core import PydanticUndefined
+
+from backend.settings import Settings
+from backend.telemetry import service_registry
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "docs/operations.md").read_text()
+
+
+def rows(prefix: str) -> dict[str, str]:
+    """Variable and default of every table row whose first cell begins so."""
+    return dict(re.findall(rf"^\| `({prefix}\w+)` \| ([^|]+?) \|", TEXT, re.MULTILINE))
+
+
+def test_the_settings_are_all_there_and_no_others() -> None:
+    assert list(rows("RIDELAB_")) == sorted(rows("RIDELAB_"), key=list(variables()).index)
+    assert set(rows("RIDELAB_")) == set(variables())
+
+
+def variables() -> dict[str, object]:
+    """Each variable with its default, undefined where it is computed."""
+    return {f"RIDELAB_{name.upper()}": field.default for name, field in Settings.model_fields.items()}
+
+
+@pytest.mark.parametrize(("name", "default"), variables().items(), ids=variables().keys())
+def test_a_default_is_the_one_in_the_code(name: str, default: object) -> None:
+    written = rows("RIDELAB_")[name].strip("`")
+    if isinstance(default, bool | int | float):
+        assert float(written) == default
+    elif isinstance(default, Path):
+        assert Path.cwd().joinpath(default).as_posix().endswith(written)
+    elif default in (None, ""):
+        assert written == "none" or name == "RIDELAB_LOG_FORMAT"
+    elif default is PydanticUndefined:
+        assert "cores" in written
+    else:
+        assert written == default
+
+
+def test_the_proxy_is_told_what_it_reads() -> None:
+    configuration = (ROOT / "backend/deploy/haproxy.cfg").read_text()
+    with_defaults = re.findall(r"\$\{?(PROXY_\w+)(?:-([^}\"]*)\})?", configuration)
+    read = {name: next((d for n, d in with_defaults if n == name and d), "none") for name, _ in with_defaults}
+    assert {name: value.strip("`") for name, value in rows("PROXY_").items()} == read
+
+
+class Idle:
+    """Workers and admission with nothing to do."""
+
+    load: Any = dict.fromkeys(("busy", "idle", "waiting", "cost", "requests", "streams", "bodies"), 0)
+
+
+def test_the_metrics_are_all_there_and_no_others() -> None:
+    def name(metric: Metric) -> str:
+        return f"{metric.name}_total" if metric.type == "counter" else metric.name
+
+    exported = {name(metric) for metric in service_registry(Idle(), Idle()).collect()}
+    documented = set(re.findall(r"`(ridelab_\w+)`", TEXT))
+    assert documented == {name for name in exported if name.startswith("ridelab_")}
+
+
+def test_the_secrets_script_does_what_the_page_says_by_hand() -> None:
+    """The same three calls of openssl, names apart."""
+    script = (ROOT / "backend/deploy/secrets.sh").read_text()
+    for text in (script, TEXT):
+        for words in ("openssl req -x509", "openssl x509 -req", "ec_paramgen_curve:prime256v1", "-CAcreateserial"):
+            assert words in text
