@@ -2,7 +2,7 @@
 
 import { NativeSelect, Select, Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
-import { useEffect, useEffectEvent, useMemo, useRef } from "react";
+import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
 import type { Batch, Strategy } from "../api/types";
 import { PALETTES } from "../plots/palettes";
 import type { PlotElement } from "../plots/plotly";
@@ -11,6 +11,7 @@ import shell from "../shell/shell.module.css";
 import { StrategyKey } from "../tables/StrategyKey";
 import { formatWithUnit, prettyUnit } from "../units/format";
 import classes from "./batch.module.css";
+import { DotLayer } from "./DotLayer";
 import { fullName, type Figure } from "./figures";
 import { scatterFigure } from "./scatter";
 import { cell, pointsOf, type Columns } from "./table";
@@ -31,7 +32,7 @@ interface Props {
 }
 
 const HEIGHT = 380;
-const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset" } as const;
+const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
 export function BatchPlot({ batch, columns, strategies, figures, x, y, view, best, onView, onOpen }: Props) {
   const plotly = usePlotly();
@@ -42,12 +43,19 @@ export function BatchPlot({ batch, columns, strategies, figures, x, y, view, bes
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
   const figure = useMemo(() => {
     const points = pointsOf(columns, visible.map(({ id }) => id), x.name, y.key, y.scale);
-    return scatterFigure({ points, strategies: visible, x, y, best, joined: batch.fields.length === 1, palette });
-  }, [columns, visible, x, y, best, batch.fields.length, palette]);
+    return scatterFigure({ points, strategies, x, y, best, joined: batch.fields.length === 1, palette });
+  }, [columns, strategies, visible, x, y, best, batch.fields.length, palette]);
 
+  const [drawing, setDrawing] = useState(0);
   useEffect(() => {
-    if (!plotly || !host.current || width === 0) return;
-    void plotly.react(host.current, figure.data, { ...figure.layout, width, height: HEIGHT }, CONFIG);
+    if (!plotly || !host.current || width === 0) return undefined;
+    let wanted = true;
+    void plotly.react(host.current, figure.data, { ...figure.layout, width, height: HEIGHT }, CONFIG).then(() => {
+      if (wanted) setDrawing((before) => before + 1);
+    });
+    return () => {
+      wanted = false;
+    };
   }, [plotly, figure, width]);
 
   const openRow = useEffectEvent((row: number) => onOpen(row));
@@ -109,6 +117,7 @@ export function BatchPlot({ batch, columns, strategies, figures, x, y, view, bes
       </div>
       <div ref={ref} className={classes.plot} style={{ height: HEIGHT }}>
         <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
+        <DotLayer {...{ host, drawing, width, onOpen }} dots={figure.dots} height={HEIGHT} units={[x.unit, y.unit]} />
         {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length)}</Text>}
       </div>
       <Text size="xs" className={classes.best}>
@@ -138,5 +147,5 @@ function describeBest(row: number, { batch, columns, strategies, y }: Pick<Props
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "";
   const place = batch.fields.map((field) => `${field.title} ${showCell(cell(columns, field.name, row), field.unit)}`).join(", ");
   const value = Number(cell(columns, y.key, row)) * y.scale;
-  return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${place} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run.`;
+  return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${place} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run; drag to zoom, double click for all.`;
 }

@@ -24,7 +24,6 @@ interface Props {
 }
 
 const PAGE = 50;
-const STATUS: Readonly<Record<string, string>> = { waiting: "waiting", cancelled: "cancelled", failed: "failed" };
 
 export function BatchRows({ batch, columns, strategies, figures, best, loading, opening, onOpen }: Props) {
   const [order, setOrder] = useState<Order>({ column: "run", descending: false });
@@ -170,8 +169,10 @@ function Row({ row, batch, columns, strategies, figures, isBest, isOpening, onOp
         figures.map(({ key, scale }) => <td key={key}>{showFigure(cell(columns, key, row), scale)}</td>)
       ) : (
         <td colSpan={figures.length} data-left className={status === "failed" ? classes.failed : classes.waiting}>
-          {STATUS[status] ?? status}
-          {typeof reason === "string" && `: ${reason}`}
+          <span className={classes.reason}>
+            {status}
+            {typeof reason === "string" && `: ${reason}`}
+          </span>
         </td>
       )}
     </tr>

@@ -10,7 +10,7 @@ import { getAt } from "../editor/path";
 import { humanise, type Group } from "../editor/schema";
 import { sweepFields } from "../sweep/fields";
 import { formatDuration, formatMinute } from "../units/dates";
-import { count, formatExact } from "../units/format";
+import { count, formatExact, formatWhole } from "../units/format";
 import classes from "./batch.module.css";
 import { batchQuery } from "./useBatch";
 
@@ -48,10 +48,10 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
           {batch.reason !== null && `: ${batch.reason}`}
         </Text>
         <Text size="sm" className={classes.counts} data-testid="batch-counts">
-          {count(finished, "run")} of {batch.total} finished
+          {formatWhole(finished)} of {count(batch.total, "run")} finished
           {batch.failed > 0 && (
             <span className={classes.failed}>
-              , {batch.failed} failed
+              , {formatWhole(batch.failed)} failed
             </span>
           )}
           {left !== null && !ended && ` · about ${formatDuration(left)} left`}

@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { nearest, place } from "./dots";
 import { secondsLeft, withMark, type Mark } from "./pace";
+import { MANY, scatterFigure } from "./scatter";
 import { lowest, ordered, pointsOf, rowsOf, scenarioOf, type Columns } from "./table";
 
 const COLUMNS: Columns = {
@@ -41,6 +43,53 @@ describe("rows", () => {
       { strategy: "passive", rows: [3, 1], x: [0.05, 0.1], y: [31, 62] },
       { strategy: "lv", rows: [0], x: [0.1], y: [9] },
     ]);
+  });
+});
+
+describe("a plot of many points", () => {
+  const strategies = [
+    { id: "lv", label: "LV control", description: "", colour: "#00f", dash: "solid", reads: [] },
+    { id: "passive", label: "Passive", description: "", colour: "#555", dash: "dot", reads: [] },
+  ];
+  const x = { name: "road.bump.height", title: "Height", unit: "m" };
+  const y = { key: "peak", label: "Body acceleration", group: "Peak, bump", unit: "m/s^2", scale: 1 };
+  const palette = { text: "#000", grid: "#ccc", zero: "#999" };
+  const points = (count: number) => {
+    const list = Array.from({ length: count }, (_, index) => index + 1);
+    return [{ strategy: "lv", rows: list, x: list.map((value) => value / count), y: list.map((value) => (value * 7) % 11) }];
+  };
+  const figure = (count: number) => scatterFigure({ points: points(count), strategies, x, y, best: 11, joined: false, palette });
+
+  it("is plotly's own while there are few", () => {
+    const { data, dots, count } = figure(100);
+    expect([count, dots.length, data.map(({ x: xs }) => xs.length)]).toEqual([100, 0, [100, 1]]);
+  });
+
+  it("leaves plotly the axes alone, which span every point", () => {
+    const { data, dots, count } = figure(MANY + 1);
+    expect([count, dots.map(({ rows }) => rows.length)]).toEqual([MANY + 1, [MANY + 1]]);
+    const [frame] = data;
+    expect([Math.min(...(frame?.x ?? []).map(Number)), Math.max(...(frame?.x ?? []).map(Number))]).toEqual([1 / (MANY + 1), 1]);
+    expect([Math.min(...(frame?.y ?? [])), Math.max(...(frame?.y ?? []))]).toEqual([0, 10]);
+  });
+
+  it("has decades for a field that spans them, and names for choices", () => {
+    const decades = [{ strategy: "lv", rows: [0, 1], x: [1e-6, 1e-3], y: [1, 2] }];
+    const names = [{ strategy: "lv", rows: [0, 1], x: ["cosine", "flat_top"], y: [1, 2] }];
+    const made = (list: typeof decades | typeof names) => scatterFigure({ points: list, strategies, x, y, best: null, joined: false, palette });
+    expect(made(decades).layout.xaxis).toMatchObject({ type: "log" });
+    expect(made(names).data[0]?.x).toEqual(["Cosine", "Flat top"]);
+  });
+
+  it("finds the point under the pointer, where it is in sight", () => {
+    const axis = (_offset: number) => ({ _offset, _length: 100, d2p: (value: number | string) => Number(value) * 10 });
+    const axes = { xaxis: axis(50), yaxis: axis(0) };
+    const { dots } = figure(MANY + 1);
+    const placed = place(dots.map((each) => ({ ...each, rows: [7, 8, 9], x: [1, 2, 20], y: [1, 1, 1] })), axes);
+    expect([...(placed[0]?.x ?? [])]).toEqual([60, 70, 250]);
+    expect(nearest(placed, axes, 68, 12, 12)?.index).toBe(1);
+    expect(nearest(placed, axes, 68, 40, 12)).toBeNull();
+    expect(nearest(placed, axes, 250, 10, 12)).toBeNull(); // zoomed out of sight
   });
 });
 

@@ -67,8 +67,11 @@ export interface Plotly {
 
 /** An element plotly has drawn in. */
 export interface PlotElement extends HTMLElement {
-  readonly on: (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void) => void;
-  readonly removeAllListeners: (event: "plotly_click") => void;
+  readonly on: {
+    (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void): void;
+    (event: "plotly_relayout", handler: () => void): void;
+  };
+  readonly removeAllListeners: (event: "plotly_click" | "plotly_relayout") => void;
 }
 
 let loading: Promise<Plotly> | null = null;

@@ -5,11 +5,13 @@ import { useDisclosure, useMediaQuery } from "@mantine/hooks";
 import { IconAdjustmentsHorizontal } from "@tabler/icons-react";
 import { Editor } from "../editor/Editor";
 import type { Group } from "../editor/schema";
+import { useReadOnly } from "../state/context";
 import { EditorLoading } from "./Blank";
 import classes from "./shell.module.css";
 
 export function EditorPane({ form }: { readonly form: Group | undefined }) {
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
+  const readOnly = useReadOnly();
   const [opened, { open, close }] = useDisclosure(false);
   const content = form ? <Editor form={form} /> : <EditorLoading />;
   if (!narrow) {
@@ -22,7 +24,7 @@ export function EditorPane({ form }: { readonly form: Group | undefined }) {
   return (
     <>
       <Button className={classes.editButton ?? ""} leftSection={<IconAdjustmentsHorizontal size={18} />} onClick={open}>
-        Edit scenario
+        {readOnly ? "Scenario" : "Edit scenario"}
       </Button>
       <Drawer
         opened={opened}

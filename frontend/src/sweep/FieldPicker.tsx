@@ -1,6 +1,7 @@
 /** Finds a field of the scenario by its title or its dotted name. */
 
 import { Select } from "@mantine/core";
+import { useState } from "react";
 import { prettyUnit } from "../units/format";
 import type { SweepField } from "./fields";
 import classes from "./sweep.module.css";
@@ -13,6 +14,7 @@ interface Props {
 }
 
 export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
+  const [search, setSearch] = useState("");
   const offered = fields.filter(({ leaf }) => !numbersOnly || leaf.kind === "number");
   const sections = [...new Set(offered.map(({ section }) => section))];
   return (
@@ -22,6 +24,8 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
       placeholder="Height, road.bump.height, spring…"
       searchable
       value={null}
+      searchValue={search}
+      onSearchChange={setSearch}
       error={error}
       nothingFoundMessage="No field of that name"
       maxDropdownHeight={280}
@@ -36,7 +40,9 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
       }}
       onChange={(name) => {
         const field = offered.find((candidate) => candidate.name === name);
-        if (field) onPick(field);
+        if (!field) return;
+        setSearch("");
+        onPick(field);
       }}
     />
   );

@@ -45,17 +45,21 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
       <Text size="sm" c="dimmed">
         Runs many variants of the scenario in the form, each under every strategy chosen here. What is not swept stays as it is.
       </Text>
-      <SegmentedControl
-        size="xs"
-        aria-label="How values are combined"
-        value={draft.method}
-        data={[
-          { value: "grid" satisfies Method, label: "Grid: every combination" },
-          { value: "hypercube" satisfies Method, label: "Latin hypercube: random, evenly spread" },
-        ]}
-        className={classes.method ?? ""}
-        onChange={(method) => patch({ method })}
-      />
+      <Group gap="sm">
+        <SegmentedControl
+          size="xs"
+          aria-label="How values are combined"
+          value={draft.method}
+          data={[
+            { value: "grid" satisfies Method, label: "Grid" },
+            { value: "hypercube" satisfies Method, label: "Latin hypercube" },
+          ]}
+          onChange={(method) => patch({ method })}
+        />
+        <Text size="xs" c="dimmed">
+          {draft.method === "grid" ? "Every combination of the values." : "Random points, evenly spread over the ranges."}
+        </Text>
+      </Group>
       <div className={classes.fields}>
         {draft.fields.map((each) => (
           <SweptFieldRow
@@ -77,7 +81,7 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
       {draft.method === "hypercube" && (
         <Group gap="md" align="flex-start">
           <TextInput size="xs" w={120} label="Samples" inputMode="numeric" value={draft.samples} error={errors.samples} onChange={(event) => patch({ samples: event.currentTarget.value })} />
-          <TextInput size="xs" w={120} label="Seed" description="" inputMode="numeric" value={draft.seed} error={errors.seed} onChange={(event) => patch({ seed: event.currentTarget.value })} />
+          <TextInput size="xs" w={120} label="Seed" inputMode="numeric" value={draft.seed} error={errors.seed} onChange={(event) => patch({ seed: event.currentTarget.value })} />
         </Group>
       )}
       <Checkbox.Group label="Strategies" size="xs" value={[...draft.strategies]} error={errors.strategies} onChange={(ids) => patch({ strategies: strategies.map(({ id }) => id).filter((id) => ids.includes(id)) })}>

@@ -72,10 +72,15 @@ export function formatExact(value: number, unit: string): string {
   return shown === "" ? number : `${number}\u00a0${shown}`;
 }
 
+/** A whole number: `1200`, `12 345`. */
+export function formatWhole(number: number): string {
+  const text = String(number);
+  return text.length > 4 ? grouped(text) : text;
+}
+
 /** `1 run`, `12 345 runs`. */
 export function count(number: number, one: string, several = `${one}s`): string {
-  const text = String(number);
-  return `${text.length > 4 ? grouped(text) : text} ${number === 1 ? one : several}`;
+  return `${formatWhole(number)} ${number === 1 ? one : several}`;
 }
 
 export function formatWithUnit(value: number, unit: string, digits = 3): string {

@@ -1,0 +1,100 @@
+/** The canvas of a sweep with many runs, and what it says of the point under the pointer. */
+
+import { useEffect, useEffectEvent, useRef, useState, type RefObject } from "react";
+import type { PlotElement } from "../plots/plotly";
+import { formatNumber, prettyUnit } from "../units/format";
+import classes from "./batch.module.css";
+import { clearDots, drawDots, nearest, place, type Axes, type Hit, type Placed } from "./dots";
+import type { Dots } from "./scatter";
+
+interface Props {
+  /** Where plotly has drawn the axes. */
+  readonly host: RefObject<HTMLDivElement | null>;
+  /** Counts plotly's drawings: a new one means new axes. */
+  readonly drawing: number;
+  readonly dots: readonly Dots[];
+  readonly width: number;
+  readonly height: number;
+  readonly units: readonly [string, string];
+  readonly onOpen: (row: number) => void;
+}
+
+const REACH_PX = 12;
+/** Further is a drag, which zooms. */
+const CLICK_PX = 4;
+
+export function DotLayer({ host, drawing, dots, width, height, units, onOpen }: Props) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const drawn = useRef<{ readonly placed: readonly Placed[]; readonly axes: Axes } | null>(null);
+  const [hit, setHit] = useState<Hit | null>(null);
+
+  useEffect(() => {
+    const element = host.current as (PlotElement & { readonly _fullLayout?: Axes }) | null;
+    if (!element?._fullLayout || !canvas.current) return undefined;
+    const paint = () => {
+      const axes = element._fullLayout;
+      if (!axes || !canvas.current) return;
+      setHit(null);
+      if (dots.length === 0) {
+        drawn.current = null;
+        clearDots(canvas.current);
+        return;
+      }
+      const placed = place(dots, axes);
+      drawn.current = { placed, axes };
+      drawDots(canvas.current, placed, axes, width, height);
+    };
+    paint();
+    element.on("plotly_relayout", paint);
+    return () => element.removeAllListeners("plotly_relayout");
+  }, [host, drawing, dots, width, height]);
+
+  const open = useEffectEvent((row: number) => onOpen(row));
+  useEffect(() => {
+    const element = host.current;
+    if (!element) return undefined;
+    let pressed: readonly [number, number] | null = null;
+    const find = (event: PointerEvent) => {
+      const box = element.getBoundingClientRect();
+      return drawn.current && nearest(drawn.current.placed, drawn.current.axes, event.clientX - box.left, event.clientY - box.top, REACH_PX);
+    };
+    const move = (event: PointerEvent) => setHit(event.buttons === 0 ? find(event) : null);
+    const leave = () => setHit(null);
+    const press = (event: PointerEvent) => {
+      pressed = event.button === 0 ? [event.clientX, event.clientY] : null;
+    };
+    // On the window: plotly covers the page while a button is down.
+    const release = (event: PointerEvent) => {
+      const near = pressed !== null && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < CLICK_PX;
+      pressed = null;
+      const row = near ? find(event) : null;
+      if (row) open(row.dots.rows[row.index] ?? 0);
+    };
+    element.addEventListener("pointermove", move);
+    element.addEventListener("pointerleave", leave);
+    element.addEventListener("pointerdown", press, true);
+    window.addEventListener("pointerup", release, true);
+    return () => {
+      element.removeEventListener("pointermove", move);
+      element.removeEventListener("pointerleave", leave);
+      element.removeEventListener("pointerdown", press, true);
+      window.removeEventListener("pointerup", release, true);
+    };
+  }, [host]);
+
+  const x = hit?.dots.x[hit.index];
+  const y = hit?.dots.y[hit.index];
+  return (
+    <>
+      <canvas ref={canvas} className={classes.dots} aria-hidden />
+      {hit && (
+        <div className={classes.tip} data-left={hit.x > width / 2 || undefined} style={{ left: hit.x, top: hit.y }} aria-hidden>
+          <span className={classes.tipRing} style={{ borderColor: hit.dots.colour }} />
+          <span className={classes.tipText}>
+            {typeof x === "number" ? `${formatNumber(x, 4)} ${prettyUnit(units[0])}` : x}, {formatNumber(y ?? NaN, 4)} {prettyUnit(units[1])} · {hit.dots.label}
+          </span>
+        </div>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,103 @@
+/** Many points on a canvas over plotly's axes: drawn at once, found by where the pointer is. */
+
+import type { Dots } from "./scatter";
+
+/** The part of plotly's axis that says where a value lies; its own code calls these on every figure. */
+export interface DrawnAxis {
+  /** [px] from the figure's edge. */
+  readonly _offset: number;
+  readonly _length: number;
+  readonly d2p: (value: number | string) => number;
+}
+
+export interface Axes {
+  readonly xaxis: DrawnAxis;
+  readonly yaxis: DrawnAxis;
+}
+
+export interface Placed {
+  readonly dots: Dots;
+  /** [px] from the figure's corner. */
+  readonly x: Float32Array;
+  readonly y: Float32Array;
+}
+
+export interface Hit {
+  readonly dots: Dots;
+  readonly index: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+const HALF = 2.5;
+
+export function place(all: readonly Dots[], { xaxis, yaxis }: Axes): readonly Placed[] {
+  return all.map((dots) => ({
+    dots,
+    x: Float32Array.from(dots.x, (value) => xaxis._offset + xaxis.d2p(value)),
+    y: Float32Array.from(dots.y, (value) => yaxis._offset + yaxis.d2p(value)),
+  }));
+}
+
+const inside = ({ xaxis, yaxis }: Axes, x: number, y: number) =>
+  x >= xaxis._offset && x <= xaxis._offset + xaxis._length && y >= yaxis._offset && y <= yaxis._offset + yaxis._length;
+
+/** The nearest point within reach that is in sight; of points one upon the other, the one drawn last. */
+export function nearest(placed: readonly Placed[], axes: Axes, x: number, y: number, reach: number): Hit | null {
+  let found: Hit | null = null;
+  let least = reach * reach;
+  for (const { dots, x: xs, y: ys } of placed) {
+    for (let index = 0; index < xs.length; index++) {
+      const [atX = NaN, atY = NaN] = [xs[index], ys[index]];
+      const distance = (atX - x) ** 2 + (atY - y) ** 2;
+      if (distance > least || !inside(axes, atX, atY)) continue;
+      least = distance;
+      found = { dots, index, x: atX, y: atY };
+    }
+  }
+  return found;
+}
+
+/** One symbol, drawn once and then copied. */
+function stamp({ colour, symbol }: Dots, ratio: number): HTMLCanvasElement {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = Math.ceil((2 * HALF + 2) * ratio);
+  const context = canvas.getContext("2d");
+  if (!context) return canvas;
+  context.scale(ratio, ratio);
+  context.translate(HALF + 1, HALF + 1);
+  context.fillStyle = colour;
+  context.globalAlpha = 0.75;
+  context.beginPath();
+  if (symbol === "circle") context.arc(0, 0, HALF, 0, 2 * Math.PI);
+  else if (symbol === "square") context.rect(-HALF, -HALF, 2 * HALF, 2 * HALF);
+  else {
+    const corners = symbol === "triangle-up" ? 3 : 4;
+    for (let corner = 0; corner < corners; corner++) {
+      const angle = (2 * Math.PI * corner) / corners - Math.PI / 2;
+      context.lineTo(1.25 * HALF * Math.cos(angle), 1.25 * HALF * Math.sin(angle));
+    }
+  }
+  context.fill();
+  return canvas;
+}
+
+export function clearDots(canvas: HTMLCanvasElement): void {
+  canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
+}
+
+export function drawDots(canvas: HTMLCanvasElement, placed: readonly Placed[], { xaxis, yaxis }: Axes, width: number, height: number): void {
+  const ratio = window.devicePixelRatio;
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(height * ratio);
+  const context = canvas.getContext("2d");
+  if (!context) return;
+  context.beginPath();
+  context.rect(xaxis._offset * ratio, yaxis._offset * ratio, xaxis._length * ratio, yaxis._length * ratio);
+  context.clip();
+  for (const { dots, x, y } of placed) {
+    const image = stamp(dots, ratio);
+    const shift = image.width / 2;
+    for (let index = 0; index < x.length; index++) context.drawImage(image, (x[index] ?? 0) * ratio - shift, (y[index] ?? 0) * ratio - shift);
+  }
+}
