@@ -40,7 +40,7 @@ def main(arguments: list[str] | None = None) -> int:
         settings = Settings.from_environment(os.environ, data_dir=options.data_dir)
         settings.data_dir.mkdir(parents=True, exist_ok=True)
         app = create_app(settings)
-        listener = _listen(options.host, options.port)
+        listener = listen(options.host, options.port)
     except (SettingsError, SQLAlchemyError, ImportError, OSError) as error:
         print(f"Ridelab does not start: {error}", file=sys.stderr)
         return 2
@@ -48,7 +48,7 @@ def main(arguments: list[str] | None = None) -> int:
     return _serve(app, settings, listener, options.host)
 
 
-def _listen(host: str, port: int) -> socket.socket:
+def listen(host: str, port: int) -> socket.socket:
     """A bound socket: taken before anything else starts, so that a port in use is said at once."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     # IPPROTO_TCP, or asyncio does not recognise TCP, leaves Nagle's algorithm on, and each answer takes 40 ms more.

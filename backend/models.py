@@ -52,6 +52,12 @@ Points = Annotated[int, Field(ge=2, le=MAX_POINTS, description="About how many s
 class RunRequest(RequestModel):
     """What to run; an omitted part of the scenario takes the paper's default."""
 
+    model_config = ConfigDict(
+        json_schema_extra={
+            "examples": [{"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "lqr", "passive"]}]
+        }
+    )
+
     scenario: Scenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
 
@@ -258,7 +264,7 @@ class Readiness(Answer):
     workers: bool
 
 
-class ProblemPlace(Answer):
+class ProblemPlace(BaseModel):
     """One value that cannot be used: a JSON pointer into the body, or a query parameter's name."""
 
     message: str

@@ -3,7 +3,7 @@
 from datetime import datetime
 from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store.batches import State
@@ -13,6 +13,19 @@ from sim_core.scenario import Scenario
 
 class BatchRequest(RequestModel):
     """What to run: each point of the sweep under each strategy."""
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "examples": [
+                {"strategies": ["lv", "passive"], "sweep": {"grid": {"road.bump.height": [0.05, 0.1]}}},
+                {
+                    "strategies": ["lqr"],
+                    "sweep": {"latin_hypercube": {"ranges": {"speed.target_speed_kmh": [20, 40]}, "samples": 3}},
+                },
+                {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 2}, {"road.seed": 3}]}, "dry_run": True},
+            ]
+        }
+    )
 
     scenario: Scenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
@@ -75,6 +88,8 @@ class BatchTable(Answer):
 
 class BatchRow(Answer):
     """A run of a batch; further members are the swept fields by name and, of a run with status ok, its figures."""
+
+    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
 
     run: int
     strategy: str

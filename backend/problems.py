@@ -101,12 +101,18 @@ def register(app: FastAPI) -> None:
     app.add_exception_handler(WorkerTimeoutError, _slow)
 
 
-async def _http(_: Request, error: Exception) -> Response:
+async def _http(request: Request, error: Exception) -> Response:
     error = cast(HTTPException, error)
     if isinstance(error, ProblemError):
         return problem(error.status_code, error.detail, kind=error.kind, errors=error.errors, headers=error.headers)
     # The framework's own: its text might hold the path or a value, so ours is sent.
-    return problem(error.status_code, headers=error.headers)
+    headers = dict(error.headers or {})
+    if error.status_code == 405:
+        # It names the methods of one route, and an address may have several.
+        described = request.app.openapi()["paths"].get(getattr(request.scope.get("route"), "path", None), {})
+        known = {name.strip() for name in headers.get("allow", headers.get("Allow", "")).split(",") if name}
+        headers = {"Allow": ", ".join(sorted(known | {method.upper() for method in described}))}
+    return problem(error.status_code, headers=headers)
 
 
 async def _invalid(request: Request, error: Exception) -> Response:

@@ -15,6 +15,16 @@ from backend.routes.deps import IMMUTABLE, Client, json_answer
 from backend.routes.runs import MEDIA_TYPES
 from backend.store.batches import FINAL
 
+EVENT = {  # each one of the stream
+    "type": "object",
+    "properties": {
+        "id": {"type": "string"},
+        "event": {"enum": ["state", "progress"]},
+        "data": {"type": "string", "description": "JSON: state, done, failed, total"},
+    },
+    "required": ["id", "event", "data"],
+}
+
 submitting = router("batches", 400, 409, 413, 415, 422, 429, 503)
 batches = router("batches", 404, 422, 503)
 
@@ -83,7 +93,7 @@ async def cancel_batch(batch_id: BatchId, service: BatchesService) -> Response:
     "/batches/{id}/events",
     operation_id="getBatchEvents",
     response_class=StreamingResponse,
-    responses={200: {"content": {"text/event-stream": {"schema": {"type": "string"}}}}, 429: {"model": Problem}},
+    responses={200: {"content": {"text/event-stream": {"schema": EVENT}}}, 429: {"model": Problem}},
 )
 async def get_batch_events(
     batch_id: BatchId,

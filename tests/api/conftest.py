@@ -1,6 +1,5 @@
 """One real service for all these tests: uvicorn in a thread, workers in processes of their own."""
 
-import socket
 import threading
 import time
 from collections.abc import Iterator
@@ -13,6 +12,7 @@ import pytest
 import uvicorn
 from fastapi import FastAPI
 
+from backend.__main__ import listen
 from backend.app import create_app
 from backend.protocol import server_config
 from backend.settings import Settings
@@ -40,7 +40,7 @@ class Service:
 def serve(settings: Settings) -> Iterator[Service]:
     app = create_app(settings)
     server = uvicorn.Server(server_config(app, settings))
-    with socket.create_server(("127.0.0.1", 0)) as listener:
+    with listen("127.0.0.1", 0) as listener:
         address = f"http://127.0.0.1:{listener.getsockname()[1]}"
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
         thread.start()

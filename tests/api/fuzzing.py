@@ -1,0 +1,88 @@
+"""Schemathesis against a running service: its own OpenAPI description says what to send and what may come back."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+PHASES = "examples,coverage,fuzzing,stateful"
+
+# What JSON Schema cannot say about a good request: a bump has to lie on its road, horizons to fit each other, a sweep
+# and a link to have one of several forms, names in a list to be known, the cost to be bearable. Those are 422.
+CONFIGURATION = """
+continue-on-failure = true
+
+[generation]
+deterministic = {deterministic}
+
+[dictionaries.run]
+values = ["{run}"]
+
+[dictionaries.batch]
+values = ["{batch}"]
+
+[dictionaries.link]
+values = ["{link}"]
+
+[[operations]]
+include-operation-id = ["createRun", "live", "createBatch", "createLink", "getSeries", "getBatchTable"]
+checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]
+
+[[operations]]
+include-path-regex = "/runs/\\\\{{id\\\\}}"
+parameters."path.id" = {{ dictionary = "run", probability = 0.5 }}
+
+[[operations]]
+include-path-regex = "/batches/\\\\{{id\\\\}}"
+parameters."path.id" = {{ dictionary = "batch", probability = 0.5 }}
+
+[[operations]]
+include-path-regex = "/links/"
+parameters."path.slug" = {{ dictionary = "link", probability = 0.5 }}
+"""
+
+SCENARIO = {"road": {"length": 120, "bump": {"start": 80}}}
+
+
+def seed(client: httpx.Client) -> dict[str, str]:
+    """A stored run, a finished batch and a link, so that paths lead somewhere: their ids."""
+    run = _good(client.post("/api/v1/runs", json={"scenario": SCENARIO, "strategies": ["lv", "passive"]}))
+    sweep = {"grid": {"road.bump.height": [0.05, 0.1]}}
+    batch = _good(client.post("/api/v1/batches", json={"scenario": SCENARIO, "strategies": ["lqr"], "sweep": sweep}))
+    link = _good(client.post("/api/v1/links", json={"run_id": run["id"], "view": {"baseline": "passive"}}))
+    end = time.monotonic() + 120
+    while _good(client.get(f"/api/v1/batches/{batch['id']}"))["state"] != "done":
+        assert time.monotonic() < end
+        time.sleep(0.1)
+    return {"run": run["id"], "batch": batch["id"], "link": link["slug"]}
+
+
+def fuzz(client: httpx.Client, folder: Path, *arguments: str, deterministic: bool) -> None:
+    """Run every phase of schemathesis against the service behind `client`; any failure is told in full.
+
+    Args:
+        client: Its base URL is the service's.
+        folder: For the configuration and what schemathesis keeps.
+        arguments: More of its options.
+        deterministic: The same requests each time.
+    """
+    ids = seed(client)
+    text = CONFIGURATION.format(deterministic=str(deterministic).lower(), **ids)
+    (folder / "schemathesis.toml").write_text(text)
+    address = str(client.base_url.join("/openapi.json"))
+    command = [str(Path(sys.executable).parent / "schemathesis"), "--no-color", "--config-file", "schemathesis.toml"]
+    command += ["run", address, "--phases", PHASES, *arguments]
+    ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert ended.returncode == 0, ended.stdout[-20_000:] + ended.stderr[-5_000:]
+    for phase in ("Examples", "Coverage", "Fuzzing", "Stateful"):
+        assert f"✅ {phase}" in ended.stdout or f"✅  {phase}" in ended.stdout, ended.stdout
+    assert client.get("/readyz").status_code == 200
+
+
+def _good(response: httpx.Response) -> Any:
+    assert response.status_code < 300, response.text
+    return json.loads(response.content)
