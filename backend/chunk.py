@@ -49,7 +49,7 @@ class Chunk:
     timeout: float
 
 
-Trouble = Literal["lost", "busy", "timeout", "version", "bug"]
+Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]
 
 
 class ClusterLostError(Exception):
@@ -63,7 +63,8 @@ class Answer:
     Attributes:
         computed: Its results, perhaps of a part only; None where it got none.
         trouble: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
-            too long (`timeout`); the worker has another core version (`version`); an unforeseen exception (`bug`).
+            too long (`timeout`); the worker cannot serve, and `detail` says why (`misfit`); an unforeseen exception
+            (`bug`).
         detail: More, for the log.
     """
 

@@ -10,6 +10,7 @@ The embedded cluster opens no port: its parts speak through memory (docs/decisio
 import asyncio
 import contextlib
 import logging
+import multiprocessing
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -174,7 +175,10 @@ async def _on_worker(chunk: Chunk) -> Answer:
     """On a Dask worker, in its event loop: pass the chunk to a process."""
     worker = get_worker()
     if chunk.core_version != CORE_VERSION:
-        return Answer(trouble="version", detail=f"the Dask worker at {worker.address} has core {CORE_VERSION}")
+        return Answer(trouble="misfit", detail=f"the Dask worker at {worker.address} has core {CORE_VERSION}")
+    if multiprocessing.current_process().daemon:
+        detail = f"the Dask worker at {worker.address} may have no children: --no-nanny, or distributed.worker.daemon"
+        return Answer(trouble="misfit", detail=f"{detail}: false")
     pool = _pool(worker, chunk.timeout)
     task = asyncio.create_task(
         pool.call(run_chunk, chunk.base, chunk.schema_version, chunk.runs, chunk.budget, ends_with_caller=True)

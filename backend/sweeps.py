@@ -13,7 +13,6 @@ from typing import Annotated, Any, Self
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
-from scipy.stats import qmc
 
 from sim_core import dotted
 from sim_core.errors import RidelabError
@@ -161,6 +160,8 @@ def _latin_hypercube(wanted: LatinHypercube, errors: Errors) -> Points:
                 _checked(name, _whole(end) if known.kind == "integer" else end, [*path, index], errors)
 
     def draw() -> Iterator[Changes]:
+        from scipy.stats import qmc  # takes half a second: most processes never draw
+
         names = list(wanted.ranges)
         unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(wanted.seed)).random(wanted.samples)
         for row in unit:

@@ -191,3 +191,9 @@ def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions
         assert (ROOT / source).exists(), source
         assert source.split("/")[0] in allowed, source
     assert (ROOT / SERVICES["worker"]["environment"]["DASK_CONFIG"].removeprefix("/app/")).is_file()
+
+
+def test_a_linter_finds_nothing_in_the_dockerfile() -> None:
+    linter = Path(sys.executable).with_name("hadolint")
+    found = subprocess.run([linter, ROOT / "Dockerfile"], capture_output=True, text=True, check=False)
+    assert (found.returncode, found.stdout) == (0, ""), found.stdout

@@ -138,10 +138,10 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any)
 
 
 def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> None:
-    tries = {"version": 0, "busy": 0}
+    tries = {"misfit": 0, "busy": 0}
 
     def reluctant(chunk: Chunk) -> Answer:
-        for trouble in ("version", "busy"):
+        for trouble in ("misfit", "busy"):
             if tries[trouble] < 5:
                 tries[trouble] += 1
                 return Answer(trouble=trouble)  # type: ignore[arg-type]
