@@ -1,4 +1,4 @@
-import { createTheme, type MantineColorsTuple } from "@mantine/core";
+import { createTheme, Menu, type MantineColorsTuple } from "@mantine/core";
 
 const petrol: MantineColorsTuple = [
   "#e3f5f5", "#cde9e9", "#9dd3d3", "#6abcbd", "#42a9aa", "#289d9e", "#159798", "#008484", "#007677", "#00696b",
@@ -6,7 +6,8 @@ const petrol: MantineColorsTuple = [
 
 export const theme = createTheme({
   primaryColor: "petrol",
-  primaryShade: { light: 9, dark: 4 },
+  // White text stands out on either.
+  primaryShade: { light: 9, dark: 8 },
   autoContrast: true,
   colors: { petrol },
   defaultRadius: "sm",
@@ -14,4 +15,8 @@ export const theme = createTheme({
   fontFamily: "Inter, system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif",
   headings: { fontWeight: "650" },
   respectReducedMotion: true,
+  components: {
+    // The placeholder would be a child that a menu may not have.
+    Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
+  },
 });

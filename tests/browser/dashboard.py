@@ -5,6 +5,9 @@ from typing import Any
 import httpx
 from playwright.sync_api import Locator, Page, Response, expect
 
+from tests.browser.server import ROOT
+
+AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
 WINDOWS = {"rough_road": "rms", "bump": "peak"}
 
 
@@ -83,6 +86,20 @@ class Dashboard:
             for signal in ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
         }
         assert self.shown_values() == expected
+
+    def expect_accessible(self) -> None:
+        """Axe-core finds no serious violation of WCAG 2.1 A and AA on the page as it stands, in either scheme."""
+        for scheme in ("light", "dark"):
+            self.page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # no colours half way
+            expect(self.page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)
+            self.page.evaluate(AXE.read_text())
+            found = self.page.evaluate(
+                """async () => (await axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})).violations
+                   .filter(({impact}) => impact === 'serious' || impact === 'critical')
+                   .map(({id, nodes}) => [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | '))"""
+            )
+            assert found == [], scheme
+        self.page.emulate_media(color_scheme="light")
 
     def drag(self, slider: Locator, steps: tuple[int, ...]) -> list[Response]:
         """Drags a slider's thumb through offsets [px], waiting for live curves at each; returns the live answers."""

@@ -6,7 +6,7 @@ from pathlib import Path
 from playwright.sync_api import Locator, expect
 
 from tests.browser.dashboard import Dashboard
-from tests.browser.server import ROOT, Server
+from tests.browser.server import Server
 
 
 def middle_of(panel: Locator) -> tuple[float, float, float]:
@@ -94,17 +94,7 @@ def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
         closed.first.click()
         expect(closed).to_have_count(left - 1)
     page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
-    axe = (ROOT / "frontend/node_modules/axe-core/axe.min.js").read_text()
-    for scheme in ("light", "dark"):
-        page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # no colours half way
-        expect(page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)
-        page.evaluate(axe)
-        found = page.evaluate(
-            """async () => (await axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})).violations
-               .filter(({impact}) => impact === 'serious' || impact === 'critical')
-               .map(({id, nodes}) => id + ': ' + nodes.slice(0, 3).map(({html}) => html.slice(0, 160)).join(' | '))"""
-        )
-        assert found == [], scheme
+    dashboard.expect_accessible()
 
 
 def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) -> None:

@@ -59,6 +59,7 @@ def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:
         address = share(page)
         expect(page.get_by_text("Link copied")).to_be_visible()
         assert page.evaluate("navigator.clipboard.readText()") == address
+        dashboard.expect_accessible()
         assert page.evaluate("getSelection().toString()") == address
     finally:
         page.context.clear_permissions()
@@ -106,14 +107,19 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard, re
     expect(page).to_have_url(re.compile("/r/"))
     expect(banner).to_have_count(0)
     reader.expect_curves()
+    copy = page.url
     reader.type_into("Height", "0.05")
     expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
+    expect(page).not_to_have_url(copy)
+    edited = page.url
     reader.expect_curves()
     page.get_by_role("button", name="Undo").click()
     expect(reader.entry("Height")).to_have_value("0.1")
     expect(page.get_by_role("button", name="Undo")).to_be_disabled()
-    while "/s/" not in page.url:
+    expect(page).not_to_have_url(edited)
+    for address in (edited, copy, link):
         page.go_back()
+        expect(page).to_have_url(address)
     expect(banner).to_be_visible()
     expect(reader.entry("Height")).to_be_disabled()
 
@@ -190,6 +196,7 @@ def test_running_an_older_result_again_shows_what_differs(dashboard: Dashboard, 
     expect(differences).to_contain_text(re.compile(r"1 of \d+ figures differ"))
     row = differences.locator("tbody tr")
     expect(row).to_have_count(1)
+    dashboard.expect_accessible()
     for text in ("LV control", "Body acceleration: Peak, bump", f"{1.25 * peak:#.6g}", f"{peak:#.6g}", "−20.0"):
         expect(row).to_contain_text(text)
 

@@ -96,6 +96,7 @@ def test_the_dialog_says_what_cannot_be_run(dashboard: Dashboard) -> None:
     dialog.get_by_label("Height, to", exact=True).fill("3")
     row = dialog.get_by_role("group", name="Height")
     expect(row.get_by_role("alert")).to_have_text("To: must be from −1 to 1\u00a0m")
+    dashboard.expect_accessible()
     expect(start).to_be_disabled()
     dialog.get_by_role("button", name="Remove Height").click()
     expect(dialog.get_by_text("Add a field to sweep")).to_be_visible()
@@ -168,6 +169,7 @@ def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: S
     expect(page.get_by_test_id("batch-counts")).to_contain_text("1 failed")
     failed = page.locator("tr[data-status=failed]")
     expect(failed).to_contain_text(re.compile(r"failed: .*road"))
+    dashboard.expect_accessible()
     runs = page.locator("tbody tr[data-run]")
     header = page.get_by_role("columnheader", name="Height")
     header.get_by_role("button").click()
@@ -191,6 +193,23 @@ def test_a_sweep_can_be_cancelled_and_keeps_what_is_done(dashboard: Dashboard, s
     expect(page.get_by_test_id("batch-state")).to_have_text("Cancelled: what had finished stays", timeout=LONG_MS)
     expect(page.get_by_role("button", name="Cancel")).to_have_count(0)
     expect(page.locator("tbody tr[data-status=ok]").first).to_be_visible(timeout=LONG_MS)
+
+
+def test_a_sweep_goes_on_when_the_server_comes_back(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    ranges = {"road.bump.height": [0.01, 0.2], "mpc.deflection_weight": [1, 4]}
+    page.goto(submit(server, {"latin_hypercube": {"ranges": ranges, "samples": 1200, "seed": 5}}, ["lv"]))
+    counts = page.get_by_test_id("batch-counts")
+    expect(counts).to_contain_text(re.compile(r"^[1-9]\d* of 1200 runs finished"), timeout=LONG_MS)
+    server.stop()
+    try:
+        expect(page.get_by_text("The connection is interrupted")).to_be_visible(timeout=LONG_MS)
+    finally:
+        server.start()
+    expect_done(page)
+    expect(counts).to_have_text("1200 of 1200 runs finished")
+    expect(page.get_by_text("The connection is interrupted")).to_have_count(0)
+    expect(page.locator("[data-points='1200']")).to_be_visible()
 
 
 def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, reader: Dashboard, server: Server) -> None:

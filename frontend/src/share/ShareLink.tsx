@@ -59,7 +59,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
             size="xs"
             variant="light"
             aria-label="Share"
-            classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+            classNames={{ root: `${shell.compact} ${classes.button}`, label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
             leftSection={<IconLink size={15} />}
             loading={outcome?.kind === "making"}
             {...(obstacle === null ? {} : { "data-disabled": true })}

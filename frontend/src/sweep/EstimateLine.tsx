@@ -11,6 +11,8 @@ interface Props {
   readonly strategies: number;
   /** It is being worked out. */
   readonly pending: boolean;
+  /** Something has to be changed first. */
+  readonly wrong: boolean;
 }
 
 function describe({ total, points, estimated_seconds: seconds, estimated_cost: cost }: Estimate, strategies: number): string {
@@ -18,12 +20,12 @@ function describe({ total, points, estimated_seconds: seconds, estimated_cost: c
   return `${runs}, ${seconds === null ? `at most ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`}`;
 }
 
-export function EstimateLine({ estimate, strategies, pending }: Props) {
+export function EstimateLine({ estimate, strategies, pending, wrong }: Props) {
   const contradictory = estimate?.contradictory ?? 0;
   return (
     <div className={classes.estimate} role="status" data-testid="estimate">
-      <Text size="sm" fw={600}>
-        {estimate ? describe(estimate, strategies) : pending ? "Counting…" : "\u00a0"}
+      <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
+        {estimate ? describe(estimate, strategies) : wrong ? "What has to be changed is marked." : pending ? "Counting…" : "\u00a0"}
       </Text>
       {contradictory > 0 && (
         <Text size="xs" c="dimmed">

@@ -106,13 +106,15 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
         </Alert>
       ))}
       <div className={classes.footer}>
-        <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} />
-        <Button variant="default" onClick={onClose}>
-          Cancel
-        </Button>
-        <Button disabled={estimate === undefined} loading={starting} onClick={start}>
-          Start
-        </Button>
+        <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
+        <Group gap="xs" wrap="nowrap">
+          <Button variant="default" onClick={onClose}>
+            Cancel
+          </Button>
+          <Button disabled={estimate === undefined} loading={starting} onClick={start}>
+            Start
+          </Button>
+        </Group>
       </div>
     </Modal>
   );

@@ -68,6 +68,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
       {method === "grid" && (
         <SegmentedControl
           size="xs"
+          className={classes.by ?? ""}
           aria-label={`${name}: values by`}
           value={draft.by}
           data={[
