@@ -28,11 +28,12 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger(__name__)
 
+KEEP_ALIVE = 30  # longer than clients and proxies keep theirs, or one may send just as the other closes [s]
 RESET_ON_CLOSE = struct.pack("ii", 1, 0)
 
 
 class GuardedProtocol(H11Protocol):
-    """One connection. A request's head has to come within a time, counted from the connection or the last answer."""
+    """One connection. A request's head has to come within a time, counted from the connection or its first byte."""
 
     HEAD_TIMEOUT = 10.0  # [s]
     WRITE_TIMEOUT = 60.0  # for which a client may take nothing of its answer [s]
@@ -65,13 +66,13 @@ class GuardedProtocol(H11Protocol):
             self._watch()
 
     def on_response_complete(self) -> None:
-        """The next request on this connection has its time too, and so has the rest of a body nobody reads.
+        """The rest of a body nobody reads has its time too.
 
-        That rest is read and dropped: a connection closed at once would be reset, and the client, still sending,
-        would never see its answer.
+        It is read and dropped: a connection closed at once would be reset, and the client, still sending, would never
+        see its answer.
         """
         super().on_response_complete()
-        if not self._answering():
+        if self.conn.their_state is h11.SEND_BODY and not self._answering():
             self._watch()
 
     def pause_writing(self) -> None:
@@ -156,5 +157,6 @@ def server_config(app: "FastAPI", settings: Settings) -> uvicorn.Config:
         log_config=None,
         access_log=False,
         server_header=False,
+        timeout_keep_alive=KEEP_ALIVE,
         timeout_graceful_shutdown=3,
     )
