@@ -543,6 +543,52 @@ export interface components {
         /**
          * BatchRequest
          * @description What to run: each point of the sweep under each strategy.
+         * @example {
+         *       "strategies": [
+         *         "lv",
+         *         "passive"
+         *       ],
+         *       "sweep": {
+         *         "grid": {
+         *           "road.bump.height": [
+         *             0.05,
+         *             0.1
+         *           ]
+         *         }
+         *       }
+         *     }
+         * @example {
+         *       "strategies": [
+         *         "lqr"
+         *       ],
+         *       "sweep": {
+         *         "latin_hypercube": {
+         *           "ranges": {
+         *             "speed.target_speed_kmh": [
+         *               20,
+         *               40
+         *             ]
+         *           },
+         *           "samples": 3
+         *         }
+         *       }
+         *     }
+         * @example {
+         *       "dry_run": true,
+         *       "strategies": [
+         *         "passive"
+         *       ],
+         *       "sweep": {
+         *         "list": [
+         *           {
+         *             "road.seed": 2
+         *           },
+         *           {
+         *             "road.seed": 3
+         *           }
+         *         ]
+         *       }
+         *     }
          */
         BatchRequest: {
             /**
@@ -687,7 +733,7 @@ export interface components {
              * Reason
              * @description Of a failed run
              */
-            reason: string | null;
+            reason?: string | null;
             /** Run */
             run: number;
             /**
@@ -1139,6 +1185,20 @@ export interface components {
         /**
          * LiveRequest
          * @description What to run while somebody drags: nothing is stored, the time histories come along.
+         * @example {
+         *       "scenario": {
+         *         "road": {
+         *           "bump": {
+         *             "height": 0.12
+         *           }
+         *         }
+         *       },
+         *       "strategies": [
+         *         "lv",
+         *         "lqr",
+         *         "passive"
+         *       ]
+         *     }
          */
         LiveRequest: {
             /**
@@ -1513,7 +1573,7 @@ export interface components {
             /** Message */
             message: string;
             /** Parameter */
-            parameter: string | null;
+            parameter?: string | null;
             /** Pointer */
             pointer: string;
         };
@@ -1636,6 +1696,20 @@ export interface components {
         /**
          * RunRequest
          * @description What to run; an omitted part of the scenario takes the paper's default.
+         * @example {
+         *       "scenario": {
+         *         "road": {
+         *           "bump": {
+         *             "height": 0.12
+         *           }
+         *         }
+         *       },
+         *       "strategies": [
+         *         "lv",
+         *         "lqr",
+         *         "passive"
+         *       ]
+         *     }
          */
         RunRequest: {
             /**
@@ -2340,6 +2414,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Conflict */
             409: {
                 headers: {
@@ -2547,7 +2630,13 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/event-stream": string;
+                    "text/event-stream": {
+                        /** @description JSON: state, done, failed, total */
+                        data: string;
+                        /** @enum {unknown} */
+                        event: "state" | "progress";
+                        id: string;
+                    };
                 };
             };
             /** @description Not Found */
@@ -2811,6 +2900,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large */
             413: {
                 headers: {
@@ -2964,6 +3062,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large */
             413: {
                 headers: {
@@ -3073,6 +3180,15 @@ export interface operations {
             };
             /** @description Bad Request */
             400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout */
+            408: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { nearest, place } from "./dots";
 import { secondsLeft, withMark, type Mark } from "./pace";
 import { MANY, scatterFigure } from "./scatter";
+import { formatBatchView, readBatchView } from "./view";
 import { lowest, ordered, pointsOf, rowsOf, scenarioOf, type Columns } from "./table";
 
 const COLUMNS: Columns = {
@@ -43,6 +44,15 @@ describe("rows", () => {
       { strategy: "passive", rows: [3, 1], x: [0.05, 0.1], y: [31, 62] },
       { strategy: "lv", rows: [0], x: [0.1], y: [9] },
     ]);
+  });
+});
+
+describe("how a sweep is looked at", () => {
+  it("is in the address, and short for the usual view", () => {
+    const view = { x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] };
+    expect(formatBatchView(view)).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
+    expect(readBatchView(formatBatchView(view))).toEqual(view);
+    expect(formatBatchView(readBatchView(""))).toBe("");
   });
 });
 

@@ -143,6 +143,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
         const asked = performance.now();
         const link = await queries.query(linkQuery(slug));
         if (signal.aborted || !isCurrent()) return;
+        if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
         const { view, strategies, at } = readSharedView(link);
         patch({ shared: link, history: begin(link.scenario), strategies, rejected: {}, drag: null });
         router.setView(view);

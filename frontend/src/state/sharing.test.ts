@@ -1,0 +1,32 @@
+import { describe, expect, it } from "vitest";
+import type { Link, Summary } from "../api/types";
+import { DEFAULT_VIEW } from "./address";
+import type { Scene } from "./scene";
+import { readSharedView, viewToShare } from "./sharing";
+
+const summary = {} as Summary;
+const run = { id: "x", core_version: "1", scenario: {}, strategies: { lv: summary, lqr: summary, passive: summary } };
+const read = (view: Link["view"]) => readSharedView({ view, run });
+
+describe("a link's view", () => {
+  it("shows all of the run where it says nothing", () => {
+    expect(read({})).toEqual({ view: DEFAULT_VIEW, strategies: ["lv", "lqr", "passive"], at: null });
+  });
+
+  it("is what was shared", () => {
+    const scene = {
+      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time",
+    } as unknown as Scene;
+    const shared = viewToShare(scene, [1, 2.5], 2);
+    expect(shared).toEqual({
+      strategies: ["lv", "lqr", "passive"], hidden: ["lqr"], baseline: "lv", axis: "time", zoom: [1, 2.5], cursor: 2,
+    });
+    expect(read(shared)).toEqual({
+      view: { axis: "time", baseline: "lv", hidden: ["lqr"], zoom: [1, 2.5] }, strategies: ["lv", "passive"], at: 2,
+    });
+  });
+
+  it("never names what the run has not", () => {
+    expect(read({ strategies: ["speed_only", "lv"], zoom: null }).strategies).toEqual(["lv"]);
+  });
+});
