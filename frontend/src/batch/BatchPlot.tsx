@@ -3,6 +3,7 @@
 import { NativeSelect, Select, Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
+import { isFinal } from "../api/follow";
 import type { Batch, Strategy } from "../api/types";
 import { PALETTES } from "../plots/palettes";
 import type { PlotElement } from "../plots/plotly";
@@ -139,7 +140,7 @@ function groupsOf(figures: readonly Figure[]) {
 
 function emptyReason(batch: Batch, strategies: number): string {
   if (strategies === 0) return "No strategy is switched on.";
-  if (batch.state === "queued" || batch.state === "running") return "No run has finished yet.";
+  if (!isFinal(batch)) return batch.done > 0 ? "The first runs have finished and are on their way." : "No run has finished yet.";
   return "No run of the strategies shown has this figure.";
 }
 

@@ -65,7 +65,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
       <Progress.Root size={8} transitionDuration={200}>
         <Progress.Section
           value={percent}
-          color={batch.state === "failed" ? "red" : batch.state === "cancelled" ? "gray" : "var(--accent)"}
+          color={batch.state === "failed" ? "red" : batch.state === "cancelled" ? "var(--faint)" : "var(--accent)"}
           aria-label="Finished runs"
         />
       </Progress.Root>

@@ -4,14 +4,15 @@ import { queryOptions, useQuery, useQueryClient } from "@tanstack/react-query";
 import { useEffect, useState } from "react";
 import { api } from "../api/client";
 import { followBatch, isFinal } from "../api/follow";
-import type { Batch } from "../api/types";
+import type { Batch, BatchTable } from "../api/types";
 import { secondsLeft, withMark, type Mark } from "./pace";
 
 export const batchQuery = (id: string) =>
   queryOptions({ queryKey: ["batch", id], queryFn: ({ signal }) => api.batch(id, signal), staleTime: Infinity });
 
-/** Rows are asked for again while a batch runs, the less often the more there are [ms]. */
-const refreshEvery = ({ total }: Batch) => (total <= 1000 ? 3_000 : 10_000);
+/** Rows are asked for again while a batch runs, the less often the more there are, and soon until there are some [ms]. */
+const refreshEvery = ({ total }: Batch, table: BatchTable | undefined) =>
+  total <= 1000 || table?.columns.status?.includes("ok") !== true ? 3_000 : 10_000;
 
 export const tableQuery = (batch: Batch | undefined, figures: readonly string[]) =>
   queryOptions({
@@ -21,7 +22,7 @@ export const tableQuery = (batch: Batch | undefined, figures: readonly string[])
     enabled: batch !== undefined && figures.length > 0,
     staleTime: Infinity,
     gcTime: 5 * 60_000,
-    refetchInterval: batch && !isFinal(batch) ? refreshEvery(batch) : false,
+    refetchInterval: (query) => batch !== undefined && !isFinal(batch) && refreshEvery(batch, query.state.data),
   });
 
 export interface Followed {

@@ -17,7 +17,7 @@ export function Blank({ title, text, children }: Props) {
       <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
         <path d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58" className={classes.blankRoad} />
       </svg>
-      <Text component="h2" fw={650} size="lg">
+      <Text component="h2" fw={650} size="lg" ta="center">
         {title}
       </Text>
       <Text c="dimmed" size="sm" maw={420} ta="center">
