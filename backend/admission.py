@@ -126,6 +126,7 @@ class Admission:
         self._queued_cost = 0.0
         self._requests = Places(what="computing requests", per_client=max_client_requests)
         self._streams = Places(what="event streams", per_client=max_client_streams, total=max_streams)
+        self._entered = Places(what="requests", per_client=max_client_requests, total=8 * max_client_requests)
         self._bodies = Places(what="long request bodies", per_client=4, total=16)
         self._links = Rate(what="new links", burst=120, each_second=2)
 
@@ -152,6 +153,21 @@ class Admission:
                 "a request; a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
             )
             raise ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/scenario", "message": message}])
+
+    @contextmanager
+    def entering(self, client: str) -> Iterator[None]:
+        """Hold a place from the door on, while it is looked up whether anything has to be computed at all.
+
+        Looking up costs the database's threads more than refusing does: without this a flood would keep them from
+        those who were let in.
+
+        Raises:
+            ProblemError: 429 where the client has too many open, 503 where the service has.
+        """
+        client = client_key(client)
+        self._entered.check(client)
+        with self._entered.taken(client):
+            yield
 
     @contextmanager
     def computing(self, client: str, scenario: Scenario, strategies: Iterable[str]) -> Iterator[None]:

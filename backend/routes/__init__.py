@@ -31,12 +31,14 @@ class StrictRequest(Request):
         receive: ASGI.
         held: Keeps the place of a bulky body until the request is answered.
         max_values: How many values the body may hold.
+        computes: Whether it may lead to computing, and takes a place among those as soon as its body is there.
     """
 
-    def __init__(self, scope: Scope, receive: Receive, *, held: ExitStack, max_values: int) -> None:
+    def __init__(self, scope: Scope, receive: Receive, *, held: ExitStack, max_values: int, computes: bool) -> None:
         super().__init__(scope, receive)
         self._held = held
         self._max_values = max_values
+        self._computes = computes
         self._bulky = False
 
     async def body(self) -> bytes:
@@ -71,12 +73,17 @@ class StrictRequest(Request):
             raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
         if length > BULKY and not self._bulky:
             self._bulky = True
-            client = self.client.host if self.client else ""
-            self._held.enter_context(self.app.state.admission.receiving(client))
+            self._held.enter_context(self.app.state.admission.receiving(self._address))
+
+    @property
+    def _address(self) -> str:
+        return self.client.host if self.client else ""
 
     async def json(self) -> Any:
         """The body's value; anything doubtful is a problem."""
         body = await self.body()
+        if self._computes:
+            self._held.enter_context(self.app.state.admission.entering(self._address))
         parse = partial(strict_json.parse, body, max_values=self._max_values)
         try:
             if len(body) > BULKY:
@@ -93,6 +100,7 @@ class StrictRoute(APIRoute):
     """A route that reads its body with `StrictRequest`, and only as JSON."""
 
     MAX_VALUES = strict_json.MAX_VALUES
+    COMPUTES = False
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """The framework's handler, given a stricter request."""
@@ -106,16 +114,18 @@ class StrictRoute(APIRoute):
             if takes_body and request.headers.get("content-encoding", "identity").strip().lower() != "identity":
                 raise ProblemError(415, "The body has to come as it is, without a Content-Encoding.")
             with ExitStack() as held:
-                bounded = StrictRequest(request.scope, request.receive, held=held, max_values=self.MAX_VALUES)
+                limits: dict[str, Any] = {"max_values": self.MAX_VALUES, "computes": self.COMPUTES}
+                bounded = StrictRequest(request.scope, request.receive, held=held, **limits)
                 return await handler(bounded)
 
         return strict
 
 
 class ScenarioRoute(StrictRoute):
-    """A route whose body holds one scenario at most."""
+    """A route that computes what its body holds, one scenario at most."""
 
     MAX_VALUES = SCENARIO_VALUES
+    COMPUTES = True
 
 
 def router(tag: str, *statuses: int, route_class: type[StrictRoute] = StrictRoute) -> APIRouter:

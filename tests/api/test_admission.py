@@ -4,6 +4,7 @@ import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from typing import Any
 
 import httpx
@@ -53,6 +54,24 @@ def test_streams_are_limited_and_come_free() -> None:
     assert gate.load["streams"] == 0
     with gate.streaming("a"):
         pass
+
+
+def test_the_door_is_closed_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    gate = service.app.state.admission
+    monkeypatch.setattr(service.app.state.store, "call", lambda *_, **__: pytest.fail("it was looked up"))
+    with ExitStack() as held:
+        for _ in range(64):
+            held.enter_context(gate.entering("127.0.0.1"))
+        for path in ("runs", "live"):
+            response = service.client.post(f"/api/v1/{path}", json={"strategies": ["passive"]})
+            assert response.status_code == 429
+            assert int(response.headers["retry-after"]) > 0
+        for client in range(7):
+            for _ in range(64):
+                held.enter_context(gate.entering(f"192.0.2.{client}"))
+        assert refusal(lambda: gate.entering("another").__enter__()) == (503, 2)
+    monkeypatch.undo()
+    assert service.live(["passive"]).status_code == 200
 
 
 def test_links_are_limited_by_rate() -> None:
