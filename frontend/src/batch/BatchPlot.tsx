@@ -1,6 +1,6 @@
 /** A figure over a swept field: a point for each run, in its strategy's colour. */
 
-import { NativeSelect, Select, Text, useComputedColorScheme } from "@mantine/core";
+import { Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
 import { isFinal } from "../api/follow";
@@ -8,12 +8,11 @@ import type { Batch, Strategy } from "../api/types";
 import { PALETTES } from "../plots/palettes";
 import type { PlotElement } from "../plots/plotly";
 import { usePlotly } from "../plots/usePlotly";
-import shell from "../shell/shell.module.css";
-import { StrategyKey } from "../tables/StrategyKey";
-import { formatWithUnit, prettyUnit } from "../units/format";
+import { formatWithUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { DotLayer } from "./DotLayer";
 import { fullName, type Figure } from "./figures";
+import { PlotTools } from "./PlotTools";
 import { scatterFigure } from "./scatter";
 import { cell, pointsOf, type Columns } from "./table";
 import { showCell } from "./show";
@@ -79,43 +78,7 @@ export function BatchPlot({ batch, columns, strategies, figures, x, y, view, bes
   const drawn = figure.count;
   return (
     <section className={classes.card} aria-label="Plot">
-      <div className={classes.plotTools}>
-        <NativeSelect
-          size="xs"
-          label="Over"
-          value={x.name}
-          data={batch.fields.map(({ name, title, unit }) => ({ value: name, label: withUnit(title, unit) }))}
-          onChange={(event) => onView({ x: event.currentTarget.value })}
-        />
-        <Select
-          size="xs"
-          label="Figure"
-          className={classes.figureSelect ?? ""}
-          searchable
-          allowDeselect={false}
-          value={y.key}
-          maxDropdownHeight={320}
-          data={groupsOf(figures)}
-          onChange={(key) => key !== null && onView({ y: key })}
-        />
-        <div className={classes.plotChips} role="group" aria-label="Strategies">
-          {strategies.map((strategy) => {
-            const on = !view.hidden.includes(strategy.id);
-            return (
-              <button
-                key={strategy.id}
-                type="button"
-                className={shell.chip}
-                aria-pressed={on}
-                onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
-              >
-                <StrategyKey strategy={strategy} />
-                {strategy.label}
-              </button>
-            );
-          })}
-        </div>
-      </div>
+      <PlotTools {...{ batch, strategies, figures, x, y, view, onView }} />
       <div ref={ref} className={classes.plot} style={{ height: HEIGHT }}>
         <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
         <DotLayer {...{ host, drawing, width, onOpen }} dots={figure.dots} height={HEIGHT} units={[x.unit, y.unit]} />
@@ -126,16 +89,6 @@ export function BatchPlot({ batch, columns, strategies, figures, x, y, view, bes
       </Text>
     </section>
   );
-}
-
-const withUnit = (title: string, unit: string) => (prettyUnit(unit) === "" ? title : `${title} [${prettyUnit(unit)}]`);
-
-function groupsOf(figures: readonly Figure[]) {
-  const groups = [...new Set(figures.map(({ group }) => group))];
-  return groups.map((group) => ({
-    group,
-    items: figures.filter((figure) => figure.group === group).map((figure) => ({ value: figure.key, label: fullName(figure) })),
-  }));
 }
 
 function emptyReason(batch: Batch, strategies: number): string {

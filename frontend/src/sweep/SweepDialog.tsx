@@ -1,15 +1,15 @@
 /** Puts a sweep together: which fields, from where to where, under which strategies; says what it costs before it starts. */
 
-import { Alert, Button, Checkbox, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Alert, Button, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo, useState } from "react";
 import type { Scenario, Strategy } from "../api/types";
 import type { Group as Form } from "../editor/schema";
-import { StrategyKey } from "../tables/StrategyKey";
 import { draftField, type FieldDraft, type Method, type SweepDraft } from "./draft";
 import { EstimateLine } from "./EstimateLine";
 import { FieldPicker } from "./FieldPicker";
 import { sweepFields } from "./fields";
+import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
 import { useSweep } from "./useSweep";
@@ -84,22 +84,12 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
           <TextInput size="xs" w={120} label="Seed" inputMode="numeric" value={draft.seed} error={errors.seed} onChange={(event) => patch({ seed: event.currentTarget.value })} />
         </Group>
       )}
-      <Checkbox.Group label="Strategies" size="xs" value={[...draft.strategies]} error={errors.strategies} onChange={(ids) => patch({ strategies: strategies.map(({ id }) => id).filter((id) => ids.includes(id)) })}>
-        <div className={classes.strategies}>
-          {strategies.map((strategy) => (
-            <Checkbox
-              key={strategy.id}
-              size="xs"
-              value={strategy.id}
-              label={
-                <span className={classes.strategy}>
-                  <StrategyKey strategy={strategy} /> {strategy.label}
-                </span>
-              }
-            />
-          ))}
-        </div>
-      </Checkbox.Group>
+      <StrategyChoice
+        strategies={strategies}
+        chosen={draft.strategies}
+        error={errors.strategies}
+        onChange={(ids) => patch({ strategies: ids })}
+      />
       {general.map((message) => (
         <Alert key={message} color="red" variant="light" p="xs" role="alert">
           {message}

@@ -1,0 +1,72 @@
+/** What a sweep's plot shows: which figure, over which field, under which strategies. */
+
+import { NativeSelect, Select } from "@mantine/core";
+import type { Batch, Strategy } from "../api/types";
+import shell from "../shell/shell.module.css";
+import { StrategyKey } from "../tables/StrategyKey";
+import { prettyUnit } from "../units/format";
+import classes from "./batch.module.css";
+import { fullName, type Figure } from "./figures";
+import type { BatchView } from "./view";
+
+interface Props {
+  readonly batch: Batch;
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Figure[];
+  readonly x: Batch["fields"][number];
+  readonly y: Figure;
+  readonly view: BatchView;
+  readonly onView: (change: Partial<BatchView>) => void;
+}
+
+export function PlotTools({ batch, strategies, figures, x, y, view, onView }: Props) {
+  return (
+    <div className={classes.plotTools}>
+      <NativeSelect
+        size="xs"
+        label="Over"
+        value={x.name}
+        data={batch.fields.map(({ name, title, unit }) => ({ value: name, label: withUnit(title, unit) }))}
+        onChange={(event) => onView({ x: event.currentTarget.value })}
+      />
+      <Select
+        size="xs"
+        label="Figure"
+        className={classes.figureSelect ?? ""}
+        searchable
+        allowDeselect={false}
+        value={y.key}
+        maxDropdownHeight={320}
+        data={groupsOf(figures)}
+        onChange={(key) => key !== null && onView({ y: key })}
+      />
+      <div className={classes.plotChips} role="group" aria-label="Strategies">
+        {strategies.map((strategy) => {
+          const on = !view.hidden.includes(strategy.id);
+          return (
+            <button
+              key={strategy.id}
+              type="button"
+              className={shell.chip}
+              aria-pressed={on}
+              onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
+            >
+              <StrategyKey strategy={strategy} />
+              {strategy.label}
+            </button>
+          );
+        })}
+      </div>
+    </div>
+  );
+}
+
+const withUnit = (title: string, unit: string) => (prettyUnit(unit) === "" ? title : `${title} [${prettyUnit(unit)}]`);
+
+function groupsOf(figures: readonly Figure[]) {
+  const groups = [...new Set(figures.map(({ group }) => group))];
+  return groups.map((group) => ({
+    group,
+    items: figures.filter((figure) => figure.group === group).map((figure) => ({ value: figure.key, label: fullName(figure) })),
+  }));
+}

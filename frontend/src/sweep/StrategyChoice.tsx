@@ -1,0 +1,35 @@
+/** Under which strategies each point runs. */
+
+import { Checkbox } from "@mantine/core";
+import type { Strategy, StrategyId } from "../api/types";
+import { StrategyKey } from "../tables/StrategyKey";
+import classes from "./sweep.module.css";
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly chosen: readonly StrategyId[];
+  readonly error: string | undefined;
+  readonly onChange: (chosen: readonly StrategyId[]) => void;
+}
+
+export function StrategyChoice({ strategies, chosen, error, onChange }: Props) {
+  const inOrder = (ids: readonly StrategyId[]) => strategies.map(({ id }) => id).filter((id) => ids.includes(id));
+  return (
+    <Checkbox.Group label="Strategies" size="xs" value={[...chosen]} error={error} onChange={(ids) => onChange(inOrder(ids))}>
+      <div className={classes.strategies}>
+        {strategies.map((strategy) => (
+          <Checkbox
+            key={strategy.id}
+            size="xs"
+            value={strategy.id}
+            label={
+              <span className={classes.strategy}>
+                <StrategyKey strategy={strategy} /> {strategy.label}
+              </span>
+            }
+          />
+        ))}
+      </div>
+    </Checkbox.Group>
+  );
+}
