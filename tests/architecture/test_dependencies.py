@@ -1,6 +1,6 @@
 """What is installed is what was agreed: each package by its hash, from no address, fit for what the project asks.
 
-What needs the internet, known vulnerabilities, `make audit` asks; this needs nothing.
+Known vulnerabilities need the internet (docs/security.md says how to ask); this needs nothing.
 """
 
 import base64
