@@ -87,6 +87,7 @@ class Links:
         return {
             **head,
             "core_version": stored.core_version,
+            "computed_at": stored.created_at,
             "schema_version": stored.schema_version,
             "scenario": stored.scenario,
             "run": run_answer(stored),
@@ -100,8 +101,10 @@ class Links:
         if link is None:
             return None
         if link.kind == "batch":
-            return preview.of_batch(batch_answer(await self._batch(link)), link.created_at)
-        return preview.of_run(run_answer(await self._run(link)), link.view, link.created_at)
+            batch = await self._batch(link)
+            return preview.of_batch(batch_answer(batch), batch.finished_at or batch.created_at)
+        run = await self._run(link)
+        return preview.of_run(run_answer(run), link.view, run.created_at)
 
     async def _pin(self, stored: StoredRun, missing: Mapping[str, str], client: str) -> dict[str, bytes]:
         """By result key the time histories; nothing where another core version would make others."""
@@ -147,6 +150,7 @@ def _histories(stored: StoredRun) -> dict[str, str]:
 def _opened_batch(stored: StoredBatch) -> dict[str, Any]:
     return {
         "core_version": stored.core_version,
+        "computed_at": stored.finished_at or stored.created_at,
         "schema_version": stored.schema_version,
         "scenario": stored.scenario,
         "run": None,

@@ -110,9 +110,10 @@ class Link(Answer):
 
     slug: str
     url: str
-    created_at: datetime
+    created_at: datetime = Field(description="When the link was made")
     kind: Literal["run", "batch"]
     core_version: str = Field(description="Which computed it")
+    computed_at: datetime = Field(description="When; of a batch that still runs, when it was accepted")
     current_core_version: str = Field(description="Which the service runs")
     schema_version: int = Field(description="Which the scenario was stored under; `scenario` is today's")
     scenario: Scenario

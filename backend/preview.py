@@ -24,13 +24,13 @@ class Preview:
     description: str = GENERIC_DESCRIPTION
 
 
-def of_run(run: Mapping[str, Any], view: Mapping[str, Any], created_at: datetime) -> Preview:
+def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetime) -> Preview:
     """Of a link to a run.
 
     Args:
         run: As `Run`, its scenario today's.
         view: As `LinkView`: what it shows and compares is what is told.
-        created_at: When the link was made.
+        computed_at: When it was computed.
     """
     entries = {name: entry for name, entry in run["strategies"].items() if entry["status"] == "ok"}
     main, baseline = _compared(list(entries), view)
@@ -52,18 +52,18 @@ def of_run(run: Mapping[str, Any], view: Mapping[str, Any], created_at: datetime
             [
                 *([f"{who}: {facts}{where}"] if facts else []),
                 *_drive(run["scenario"]),
-                _stamp(run["core_version"], created_at),
+                _stamp(run["core_version"], computed_at),
             ]
         ),
     )
 
 
-def of_batch(batch: Mapping[str, Any], created_at: datetime) -> Preview:
+def of_batch(batch: Mapping[str, Any], computed_at: datetime) -> Preview:
     """Of a link to a batch.
 
     Args:
         batch: As `Batch`.
-        created_at: When the link was made.
+        computed_at: When it was computed.
     """
     fields = [_field(field) for field in batch["fields"]]
     swept = " × ".join(fields[:FIELDS_TOLD]) + (" × …" if len(fields) > FIELDS_TOLD else "")
@@ -74,7 +74,7 @@ def of_batch(batch: Mapping[str, Any], created_at: datetime) -> Preview:
     return Preview(
         title=f"{count} runs over {swept}",
         description="; ".join(
-            [f"{count} runs over {swept}: {who}", *state, *failures, _stamp(batch["core_version"], created_at)]
+            [f"{count} runs over {swept}: {who}", *state, *failures, _stamp(batch["core_version"], computed_at)]
         ),
     )
 
@@ -164,5 +164,5 @@ def _length(value: float) -> str:
     return text.removesuffix("0")
 
 
-def _stamp(core_version: str, created_at: datetime) -> str:
-    return f"Ridelab core {core_version}, {created_at:%Y-%m-%d}"
+def _stamp(core_version: str, computed_at: datetime) -> str:
+    return f"Ridelab core {core_version}, {computed_at:%Y-%m-%d}"

@@ -14,7 +14,7 @@ from sqlalchemy import Connection, Row, Select, Update, func, insert, select, up
 from sqlalchemy.exc import IntegrityError
 
 from backend.chunk import ComputedRun, WaitingRun
-from backend.store.database import Database, insert_new
+from backend.store.database import Database, insert_new, utc
 from backend.store.tables import batch_events, batch_runs, batches, results
 
 State = Literal["queued", "running", "done", "cancelled", "failed"]
@@ -355,12 +355,7 @@ def _batch(row: Row[Any]) -> StoredBatch:
         done=row.done,
         failed=row.failed,
         request_hash=row.request_hash,
-        created_at=_utc(row.created_at),
-        started_at=_utc(row.started_at),
-        finished_at=_utc(row.finished_at),
+        created_at=utc(row.created_at),
+        started_at=utc(row.started_at) if row.started_at else None,
+        finished_at=utc(row.finished_at) if row.finished_at else None,
     )
-
-
-def _utc(time: Any) -> Any:
-    """SQLite forgets the zone; what is stored is UTC."""
-    return time.replace(tzinfo=UTC) if time is not None and time.tzinfo is None else time

@@ -5,6 +5,7 @@ import sqlite3
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
@@ -68,6 +69,11 @@ class Database:
         """Read something; raises SQLAlchemyError where the database is not usable."""
         with self.reading() as connection:
             connection.execute(select(runs.c.id).limit(1)).all()
+
+
+def utc(time: datetime) -> datetime:
+    """A time from the database: SQLite forgets the zone, what is stored is UTC."""
+    return time.replace(tzinfo=UTC) if time.tzinfo is None else time.astimezone(UTC)
 
 
 def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, Any]]) -> None:

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import Any, Literal
 
 import orjson
 from sqlalchemy import select
 
-from backend.store.database import Database, insert_new
+from backend.store.database import Database, insert_new, utc
 from backend.store.tables import links, pinned_series
 
 
@@ -53,14 +53,12 @@ class LinkStore:
             row = connection.execute(select(links).where(links.c.slug == slug)).one_or_none()
         if row is None:
             return None
-        # SQLite keeps no time zone; what was stored is UTC.
-        created = row.created_at if row.created_at.tzinfo else row.created_at.replace(tzinfo=UTC)
         return StoredLink(
             slug=row.slug,
             kind=row.kind,
             target=row.run_id or row.batch_id,
             view=orjson.loads(row.view),
-            created_at=created.astimezone(UTC),
+            created_at=utc(row.created_at),
         )
 
     def pinned(self, keys: Iterable[str]) -> set[str]:

@@ -8,7 +8,7 @@ from typing import Any
 import orjson
 from sqlalchemy import Connection, Row, select
 
-from backend.store.database import Database, insert_new
+from backend.store.database import Database, insert_new, utc
 from backend.store.tables import results, run_results, runs
 
 
@@ -32,6 +32,7 @@ class StoredRun:
     schema_version: int
     scenario: dict[str, Any]
     results: tuple[StoredResult, ...]
+    created_at: datetime
 
 
 class RunStore:
@@ -107,6 +108,7 @@ def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
         schema_version=head.schema_version,
         scenario=orjson.loads(head.scenario),
         results=tuple(_result(row) for row in members),
+        created_at=utc(head.created_at),
     )
 
 

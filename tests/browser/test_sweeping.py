@@ -225,7 +225,7 @@ def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, reader: Dashbo
     link = share(page)
 
     reader.page.goto(link)
-    expect(reader.page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep of")
+    expect(reader.page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep, computed on")
     expect(reader.page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
     expect(reader.page.get_by_role("combobox", name="Figure")).to_have_value("Travel time")
     passive = reader.page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")

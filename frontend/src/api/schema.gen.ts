@@ -1086,6 +1086,12 @@ export interface components {
         Link: {
             batch: components["schemas"]["Batch"] | null;
             /**
+             * Computed At
+             * Format: date-time
+             * @description When; of a batch that still runs, when it was accepted
+             */
+            computed_at: string;
+            /**
              * Core Version
              * @description Which computed it
              */
@@ -1093,6 +1099,7 @@ export interface components {
             /**
              * Created At
              * Format: date-time
+             * @description When the link was made
              */
             created_at: string;
             /**

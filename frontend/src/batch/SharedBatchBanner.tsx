@@ -11,7 +11,7 @@ export function SharedBatchBanner({ link }: { readonly link: Link }) {
     <section className={share.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />
       <Text size="sm" className={share.bannerText ?? ""}>
-        Shared sweep of {formatDay(link.created_at)}, computed by core {link.core_version}. Read-only.
+        Shared sweep, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
         {!same && ` This server now runs core ${link.current_core_version}.`}
       </Text>
     </section>

@@ -37,7 +37,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
       <section className={classes.banner} aria-label="Shared result">
         <IconLock size={17} stroke={1.7} aria-hidden />
         <Text size="sm" className={classes.bannerText ?? ""}>
-          Shared result of {formatDay(link.created_at)}, computed by core {link.core_version}. Read-only.
+          Shared result, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
           {!same && ` This server now runs core ${link.current_core_version}.`}
         </Text>
         <div className={classes.bannerTools}>
