@@ -7,7 +7,7 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
 
-.PHONY: run test drill check bench margins setup frontend lock clean
+.PHONY: run test drill check audit bench margins setup frontend lock clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -24,6 +24,10 @@ check: setup ## style, types and import rules
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	cd frontend && $(NODE) npm run check
+
+audit: setup ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
+	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements.lock
+	cd frontend && $(NODE) npm audit --omit=dev
 
 bench: setup ## speed, as ratios in one run
 	$(BIN)/python -m benchmarks

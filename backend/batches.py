@@ -92,7 +92,7 @@ class Batches:
         with self._admission.computing(client, scenario, names):
             planned = await self._planned(base, names, sweep)
         batch = StoredBatch(
-            id=secrets.token_urlsafe(ID_BYTES),
+            id=_new_id(),
             state="queued",
             reason=None,
             core_version=CORE_VERSION,
@@ -259,6 +259,13 @@ async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncI
         yield first
         async for piece in rest:
             yield piece
+
+
+def _new_id() -> str:
+    """Random; not begun by a sign, which a spreadsheet would take for a formula and a command line for an option."""
+    while not (made := secrets.token_urlsafe(ID_BYTES))[0].isalnum():
+        pass
+    return made
 
 
 def batch_answer(batch: StoredBatch) -> dict[str, Any]:

@@ -29,7 +29,7 @@ submitting = router("batches", 400, 409, 413, 415, 422, 429, 503)
 batches = router("batches", 404, 422, 503)
 
 
-def _batches(request: Request) -> Batches:
+async def _batches(request: Request) -> Batches:
     service: Batches = request.app.state.batches
     return service
 

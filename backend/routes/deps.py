@@ -16,17 +16,17 @@ T = TypeVar("T")
 IMMUTABLE = "public, max-age=31536000, immutable"
 
 
-def _runs(request: Request) -> Runs:
+async def _runs(request: Request) -> Runs:
     service: Runs = request.app.state.runs
     return service
 
 
-def _links(request: Request) -> Links:
+async def _links(request: Request) -> Links:
     service: Links = request.app.state.links
     return service
 
 
-def _client(request: Request) -> str:
+async def _client(request: Request) -> str:
     return request.client.host if request.client else ""
 
 

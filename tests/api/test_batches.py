@@ -45,6 +45,10 @@ def rows(client: httpx.Client, batch_id: str) -> list[dict[str, Any]]:
     return found
 
 
+def listed(client: httpx.Client) -> list[str]:
+    return [batch["id"] for batch in client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]]
+
+
 @pytest.fixture(scope="module")
 def batch(client: httpx.Client) -> dict[str, Any]:
     """A finished grid of three heights and two previews under two strategies."""
@@ -240,7 +244,7 @@ def test_what_a_sweep_cannot_use_is_named(client: httpx.Client, sweep: dict[str,
 
 
 def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_stored(client: httpx.Client) -> None:
-    before = client.get("/api/v1/batches").json()
+    before = listed(client)
     many = {"grid": {"road.seed": list(range(1000)), "road.bump.height": [i / 1000 for i in range(200)]}}
     answer = submit(client, many)
     assert answer.status_code == 422
@@ -250,7 +254,7 @@ def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_sto
     answer = submit(client, dear, scenario=heavy)
     assert answer.status_code == 422
     assert "over the limit of 30 s" in answer.json()["detail"]
-    assert client.get("/api/v1/batches").json() == before
+    assert listed(client) == before
 
 
 def test_an_idempotency_key_again_is_the_same_batch_and_with_another_body_a_conflict(client: httpx.Client) -> None:
@@ -265,7 +269,7 @@ def test_an_idempotency_key_again_is_the_same_batch_and_with_another_body_a_conf
 
 
 def test_a_dry_run_tells_size_and_time_and_stores_nothing(client: httpx.Client) -> None:
-    before = client.get("/api/v1/batches").json()
+    before = listed(client)
     sweep = {"grid": {"mpc.prediction_horizon": [10, 30], "mpc.control_horizon": [5, 20]}}
     answer = submit(client, sweep, dry_run=True)
     assert answer.status_code == 200
@@ -273,7 +277,7 @@ def test_a_dry_run_tells_size_and_time_and_stores_nothing(client: httpx.Client) 
     assert (told["points"], told["total"], told["contradictory"]) == (4, 8, 2)
     assert told["estimated_seconds"] > 0
     assert told["estimated_cost"] > 0
-    assert client.get("/api/v1/batches").json() == before
+    assert listed(client) == before
 
 
 def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: httpx.Client) -> None:
@@ -301,9 +305,9 @@ def test_unknown_batches_are_404_and_lists_are_newest_first(client: httpx.Client
     for path in ("", "/results", "/events", "/table"):
         assert client.get(f"/api/v1/batches/{'x' * 22}{path}").status_code == 404
     assert client.post(f"/api/v1/batches/{'x' * 22}/cancel").status_code == 404
-    listed = client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]
-    assert batch in listed
-    assert [each["created_at"] for each in listed] == sorted((each["created_at"] for each in listed), reverse=True)
+    newest = client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]
+    assert batch in newest
+    assert [each["created_at"] for each in newest] == sorted((each["created_at"] for each in newest), reverse=True)
     assert len(client.get("/api/v1/batches", params={"limit": 1}).json()["batches"]) == 1
 
 
