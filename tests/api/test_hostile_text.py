@@ -224,9 +224,8 @@ def test_no_cell_of_a_table_is_a_formula(client: httpx.Client, run: dict[str, An
         rows = list(csv.reader(io.StringIO(text)))
         assert len(rows) > 2
         for row in rows:
-            for name, cell in zip(rows[0], row, strict=True):
-                if FORMULA.match(cell):
-                    float(cell)
+            for cell in filter(FORMULA.match, row):
+                float(cell)
     assert any(cell.startswith("-") for row in csv.reader(io.StringIO(texts[1])) for cell in row), "no negative number"
 
 

@@ -3,7 +3,7 @@
 import type { Catalogue, FigureMeta } from "../api/types";
 import { stagedStrategy } from "../plots/shapes";
 import type { Scene } from "../state/scene";
-import classes from "./shell.module.css";
+import classes from "./legend.module.css";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */
 const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
