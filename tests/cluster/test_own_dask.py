@@ -17,6 +17,7 @@ from backend.cluster import Cluster
 from backend.settings import Settings
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+from tests.servers import loops
 from tests.servers.process import ROOT, Program, free_port
 
 PAGE = (ROOT / "docs/operations.md").read_text()
@@ -79,7 +80,7 @@ async def compute(address: str, seeds: list[int]) -> list[Answer]:
 
 def test_workers_of_both_kinds_compute_in_processes_of_their_own(address: str) -> None:
     seeds = list(range(12))
-    answers = asyncio.run(asyncio.wait_for(compute(address, seeds), 120))
+    answers = loops.run(lambda: asyncio.wait_for(compute(address, seeds), 120))
     computed = [run for answer in answers for run in answer.computed or []]
     assert [(run.key, run.status) for run in computed] == [(str(seed), "ok") for seed in seeds]
     with Client(address) as client:

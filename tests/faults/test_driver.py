@@ -20,6 +20,7 @@ from backend.sweeps import Sweep
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.api.test_batch_store import BATCH
+from tests.servers import loops
 
 RUNS = 40
 Behaviour = Callable[[Chunk], Answer]
@@ -115,7 +116,7 @@ def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSIO
             store.close()
         return rows
 
-    return asyncio.run(run())
+    return loops.run(run)
 
 
 def test_every_run_is_handed_out_once(tmp_path: Path) -> None:

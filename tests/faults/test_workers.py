@@ -4,7 +4,6 @@ import asyncio
 import os
 import time
 from collections.abc import Awaitable, Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import psutil
@@ -13,6 +12,7 @@ import pytest
 from backend.compute import Workers, WorkerTimeoutError
 from backend.worker import run
 from sim_core.scenario import Scenario
+from tests.servers import loops
 
 
 def with_workers(count: int, timeout: float, use: Callable[[Workers], Awaitable[None]]) -> None:
@@ -26,9 +26,7 @@ def with_workers(count: int, timeout: float, use: Callable[[Workers], Awaitable[
             await workers.close()
             assert time.monotonic() - begin < 8, "SIGTERM promises ten seconds"
 
-    # A thread of its own: the browser tests' driver leaves an event loop running in this one.
-    with ThreadPoolExecutor(1) as thread:
-        thread.submit(lambda: asyncio.run(main())).result()
+    loops.run(main)
 
 
 def test_a_worker_outlives_errors_but_not_its_time_limit() -> None:
