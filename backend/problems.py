@@ -161,6 +161,8 @@ def _place(item: Mapping[str, Any], model: type[BaseModel] | None) -> dict[str, 
     elif item["type"] == "extra_forbidden":
         path.pop()  # the unknown name itself was typed by somebody
         message = f"Unknown field; there are {', '.join(_fields(model, path))}"
+    elif item["type"] == "too_short" and context.get("min_length") == 1:
+        message = "There has to be at least one"
     elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):
         message = "This has to be a JSON object"
     return {"pointer": pointer(path), "message": message}

@@ -89,7 +89,10 @@ class Settings(BaseModel):
         try:
             return cls.model_validate(values)
         except ValidationError as error:
-            reasons = [_reason(item["loc"], item["msg"]) for item in error.errors(include_url=False)]
+            reasons = [
+                _reason(item["loc"], "there is no such setting" if item["type"] == "extra_forbidden" else item["msg"])
+                for item in error.errors(include_url=False)
+            ]
             raise SettingsError("; ".join(reasons)) from None
 
     @model_validator(mode="after")
