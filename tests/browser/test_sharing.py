@@ -29,7 +29,7 @@ def test_a_link_opens_the_same_numbers_and_the_same_view(dashboard: Dashboard, r
     dashboard.type_into("Height", "0.12")
     expect(page).not_to_have_url(first)
     dashboard.expect_curves()
-    dashboard.row("lqr").get_by_role("button").click()
+    dashboard.row("lqr").get_by_role("button", name="LQR").click()
     dashboard.chip("Passive").click()
     page.get_by_text("Time", exact=True).click()
     page.get_by_role("main").get_by_role("button", name="Bump", exact=True).click()

@@ -2,9 +2,11 @@
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
-import { formatNumber, prettyUnit } from "../units/format";
+import { formatResult, prettyUnit } from "../units/format";
 import { BaselineButton } from "./BaselineButton";
 import { ChangeMark } from "./ChangeMark";
+import { DoubtMarks } from "./DoubtMarks";
+import { doubtsOf } from "./doubts";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 
@@ -69,6 +71,7 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
             <tr key={strategy.id} data-baseline={strategy.id === scene.baseline || undefined} data-strategy={strategy.id}>
               <th scope="row" className={classes.rowHeader}>
                 <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} />
+                <DoubtMarks doubts={doubtsOf(scene.summaries[strategy.id]?.events, catalogue)} />
               </th>
               {VIEWS.map(({ window, statistic }) =>
                 signals.map((signal, index) => (
@@ -103,7 +106,7 @@ interface CellProps {
 function Cell({ name, first, value, baseline, isBaseline, scale }: CellProps) {
   return (
     <td className={classes.cell} data-first={first || undefined} data-cell={name} data-value={value ?? ""}>
-      <span className={classes.value}>{typeof value === "number" ? formatNumber(value * scale) : "–"}</span>
+      <span className={classes.value}>{typeof value === "number" ? formatResult(value * scale) : "–"}</span>
       {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} />}
     </td>
   );

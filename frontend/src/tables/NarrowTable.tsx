@@ -1,10 +1,12 @@
 /** The comparison where there is little width: a row per signal, a column per strategy. */
 
 import type { Quantity, SignalKey } from "../api/types";
-import { formatNumber, prettyUnit } from "../units/format";
+import { formatResult, prettyUnit } from "../units/format";
 import { BaselineButton } from "./BaselineButton";
 import { ChangeMark } from "./ChangeMark";
 import type { ComparisonProps, WindowView } from "./ComparisonTable";
+import { DoubtMarks } from "./DoubtMarks";
+import { doubtsOf } from "./doubts";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 
@@ -26,6 +28,7 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
             {scene.strategies.map((strategy) => (
               <th key={strategy.id} scope="col" className={classes.narrowColumn}>
                 <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} upright />
+                <DoubtMarks doubts={doubtsOf(scene.summaries[strategy.id]?.events, catalogue)} upright />
               </th>
             ))}
           </tr>
@@ -42,7 +45,7 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
                   const value = valueOf(id, signal);
                   return (
                     <td key={id} className={classes.cell} data-baseline={id === scene.baseline || undefined} data-value={value ?? ""}>
-                      <span className={classes.value}>{typeof value === "number" ? formatNumber(value * scale) : "–"}</span>
+                      <span className={classes.value}>{typeof value === "number" ? formatResult(value * scale) : "–"}</span>
                       {id === scene.baseline ? (
                         <span className={classes.change}>&nbsp;</span>
                       ) : (

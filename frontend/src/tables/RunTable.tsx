@@ -2,7 +2,7 @@
 
 import type { Catalogue, Quantity, Summary } from "../api/types";
 import type { Scene } from "../state/scene";
-import { formatNumber, prettyUnit } from "../units/format";
+import { formatNumber, formatResult, prettyUnit } from "../units/format";
 import { ChangeMark } from "./ChangeMark";
 import { StrategyKey } from "./StrategyKey";
 import classes from "./tables.module.css";
@@ -28,7 +28,7 @@ function rows(catalogue: Catalogue): readonly Row[] {
 function show(value: Value): string {
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (typeof value !== "number") return "–";
-  return Number.isInteger(value) ? formatNumber(value, Math.max(1, String(Math.abs(value)).length)) : formatNumber(value);
+  return Number.isInteger(value) ? formatNumber(value, Math.max(1, String(Math.abs(value)).length)) : formatResult(value);
 }
 
 export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {

@@ -1,5 +1,7 @@
 /** Change against a baseline, and what it means. */
 
+import { isNothing } from "../units/format";
+
 export type Verdict = "better" | "worse" | "same" | "none";
 
 export interface Change {
@@ -13,7 +15,7 @@ const NOTHING = 0.05;
 
 /** Every compared figure is one where lower is better. A change against a zero baseline does not exist. */
 export function changeAgainst(value: number | null | undefined, baseline: number | null | undefined): Change {
-  if (typeof value !== "number" || typeof baseline !== "number" || baseline === 0) return { percent: null, verdict: "none" };
+  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) return { percent: null, verdict: "none" };
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;
   if (Math.abs(percent) < NOTHING) return { percent: 0, verdict: "same" };
   return { percent, verdict: percent < 0 ? "better" : "worse" };

@@ -1,11 +1,15 @@
 import { describe, expect, it } from "vitest";
-import { count, formatExact, formatFixed, formatInput, formatNumber, parseInput, prettyUnit } from "./format";
+import { count, formatExact, formatFixed, formatInput, formatNumber, formatResult, parseInput, prettyUnit } from "./format";
 
 describe("numbers", () => {
   it("are shown with significant digits", () => {
     expect([0.14873, 6.19, 8582.5, 22245, -0.0012, 0, 6.4e-7, 999.96].map((value) => formatNumber(value))).toEqual([
       "0.149", "6.19", "8583", "22\u202f245", "−0.00120", "0", "6.4×10⁻⁷", "1000",
     ]);
+  });
+
+  it("of a result are zero where they are rounding errors", () => {
+    expect([1e-14, -3e-12, 6.4e-7, 0].map((value) => formatResult(value))).toEqual(["0", "0", "6.4×10⁻⁷", "0"]);
   });
 
   it("count things", () => {

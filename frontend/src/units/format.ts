@@ -34,6 +34,16 @@ export function formatNumber(value: number, digits = 3): string {
   return withMinus(size >= 4 ? grouped(text) : text);
 }
 
+/** Far below what any unit a result is shown in resolves: what rounding leaves of a zero. */
+const NOTHING = 1e-9;
+
+export const isNothing = (value: number): boolean => Math.abs(value) < NOTHING;
+
+/** A result in the unit it is shown in: rounding errors are zero. */
+export function formatResult(value: number, digits = 3): string {
+  return isNothing(value) ? "0" : formatNumber(value, digits);
+}
+
 /** A fixed number of decimals; what rounds to zero has no sign. */
 export function formatFixed(value: number, decimals: number): string {
   const text = value.toFixed(decimals);

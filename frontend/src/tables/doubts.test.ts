@@ -1,0 +1,25 @@
+import { describe, expect, it } from "vitest";
+import { doubtsOf } from "./doubts";
+
+const quantity = (key: string, unit: string) => ({ key, label: key, symbol: "", unit, description: "what it means" });
+const CATALOGUE = { events: [quantity("airborne_ms", "ms"), quantity("travel_exceeded_mm", "mm"), quantity("target_reached", "1")] };
+const texts = (events: Record<string, number | boolean | null>) => doubtsOf(events, CATALOGUE).map(({ text }) => text);
+
+describe("a result in doubt", () => {
+  it("says why, in numbers", () => {
+    expect(texts({ airborne_ms: 94, travel_exceeded_mm: 6.97, target_reached: false })).toEqual([
+      "airborne 94\u00a0ms", "7\u00a0mm over the travel limit", "target speed not reached",
+    ]);
+    expect(texts({ airborne_ms: 142.4, travel_exceeded_mm: 0.034 })).toEqual(["airborne 142\u00a0ms", "0.034\u00a0mm over the travel limit"]);
+  });
+
+  it("means what the catalogue says", () => {
+    expect(doubtsOf({ airborne_ms: 1 }, CATALOGUE)[0]?.description).toBe("airborne_ms: what it means");
+  });
+
+  it("is none where nothing happened, no target was set, or rounding is all there is", () => {
+    expect(texts({ airborne_ms: 0, travel_exceeded_mm: 1e-14, target_reached: null })).toEqual([]);
+    expect(texts({ target_reached: true })).toEqual([]);
+    expect(doubtsOf(undefined, CATALOGUE)).toEqual([]);
+  });
+});

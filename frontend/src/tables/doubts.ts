@@ -1,0 +1,42 @@
+/** What makes a result one that no real car would have had, or that is not comparable with the others. */
+
+import type { Catalogue, Summary } from "../api/types";
+import { formatInput, isNothing, prettyUnit } from "../units/format";
+
+type Events = Summary["events"];
+
+export interface Doubt {
+  readonly event: string;
+  /** A few words: `airborne 94 ms`. */
+  readonly text: string;
+  /** The catalogue's words for it. */
+  readonly description: string;
+}
+
+type Wording = (value: number | boolean, unit: string) => string | null;
+
+const amount = (value: number, unit: string) => `${formatInput(value < 10 ? Number(value.toPrecision(2)) : Math.round(value))}\u00a0${prettyUnit(unit)}`;
+
+/** Above nothing, in words; `null` for none of it. */
+const above =
+  (say: (shown: string) => string): Wording =>
+  (value, unit) =>
+    typeof value === "number" && value > 0 && !isNothing(value) ? say(amount(value, unit)) : null;
+
+const WORDINGS: Readonly<Record<string, Wording>> = {
+  airborne_ms: above((shown) => `airborne ${shown}`),
+  travel_exceeded_mm: above((shown) => `${shown} over the travel limit`),
+  target_reached: (value) => (value === false ? "target speed not reached" : null),
+};
+
+/** The events that can put a result in doubt. */
+export const DOUBTFUL_EVENTS = Object.keys(WORDINGS);
+
+export function doubtsOf(events: Events | undefined, catalogue: Pick<Catalogue, "events">): readonly Doubt[] {
+  return Object.entries(WORDINGS).flatMap(([event, wording]) => {
+    const value = events?.[event];
+    const quantity = catalogue.events.find(({ key }) => key === event);
+    const text = value === null || value === undefined ? null : wording(value, quantity?.unit ?? "1");
+    return text === null ? [] : [{ event, text, description: `${quantity?.label ?? event}: ${quantity?.description ?? ""}` }];
+  });
+}
