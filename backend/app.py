@@ -12,10 +12,10 @@ from starlette.middleware.gzip import GZipMiddleware
 
 from backend import problems
 from backend.admission import Admission
-from backend.batches import Batches
+from backend.batches.driver import Driver
+from backend.batches.service import Batches
 from backend.compute import Workers
-from backend.driver import Driver
-from backend.links import Links
+from backend.links.service import Links
 from backend.memory import Memory
 from backend.results import Results
 from backend.routes import batches, health, links, runs, schema, site

@@ -6,15 +6,13 @@ Nothing of the web is imported here, so that a worker starts quickly and stays s
 import os
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from multiprocessing import parent_process
 from typing import Any
 
 import orjson
 
-from backend.chunk import ComputedRun, WaitingRun
-from backend.plan import scenario_at
 from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
@@ -81,44 +79,15 @@ def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> di
     return {strategy: _run_one(scenario, strategy, points) for strategy in strategies}
 
 
-def run_chunk(
-    base: Mapping[str, Any], schema_version: int, runs: Sequence[WaitingRun], budget: float
-) -> list[ComputedRun]:
-    """Simulate them in order, the first in any case, and begin no further one after `budget` [s].
-
-    Runs of one point lie side by side and share its scenario, equal ones their result.
-    """
-    end = time.perf_counter() + budget
-    computed: dict[str, ComputedRun] = {}
-    changes, scenario = None, None
-    for run in runs:
-        if run.key in computed:
-            continue
-        if computed and time.perf_counter() > end:
-            break
-        if scenario is None or run.changes != changes:
-            changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version)
-        begin = time.perf_counter()
-        try:
-            status, summary = "ok", summary_json(simulate(scenario, run.strategy)).decode()
-        except RidelabError as error:
-            status, summary = "failed", orjson.dumps({"reason": error.message}).decode()
-        elapsed = _elapsed_ms(begin)
-        computed[run.key] = ComputedRun(
-            key=run.key, strategy=run.strategy, status=status, summary=summary, compute_ms=elapsed
-        )
-    return list(computed.values())
-
-
 def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     begin = time.perf_counter()
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
-        elapsed = _elapsed_ms(begin)
+        elapsed = elapsed_ms(begin)
         return Outcome(status="failed", summary={"reason": error.message}, compute_ms=elapsed, points=points)
     summary = orjson.loads(summary_json(result))
-    elapsed = _elapsed_ms(begin)
+    elapsed = elapsed_ms(begin)
     series = None if points is None else pack(result, points)
     return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
 
@@ -128,5 +97,6 @@ def summary_json(result: StrategyResult) -> bytes:
     return orjson.dumps(result.summary(), option=orjson.OPT_SERIALIZE_NUMPY, default=dict)
 
 
-def _elapsed_ms(begin: float) -> float:
+def elapsed_ms(begin: float) -> float:
+    """Time since `time.perf_counter()` gave `begin` [ms]."""
     return round(1000 * (time.perf_counter() - begin), 2)

@@ -7,11 +7,11 @@ from typing import Annotated
 import typer
 
 from backend.cli import options, output, targets
+from backend.cli.following import Table, take
 from backend.cli.reporting import InputError, note
 from backend.cli.run import with_units
 from backend.cli.services import Services
-from backend.cli.sweep import follow
-from backend.client import Batch, Ridelab, RunResult
+from backend.client import Ridelab, RunResult
 
 
 def export(
@@ -43,8 +43,16 @@ def export(
     chosen = "json" if metrics else output.chosen_format(out, file_format)
     with Services(server, data_dir) as services:
         found = targets.find(target, services)
+        if found.batch is not None and wait:
+            there = None if services.started or found.ridelab is None else found.ridelab.address
+            named = metrics or file_format is not None
+            take(found.batch, Table(out=out, file_format=chosen, named=named, server=there, data_dir=data_dir))
+            return
         if found.batch is not None:
-            content = _batch(found.batch, chosen, wait=wait)
+            if not found.batch.finished:
+                left = found.batch.total - found.batch.done - found.batch.failed
+                note(f"The batch is {found.batch.state}: {left} of {found.batch.total} rows wait")
+            content = found.batch.content(chosen)
         elif found.run is not None and metrics:
             content = iter([json.dumps(with_units(found.run), indent=1, ensure_ascii=False).encode() + b"\n"])
         elif found.run is not None and found.ridelab is not None:
@@ -52,14 +60,6 @@ def export(
         else:
             raise InputError(f"{target}: export takes a stored run, batch or link; run and sweep make them")
         output.deliver(content, out)
-
-
-def _batch(batch: Batch, file_format: str, *, wait: bool) -> Iterator[bytes]:
-    if wait:
-        follow(batch)
-    if not batch.finished:
-        note(f"The batch is {batch.state}: {batch.total - batch.done - batch.failed} of {batch.total} rows wait")
-    return batch.content(file_format)
 
 
 def _series(

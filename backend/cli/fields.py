@@ -86,6 +86,11 @@ def _values(field: dotted.DottedField, text: str) -> list[Any]:
             raise InputError(f"{field.name}: LOW:HIGH:COUNT takes a count from 2 to 1000000")
         steps = [low + (high - low) * index / (count - 1) for index in range(count)]
         return [_checked(field, _whole(field, float(f"{step:.{_DIGITS}g}"))) for step in steps]
+    if ":" in text and field.kind in ("number", "integer"):
+        raise InputError(
+            f"{field.name}: {text} is neither LOW:HIGH:COUNT, such as 0.05:0.15:11 for 11 values with both ends, "
+            "nor values with commas"
+        )
     if field.kind == "weights":
         return [_checked(field, value) for value in _json(field, f"[{text}]")]
     return [_checked(field, _value(field, item.strip())) for item in text.split(",")]

@@ -70,6 +70,11 @@ def failed(code: int, lines: Sequence[str]) -> typer.Exit:
     return typer.Exit(code)
 
 
+def nothing_submitted() -> typer.Exit:
+    """Say that Ctrl-C came before anything was handed to a service; the exit to raise."""
+    return failed(INTERRUPTED, ["Interrupted, nothing was submitted"])
+
+
 def abandon_output() -> None:
     """Nobody reads standard output any more: what is left in its buffer goes nowhere, without a complaint."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

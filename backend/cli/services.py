@@ -13,7 +13,7 @@ from types import TracebackType
 from typing import IO, Self
 
 from backend.cli.options import SERVER_VARIABLE
-from backend.cli.reporting import InputError, UnavailableError, terminal
+from backend.cli.reporting import InputError, UnavailableError, nothing_submitted, terminal
 from backend.client import Ridelab
 
 START = 90.0  # the private service gets so long to start [s]; it takes one or two
@@ -84,6 +84,7 @@ def private(data_dir: Path | None) -> Iterator[str]:
 
     Raises:
         UnavailableError: It does not start; the message is its own.
+        typer.Exit: Ctrl-C came while it started, and that has been said.
     """
     options = [] if data_dir is None else ["--data-dir", str(data_dir)]
     command = [sys.executable, "-P", "-m", "backend.cli.embedded", *options]
@@ -97,7 +98,11 @@ def private(data_dir: Path | None) -> Iterator[str]:
             start_new_session=True,  # Ctrl-C is the command's: it may still need the service to cancel
         )
         try:
-            yield _wait(process, log)
+            try:
+                address = _wait(process, log)
+            except KeyboardInterrupt:
+                raise nothing_submitted() from None
+            yield address
         finally:
             _end(process)
 

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from backend.cli import fields, options, output, targets
-from backend.cli.reporting import DIFFERENT, INTERRUPTED, InputError, UnavailableError, note, terminal
+from backend.cli.following import Table, interrupted, take
+from backend.cli.reporting import DIFFERENT, InputError, UnavailableError, nothing_submitted, note
 from backend.cli.services import Services
 from backend.client import Batch, Ridelab
 
@@ -70,18 +70,20 @@ def sweep(
     if detach and server is None:
         raise InputError("--detach needs --server: a private service ends with this command")
     chosen = "" if out is None else output.chosen_format(out, file_format)
+    table = Table(out=out, file_format=chosen, named=file_format is not None, server=server, data_dir=data_dir)
     with Services(server, data_dir) as services:
-        start = fields.changed(targets.find(scenario, services).scenario, changes or [])
-        ridelab, names = services.at(), options.listed(strategy) or ["lv"]
-        if dry_run:
-            _estimate(ridelab.estimate(start, names, wanted), as_json=as_json)
-            return
-        batch = _submit(ridelab, start, names, wanted)
+        try:
+            start = fields.changed(targets.find(scenario, services).scenario, changes or [])
+            ridelab, names = services.at(), options.listed(strategy) or ["lv"]
+            if dry_run:
+                _estimate(ridelab.estimate(start, names, wanted), as_json=as_json)
+                return
+        except KeyboardInterrupt:
+            raise nothing_submitted() from None
+        batch = _submit(ridelab, start, names, wanted, table)
         if not detach:
-            follow(batch)
-            if out is not None:
-                output.deliver(batch.content(chosen), out)
-            elif not as_json:
+            take(batch, table)
+            if out is None and not as_json:
                 _preview(batch)
         elif not as_json:
             typer.echo(f"{batch.id}")
@@ -91,45 +93,16 @@ def sweep(
     _end(batch, detached=detach)
 
 
-def follow(batch: Batch) -> None:
-    """Wait for it with a progress bar; Ctrl-C cancels it.
-
-    Raises:
-        typer.Exit: It was cancelled by Ctrl-C.
-    """
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[failed]}"),
-        TimeRemainingColumn(),
-    )
-    console = terminal()
-    try:
-        with Progress(*columns, console=console, disable=not console.is_terminal, transient=True) as bar:
-            task = bar.add_task(batch.state, total=batch.total, failed="")
-
-            def show(batch: Batch) -> None:
-                failed = f"{batch.failed} failed" if batch.failed else ""
-                bar.update(task, description=batch.state, completed=batch.done + batch.failed, failed=failed)
-
-            batch.wait(show)
-    except KeyboardInterrupt:
-        raise _cancelled(batch.cancel()) from None
-
-
-def _submit(ridelab: Ridelab, scenario: dict[str, Any], strategies: list[str], sweep: dict[str, Any]) -> Batch:
+def _submit(
+    ridelab: Ridelab, scenario: dict[str, Any], strategies: list[str], sweep: dict[str, Any], table: Table
+) -> Batch:
     """Hand it in. Interrupted meanwhile, nobody knows whether it was accepted: the same key tells, and it ends."""
     key = uuid.uuid4().hex
     try:
         return ridelab.submit(scenario, strategies, sweep, idempotency_key=key)
     except KeyboardInterrupt:
-        raise _cancelled(ridelab.submit(scenario, strategies, sweep, idempotency_key=key).cancel()) from None
-
-
-def _cancelled(batch: Batch) -> typer.Exit:
-    note(f"Cancelled; {batch.done} of {batch.total} runs are finished and stay stored: batch {batch.id}")
-    return typer.Exit(INTERRUPTED)
+        batch = ridelab.submit(scenario, strategies, sweep, idempotency_key=key)
+        raise interrupted(batch, table) from None
 
 
 def _estimate(found: dict[str, Any], *, as_json: bool) -> None:

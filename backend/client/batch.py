@@ -85,7 +85,7 @@ class Batch:
         """Follow it to its end, over lost connections and restarts of the service; without events by polling.
 
         Args:
-            progress: Called with this batch whenever something is heard of it.
+            progress: Called with this batch whenever something is heard of it, once of its end.
 
         Raises:
             RidelabAPIError: The service refused.
@@ -96,8 +96,10 @@ class Batch:
         while not self.finished:
             try:
                 told = self._follow(tell)
+                ended = self.finished
                 self.refresh()
-                tell(self)
+                if not ended:
+                    tell(self)
                 pause, heard = 0.1 if told else min(2 * pause, LONGEST_PAUSE), time.monotonic()
             except (RidelabConnectionError, RidelabAPIError) as error:
                 away = isinstance(error, RidelabConnectionError) or error.status >= 500

@@ -5,9 +5,9 @@ from typing import Annotated, Any, Literal
 from fastapi import Depends, Header, Path, Query, Request, Response
 from fastapi.responses import StreamingResponse
 
-from backend import models_batches
-from backend.batch_table import FIGURES
-from backend.batches import Batches
+from backend.batches import models as models_batches
+from backend.batches.service import Batches
+from backend.batches.table import FIGURES
 from backend.models import Problem
 from backend.problems import ProblemError
 from backend.routes import router

@@ -8,7 +8,7 @@ import orjson
 from fastapi import Depends, Request, Response
 from starlette.requests import ClientDisconnect
 
-from backend.links import Links
+from backend.links.service import Links
 from backend.runs import Runs
 
 T = TypeVar("T")

@@ -7,7 +7,7 @@ from typing import Annotated
 import orjson
 from fastapi import Path, Request, Response
 
-from backend import models_links
+from backend.links import models as models_links
 from backend.routes import router
 from backend.routes.deps import Client, LinksService, json_answer, unless_known
 

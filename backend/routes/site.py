@@ -7,8 +7,8 @@ from fastapi import APIRouter, FastAPI
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
-from backend import preview
-from backend.preview import Preview
+from backend.links import preview
+from backend.links.preview import Preview
 from backend.problems import ProblemError
 from backend.routes.deps import IMMUTABLE, LinksService
 

@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend import sweeps
+from backend.batches import sweeps
 from sim_core import dotted
 from sim_core.scenario import Scenario
 from sim_core.simulation import simulate

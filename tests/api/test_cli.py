@@ -256,17 +256,45 @@ def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(elsewhere
 
 
 @pytest.mark.usefixtures("no_service_left")
-def test_ctrl_c_cancels_a_sweep(client: httpx.Client, tmp_path: Path) -> None:
+@pytest.mark.parametrize("written", [True, False])
+def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client, tmp_path: Path, written: bool) -> None:
     file = tmp_path / "long.json"
     file.write_text(json.dumps(LONG), encoding="utf-8")
-    arguments = command("sweep", str(file), "--grid", "road.seed=1:80:80", "--server", str(client.base_url))
+    server = str(client.base_url).rstrip("/")
+    out = tmp_path / "its rows.csv"
+    where = ("--out", str(out)) if written else ()
+    arguments = command("sweep", str(file), "--grid", "road.seed=1:80:80", *where, "--server", server)
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
     batch_id = running_batch(client, 80)
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert re.fullmatch(rf"Cancelled; \d+ of 80 runs are finished and stay stored: batch {batch_id}\n", said)
-    assert client.get(f"/api/v1/batches/{batch_id}").json()["state"] == "cancelled"
+    first, second = said.splitlines()
+    assert re.fullmatch(rf"Cancelled; \d+ of 80 runs are finished and stay stored: batch {batch_id}", first)
+    batch = client.get(f"/api/v1/batches/{batch_id}").json()
+    assert batch["state"] == "cancelled"
+    if not written:
+        assert second == f"For its rows: ridelab export {batch_id} --out FILE --server {server}"
+        return
+    assert second == f"{out} has all 80 rows, those that never ran with the status cancelled"
+    rows = [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))]
+    assert (rows.count("ok"), rows.count("cancelled")) == (batch["done"], 80 - batch["done"])
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_ctrl_c_while_a_private_service_starts_submits_nothing(elsewhere: Path) -> None:
+    before = set(private_services())
+    arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
+    process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
+    end = time.monotonic() + 60
+    while not set(private_services()) - before:
+        assert time.monotonic() < end
+        assert process.poll() is None
+        time.sleep(0.01)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert (process.returncode, said) == (130, "Interrupted, nothing was submitted\n")
+    assert not (elsewhere / "rows.csv").exists()
 
 
 def running_batch(client: httpx.Client, total: int) -> str:

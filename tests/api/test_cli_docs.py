@@ -39,10 +39,11 @@ parser = argparse.ArgumentParser()
 parser.add_argument("-s", action="store_true", required=True)
 parser.add_argument("-H", action="append", default=[])
 parser.add_argument("-d")
+parser.add_argument("-X")
 parser.add_argument("url")
 options = parser.parse_args()
 headers = dict(header.split(": ", 1) for header in options.H)
-method = "GET" if options.d is None else "POST"
+method = options.X or ("GET" if options.d is None else "POST")
 print(httpx.request(method, options.url, headers=headers, content=options.d, timeout=60).text, end="")
 """
 

@@ -124,6 +124,7 @@ def test_a_batch_is_followed_to_its_end(ridelab: Ridelab) -> None:
     assert batch.total == 15
     batch.wait(lambda batch: heard.append((batch.state, batch.done)))
     assert heard[-1] == ("done", 15)
+    assert [state for state, _ in heard].count("done") == 1
     assert [done for _, done in heard] == sorted(done for _, done in heard)
     assert batch.answer["finished_at"] is not None
     assert ridelab.get_batch(batch.id).answer == batch.answer

@@ -12,7 +12,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend import batch_table
+from backend.batches import table as batch_table
 from backend.security import CONTENT_SECURITY_POLICY, HEADERS
 from backend.settings import Settings
 from sim_core.signals import SIGNALS

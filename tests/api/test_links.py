@@ -16,7 +16,7 @@ from sqlalchemy.exc import IntegrityError
 
 from backend import exports, pins
 from backend.admission import Admission
-from backend.models_links import CreatedLink, Link
+from backend.links.models import CreatedLink, Link
 from backend.store import Store, StoredLink, StoredResult
 from backend.store.tables import pinned_series, results, run_results, runs
 from sim_core import __version__

@@ -12,7 +12,7 @@ import httpx
 import psutil
 import pytest
 
-from backend.leadership import LOCK_ID
+from backend.batches.leadership import LOCK_ID
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
 from tests.servers.process import Program, wait_until

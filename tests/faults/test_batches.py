@@ -5,7 +5,7 @@ from typing import Any
 
 import psutil
 
-from backend.cluster import NICE
+from backend.batches.cluster import NICE
 
 # A run of many seconds: far longer than the two in which a cancelled batch has to have stopped.
 HEAVY = {

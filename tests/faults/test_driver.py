@@ -9,14 +9,14 @@ from typing import Any
 import pytest
 from sqlalchemy.exc import OperationalError
 
-from backend import cluster, driver
+from backend.batches import cluster, driver
+from backend.batches.driver import Driver
+from backend.batches.plan import plan
+from backend.batches.sweeps import Sweep
 from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun
-from backend.driver import Driver
-from backend.plan import plan
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import BatchRow
-from backend.sweeps import Sweep
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.api.test_batch_store import BATCH
@@ -39,7 +39,7 @@ def seeds(chunk: Chunk) -> list[int]:
 
 
 class Misbehaving:
-    """Stands for `backend.cluster.Cluster`; every chunk goes to `behaviour`, and is counted."""
+    """Stands for `backend.batches.cluster.Cluster`; every chunk goes to `behaviour`, and is counted."""
 
     behaviour: Behaviour = staticmethod(answered)
     chunks: Sequence[Chunk] = ()

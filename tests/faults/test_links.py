@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from backend import pins
-from backend.models_links import Link
+from backend.links.models import Link
 from backend.store import Store
 from sim_core import __version__
 from sim_core.scenario import Scenario

@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from backend import worker
+from backend.batches import work
+from backend.batches.plan import plan
+from backend.batches.sweeps import Sweep, SweepError, points
 from backend.chunk import WaitingRun
-from backend.plan import plan
-from backend.sweeps import Sweep, SweepError, points
 from sim_core.errors import UnstableVehicleError
 from sim_core.scenario import Scenario
 
@@ -24,22 +24,22 @@ def waiting(*heights: float, strategy: str = "passive") -> list[WaitingRun]:
 
 
 def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
-    computed = worker.run_chunk(BASE, 1, waiting(0.05, 0.05, 0.08), 60)
+    computed = work.run_chunk(BASE, 1, waiting(0.05, 0.05, 0.08), 60)
     assert [run.key for run in computed] == [waiting(0.05)[0].key, waiting(0.08)[0].key]
     peaks = [json.loads(run.summary)["metrics"]["bump"]["body_acceleration"]["peak"] for run in computed]
     assert peaks[1] == pytest.approx(1.6 * peaks[0], rel=0.2), "the passive car is linear, the road adds a little"
 
 
 def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
-    assert len(worker.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), 0)) == 1
+    assert len(work.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), 0)) == 1
 
 
 def test_what_the_core_refuses_is_a_result_with_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: Any) -> None:
         raise UnstableVehicleError("The passive car has no stationary response")
 
-    monkeypatch.setattr(worker, "simulate", refuse)
-    (run,) = worker.run_chunk(BASE, 1, waiting(0.05), 60)
+    monkeypatch.setattr(work, "simulate", refuse)
+    (run,) = work.run_chunk(BASE, 1, waiting(0.05), 60)
     assert run.status == "failed"
     assert json.loads(run.summary) == {"reason": "The passive car has no stationary response"}
 

@@ -9,7 +9,9 @@ from pathlib import Path
 import httpx
 import numpy as np
 import pytest
+import typer
 
+from backend.cli.following import Table, take
 from backend.client import ErrorPlace, Ridelab, RidelabAPIError, RidelabConnectionError
 from backend.client.files import format_of, save
 from backend.client.follow import Event, events, rows
@@ -258,7 +260,7 @@ def test_a_broken_stream_of_events_goes_on_where_it_was() -> None:
 
     heard = follow(handler)
     assert asked == [None, "11"]
-    assert heard == [("running", 1), ("running", 2), ("done", 4), ("done", 4)]
+    assert heard == [("running", 1), ("running", 2), ("done", 4)]
 
 
 def test_without_events_it_polls_and_outlives_a_restart() -> None:
@@ -288,6 +290,33 @@ def test_a_batch_that_is_gone_ends_the_wait() -> None:
 
     with pytest.raises(RidelabAPIError):
         follow(handler)
+
+
+@pytest.mark.parametrize(
+    ("table", "told"),
+    [
+        (Table(out="x y.csv", file_format="csv", data_dir=Path("d")), "--out 'x y.csv' --data-dir d"),
+        (Table(out="-", file_format="json", named=True), "--out - --format json"),
+        (Table(out=None, server="http://ridelab.test"), "--out FILE --server http://ridelab.test"),
+    ],
+)
+@pytest.mark.parametrize("obstacle", [httpx.ConnectError("gone"), KeyboardInterrupt()])
+def test_rows_that_ctrl_c_cannot_save_are_had_with_the_command_that_is_told(
+    table: Table, told: str, obstacle: BaseException, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def handler(request: httpx.Request) -> httpx.Response:
+        if request.url.path.endswith("/events"):
+            raise KeyboardInterrupt
+        if request.url.path.endswith("/cancel"):
+            raise obstacle
+        return httpx.Response(202, json=batch_answer("queued"))
+
+    with patient(handler) as ridelab, pytest.raises(typer.Exit) as caught:
+        take(ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}}), table)
+    assert caught.value.exit_code == 130
+    why, last = capsys.readouterr().err.splitlines()
+    assert why.startswith(("No answer from http://ridelab.test", "Interrupted again"))
+    assert last == f"For its rows: ridelab export {'b' * 22} {told}"
 
 
 def test_a_batch_is_handed_in_again_with_the_same_key() -> None:

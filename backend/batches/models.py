@@ -5,9 +5,9 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field
 
+from backend.batches.sweeps import Sweep
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store.batches import State
-from backend.sweeps import Sweep
 from sim_core.scenario import Scenario
 
 

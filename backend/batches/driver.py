@@ -17,16 +17,16 @@ import orjson
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import telemetry
+from backend.batches.leadership import Leadership, LeadershipLostError
+from backend.batches.plan import rekeyed
 from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun, Trouble, WaitingRun
-from backend.leadership import Leadership, LeadershipLostError
-from backend.plan import rekeyed
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import UNFINISHED, State
 from sim_core import __version__ as CORE_VERSION
 
 if TYPE_CHECKING:
-    from backend.cluster import Cluster
+    from backend.batches.cluster import Cluster
 
 logger = logging.getLogger(__name__)
 
@@ -140,7 +140,7 @@ class Driver:
 
     async def _with_cluster(self, leadership: Leadership) -> None:
         """Drive until the cluster or the lock is lost; the cluster stays warm while there is nothing to do."""
-        from backend.cluster import Cluster  # Dask takes half a second to import: not before there is a batch
+        from backend.batches.cluster import Cluster  # Dask takes half a second to import: not before there is a batch
 
         cluster = Cluster(self._settings)
         try:

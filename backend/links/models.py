@@ -6,8 +6,8 @@ from typing import Annotated, Literal, Self
 from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName
-from backend.models_batches import Batch
 from sim_core.scenario import Scenario
 from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.strategies import STRATEGIES

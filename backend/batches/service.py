@@ -10,17 +10,19 @@ from typing import Any
 
 from fastapi.sse import format_sse_event
 
-from backend import batch_table, digest, plan
+from backend import digest
 from backend.admission import Admission
-from backend.batch_table import Format
+from backend.batches import plan
+from backend.batches import table as batch_table
+from backend.batches.driver import Driver
+from backend.batches.sweeps import Sweep, SweepError, shown_path, size
+from backend.batches.table import Format
 from backend.compute import Workers
-from backend.driver import Driver
 from backend.problems import ProblemError, pointer
 from backend.runs import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import FINAL, UNFINISHED, BatchRow
-from backend.sweeps import Sweep, SweepError, shown_path, size
 from sim_core import __version__ as CORE_VERSION
 from sim_core import dotted
 from sim_core.scenario import SCHEMA_VERSION, Scenario

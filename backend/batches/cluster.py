@@ -19,10 +19,10 @@ from distributed import Client, Scheduler, Security, SpecCluster, Worker, get_wo
 from distributed.http.routing import RoutingApplication
 from tornado.httpserver import HTTPServer
 
+from backend.batches.work import run_chunk
 from backend.chunk import Answer, Chunk, ClusterLostError
 from backend.compute import WorkerLostError, Workers, WorkersBusyError, WorkerTimeoutError
 from backend.settings import Settings
-from backend.worker import run_chunk
 from sim_core import __version__ as CORE_VERSION
 
 logger = logging.getLogger(__name__)

@@ -7,12 +7,13 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
-from backend import pins, preview
+from backend import pins
 from backend.admission import Admission
-from backend.batches import batch_answer
+from backend.batches.service import batch_answer
 from backend.compute import Workers
-from backend.models_links import SLUG_PATTERN
-from backend.preview import Preview
+from backend.links import preview
+from backend.links.models import SLUG_PATTERN
+from backend.links.preview import Preview
 from backend.problems import ProblemError
 from backend.runs import run_answer, todays
 from backend.store import Store, StoredBatch, StoredLink, StoredRun

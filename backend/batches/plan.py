@@ -10,8 +10,8 @@ import orjson
 from pydantic import ValidationError
 
 from backend import digest
+from backend.batches.sweeps import Sweep, points
 from backend.chunk import WaitingRun
-from backend.sweeps import Sweep, points
 from sim_core import dotted
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario

@@ -1,0 +1,1 @@
+"""Batches: sweeps are planned, accepted, driven over Dask and read as tables."""

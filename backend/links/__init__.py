@@ -1,0 +1,1 @@
+"""Share links: what they open, and how a chat program shows them."""
