@@ -12,7 +12,7 @@ import typer
 
 from backend.cli import fields, options, output, targets
 from backend.cli.following import Table, interrupted, take
-from backend.cli.reporting import DIFFERENT, InputError, UnavailableError, nothing_submitted, note
+from backend.cli.reporting import DIFFERENT, InputError, UnavailableError, note, nothing_submitted
 from backend.cli.services import Services
 from backend.client import Batch, Ridelab
 
