@@ -101,7 +101,7 @@ def _print(
     typer.echo("")
     for line in aligned(["strategy", "figure", "A", "B", "change"], rows, left={0, 1}):
         typer.echo(line)
-    more = f"; shown are the {len(told)} largest of {all_told}, --limit 0 shows all" if all_told > len(told) else ""
+    more = f"; these are the {len(told)} largest, --limit 0 shows all" if all_told > len(told) else ""
     typer.echo(f"\n{all_told} figures differ beyond the tolerance{more}")
 
 

@@ -28,6 +28,9 @@ CHANGING: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ..
     (re.compile(r'"request_id":"\w+"'), '"request_id":"ID"'),
     (re.compile(r" +[\d.]+ ms$", re.MULTILINE), " MS"),
     (re.compile(r"about [\d.]+ s$", re.MULTILINE), "about SECONDS"),
+    (re.compile(r'"estimated_seconds":[\d.e-]+'), '"estimated_seconds":SECONDS'),
+    (re.compile(r"\d{4}-\d\d-\d\dT[\d:.]+(?:Z|\+00:00)"), "TIME"),
+    (re.compile(r'("state":"cancelled",.*?"done":)\d+'), r"\1DONE"),
     (re.compile(r"(event: progress\ndata: .*\n)id: \d+\n\n"), ""),
     (re.compile(r"^id: \d+$", re.MULTILINE), "id: NUMBER"),
     (re.compile(r"\d+\.\d{7,}"), lambda found: f"{float(found[0]):.6g}"),
@@ -54,7 +57,7 @@ class Page:
     def __init__(self, name: str, address: str, folder: Path) -> None:
         self.path = ROOT / "docs" / name
         self._address, self._folder = address, folder
-        self._ids: dict[str, str] = {}  # of the last batch and the last run, for commands that name BATCH and RUN
+        self._ids: dict[str, str] = {}  # of the last batch, run and link, for commands that name BATCH, RUN, SLUG
         if not UPDATE:
             shim = folder / "curl"
             shim.write_text(CURL, encoding="utf-8")
@@ -97,6 +100,8 @@ class Page:
             r"/r/([\w-]{22})()", run.stdout
         ):
             self._ids["BATCH" if found[2] else "RUN"] = found[1]
+        if found := re.match(r'\{"slug":"([\w-]{22})"', run.stdout):
+            self._ids["SLUG"] = found[1]
         lines = run.stdout.replace(self._address, ADDRESS).splitlines()
         cut = [line if len(line) <= WIDEST else f"{line[:WIDEST]}..." for line in lines[:LONGEST]]
         return "".join(f"{line.rstrip()}\n" for line in [*cut, *(["..."] if len(lines) > LONGEST else [])])
