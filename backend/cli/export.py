@@ -46,7 +46,8 @@ def export(
         if found.batch is not None and wait:
             there = None if services.started or found.ridelab is None else found.ridelab.address
             named = metrics or file_format is not None
-            take(found.batch, Table(out=out, file_format=chosen, named=named, server=there, data_dir=data_dir))
+            table = Table(out=out, file_format=chosen, named=named, server=there, data_dir=data_dir)
+            take(found.batch, table, ours=False)
             return
         if found.batch is not None:
             if not found.batch.finished:

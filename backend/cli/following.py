@@ -40,8 +40,10 @@ class Table:
         return shlex.join(["ridelab", "export", batch.id, "--out", self.out or "FILE", *options])
 
 
-def take(batch: Batch, table: Table) -> None:
-    """Wait for it with a progress bar and write its table. Ctrl-C cancels it, and what is finished is written.
+def take(batch: Batch, table: Table, *, ours: bool) -> None:
+    """Wait for it with a progress bar and write its table.
+
+    Ctrl-C cancels a batch that is `ours`, and what is finished is written; another's goes on without us.
 
     Raises:
         typer.Exit: It was ended by Ctrl-C, and what became of it has been said.
@@ -52,7 +54,10 @@ def take(batch: Batch, table: Table) -> None:
         _follow(batch)
         _write(batch, table)
     except KeyboardInterrupt:
-        raise interrupted(batch, table) from None
+        if ours:
+            raise interrupted(batch, table) from None
+        note(f"Stopped waiting; the batch goes on. For its rows: {table.command(batch)} --wait")
+        raise typer.Exit(INTERRUPTED) from None
 
 
 def interrupted(batch: Batch, table: Table) -> typer.Exit:

@@ -82,7 +82,7 @@ def sweep(
             raise nothing_submitted() from None
         batch = _submit(ridelab, start, names, wanted, table)
         if not detach:
-            take(batch, table)
+            take(batch, table, ours=True)
             if out is None and not as_json:
                 _preview(batch)
         elif not as_json:

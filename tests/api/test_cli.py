@@ -282,6 +282,27 @@ def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client,
 
 
 @pytest.mark.usefixtures("no_service_left")
+def test_ctrl_c_on_an_export_leaves_the_batch_alone(client: httpx.Client, tmp_path: Path) -> None:
+    body = {"scenario": LONG, "strategies": ["lv"], "sweep": {"grid": {"road.seed": list(range(200, 277))}}}
+    client.post("/api/v1/batches", json=body).raise_for_status()
+    batch_id = running_batch(client, 77)
+    server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
+    arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    with pytest.raises(subprocess.TimeoutExpired):
+        process.wait(3)  # it waits for the batch
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.startswith("Stopped waiting; the batch goes on.")
+    assert f"ridelab export {batch_id}" in said
+    assert not out.exists()
+    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 77
+    events = client.get(f"/api/v1/batches/{batch_id}/events").text
+    assert events.count('"cancelled"') == 1, "by this test alone"
+
+
+@pytest.mark.usefixtures("no_service_left")
 def test_ctrl_c_while_a_private_service_starts_submits_nothing(elsewhere: Path) -> None:
     before = set(private_services())
     arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
