@@ -166,7 +166,7 @@ def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: S
     points = [{"road.bump.height": 0.05}, {"road.bump.start": 149.9}, {"road.bump.height": 0.15}]
     page.goto(submit(server, {"list": points}, ["lv"]))
     expect_done(page)
-    expect(page.get_by_test_id("batch-counts")).to_contain_text("1 failed")
+    expect(page.get_by_test_id("batch-counts")).to_have_text("2 ok, 1 failed of 3 runs")
     failed = page.locator("tr[data-status=failed]")
     expect(failed).to_contain_text(re.compile(r"failed: .*road"))
     dashboard.expect_accessible()
@@ -268,8 +268,31 @@ def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: 
     box = plot.bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 4)
-    expect(page.get_by_text(re.compile(r"^0\.[\d]+ m, [\d.]+ m/s² · LV control$"))).to_be_visible()
+    tip = page.get_by_test_id("tip")
+    expect(tip).to_contain_text(re.compile(r"LV control.*Height 0\.\d+\sm"))
     page.mouse.down()
     page.mouse.up()
     dashboard.expect_curves()
     assert 0.09 < dashboard.stored_run()["scenario"]["road"]["bump"]["height"] < 0.11
+
+
+def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 4]}}
+    path = submit(server, grid, ["lv", "passive"])
+    page.goto(path)
+    expect_done(page)
+    expect(page.locator(".scatterlayer .point")).to_have_count(9)  # each run, and the ring
+    expect(page.locator(".scatterlayer .js-line")).to_have_count(4)  # a width and a strategy each
+    rows = httpx.get(f"{server.url}/api/v1/batches/{path.split('/')[-1]}/results?format=json").json()["rows"]
+    airborne = [str(row["run"]) for row in rows if row["events"]["airborne_ms"] > 0]
+    assert airborne
+    marked = page.locator("tr[data-run]:has([data-doubt~=airborne_ms])")
+    assert marked.evaluate_all("rows => rows.map(row => row.dataset.run)") == airborne
+    expect(page.get_by_test_id("airborne-note")).to_contain_text(f"{len(airborne)} of the 8 runs shown")
+    chips = page.get_by_role("group", name="Strategies")
+    expect(chips.get_by_role("button", name="Passive").locator("svg[data-marker=cross]")).to_be_visible()
+    dashboard.expect_accessible()
+
+    page.locator(".scatterlayer .trace").nth(3).locator(".point").last.hover(force=True)
+    expect(page.locator(".hoverlayer")).to_contain_text(re.compile(r"Passive.*Height 0\.1\sm.*Width [34]\sm.*airborne"))

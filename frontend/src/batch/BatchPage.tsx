@@ -6,6 +6,7 @@ import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
 import type { Batch, Link } from "../api/types";
+import { markersOf } from "../plots/markers";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
 import shell from "../shell/shell.module.css";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
@@ -40,6 +41,7 @@ export function BatchPage({ id, link }: Props) {
 
   const figures = useMemo(() => (catalogue.data && templates.data ? figuresOf(catalogue.data, templates.data) : null), [catalogue.data, templates.data]);
   const swept = useMemo(() => (strategies.data ?? []).filter(({ id: strategy }) => batch?.strategies.includes(strategy)), [strategies.data, batch?.strategies]);
+  const markers = useMemo(() => markersOf(strategies.data ?? []), [strategies.data]);
   const fault = [error, strategies.error, catalogue.error, templates.error, form.error].find((each) => each !== null && !isTransient(each));
 
   return (
@@ -55,7 +57,7 @@ export function BatchPage({ id, link }: Props) {
               {title}
             </Text>
             <BatchState {...{ batch, connected, left }} form={form.data} readOnly={link !== undefined} />
-            <BatchResults {...{ batch, figures, view }} catalogue={catalogue.data} strategies={swept} onView={setView} />
+            <BatchResults {...{ batch, figures, markers, view }} catalogue={catalogue.data} strategies={swept} onView={setView} />
           </>
         ) : (
           <BatchLoading />

@@ -2,26 +2,31 @@
 
 import { Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
-import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
+import { IconAlertTriangle } from "@tabler/icons-react";
+import { useCallback, useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
 import { isFinal } from "../api/follow";
-import type { Batch, Strategy } from "../api/types";
+import type { Batch, Catalogue, Strategy } from "../api/types";
+import type { Markers } from "../plots/markers";
 import { PALETTES } from "../plots/palettes";
 import type { PlotElement } from "../plots/plotly";
 import { usePlotly } from "../plots/usePlotly";
-import { formatWithUnit } from "../units/format";
+import { count, formatWhole, formatWithUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { DotLayer } from "./DotLayer";
 import { fullName, type Figure } from "./figures";
+import { linesOf } from "./lines";
 import { PlotTools } from "./PlotTools";
 import { scatterFigure } from "./scatter";
 import { cell, pointsOf, type Columns } from "./table";
-import { showCell } from "./show";
+import { isAirborne, placeOf, tell } from "./told";
 import type { BatchView } from "./view";
 
 interface Props {
   readonly batch: Batch;
   readonly columns: Columns;
+  readonly catalogue: Catalogue;
   readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
   readonly figures: readonly Figure[];
   readonly x: Batch["fields"][number];
   readonly y: Figure;
@@ -34,23 +39,31 @@ interface Props {
 const HEIGHT = 380;
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
-export function BatchPlot({ batch, columns, strategies, figures, x, y, view, best, onView, onOpen }: Props) {
+export function BatchPlot({ batch, columns, catalogue, strategies, markers, figures, x, y, view, best, onView, onOpen }: Props) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
   const { ref, width } = useElementSize<HTMLDivElement>();
   const host = useRef<HTMLDivElement>(null);
 
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
+  const { fields, sweep } = batch;
+  const tellRow = useCallback((row: number) => tell(row, { columns, fields, strategies, y, catalogue }), [columns, fields, strategies, y, catalogue]);
+  const points = useMemo(() => pointsOf(columns, visible.map(({ id }) => id), x.name, y.key, y.scale), [columns, visible, x, y]);
+  const curves = fields.length === 1;
+  const joined = curves || Boolean(sweep.grid);
   const figure = useMemo(() => {
-    const points = pointsOf(columns, visible.map(({ id }) => id), x.name, y.key, y.scale);
-    return scatterFigure({ points, strategies, x, y, best, joined: batch.fields.length === 1, palette });
-  }, [columns, strategies, visible, x, y, best, batch.fields.length, palette]);
+    const others = fields.map(({ name }) => name).filter((name) => name !== x.name);
+    const lines = joined ? linesOf(columns, points, others) : [];
+    const isHollow = (row: number) => isAirborne(columns, row);
+    return scatterFigure({ points, strategies, markers, x, y, best, lines, curves, isHollow, tell: tellRow, palette });
+  }, [points, columns, fields, joined, curves, strategies, markers, x, y, best, tellRow, palette]);
+  const airborne = useMemo(() => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0), [points, columns]);
 
   const [drawing, setDrawing] = useState(0);
   useEffect(() => {
     if (!plotly || !host.current || width === 0) return undefined;
     let wanted = true;
-    void plotly.react(host.current, figure.data, { ...figure.layout, width, height: HEIGHT }, CONFIG).then(() => {
+    void plotly.react(host.current, [...figure.lines, ...figure.data], { ...figure.layout, width, height: HEIGHT }, CONFIG).then(() => {
       if (wanted) setDrawing((before) => before + 1);
     });
     return () => {
@@ -78,12 +91,18 @@ export function BatchPlot({ batch, columns, strategies, figures, x, y, view, bes
   const drawn = figure.count;
   return (
     <section className={classes.card} aria-label="Plot">
-      <PlotTools {...{ batch, strategies, figures, x, y, view, onView }} />
+      <PlotTools {...{ batch, strategies, markers, figures, x, y, view, onView }} />
       <div ref={ref} className={classes.plot} style={{ height: HEIGHT }}>
         <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
-        <DotLayer {...{ host, drawing, width, onOpen }} dots={figure.dots} height={HEIGHT} units={[x.unit, y.unit]} />
-        {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length)}</Text>}
+        <DotLayer {...{ host, drawing, width, onOpen }} dots={figure.dots} height={HEIGHT} tell={tellRow} />
+        {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
       </div>
+      {airborne > 0 && (
+        <Text size="xs" className={classes.warning} data-testid="airborne-note" title={catalogue.events.find(({ key }) => key === "airborne_ms")?.description}>
+          <IconAlertTriangle size={13} stroke={2} aria-hidden /> {formatWhole(airborne)} of the {count(drawn, "run")} shown {airborne === 1 ? "is" : "are"} airborne
+          (hollow points): their linear tyre pulls on the road, which a real one cannot.
+        </Text>
+      )}
       <Text size="xs" className={classes.best}>
         {best === null ? "\u00a0" : describeBest(best, { batch, columns, strategies, y })}
       </Text>
@@ -91,15 +110,17 @@ export function BatchPlot({ batch, columns, strategies, figures, x, y, view, bes
   );
 }
 
-function emptyReason(batch: Batch, strategies: number): string {
+function emptyReason(batch: Batch, strategies: number, columns: Columns): string {
   if (strategies === 0) return "No strategy is switched on.";
-  if (!isFinal(batch)) return batch.done > 0 ? "The first runs have finished and are on their way." : "No run has finished yet.";
+  if (!isFinal(batch) && batch.done === 0) return "No run has finished yet.";
+  if (batch.done > 0 && !columns.status?.includes("ok")) return "Reading the runs that have finished …";
+  if (!isFinal(batch)) return "No run of the strategies shown has finished with this figure yet.";
   return "No run of the strategies shown has this figure.";
 }
 
 function describeBest(row: number, { batch, columns, strategies, y }: Pick<Props, "batch" | "columns" | "strategies" | "y">): string {
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "";
-  const place = batch.fields.map((field) => `${field.title} ${showCell(cell(columns, field.name, row), field.unit)}`).join(", ");
+  const place = placeOf(columns, row, batch.fields).join(", ");
   const value = Number(cell(columns, y.key, row)) * y.scale;
   return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${place} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run; drag to zoom, double click for all.`;
 }

@@ -2,15 +2,17 @@
 
 import { Text } from "@mantine/core";
 import { keepPreviousData, useMutation, useQuery } from "@tanstack/react-query";
-import { useMemo } from "react";
+import { useEffect, useEffectEvent, useMemo } from "react";
 import { api } from "../api/client";
 import { ApiProblem } from "../api/problem";
 import type { Batch, Catalogue, Strategy } from "../api/types";
+import type { Markers } from "../plots/markers";
 import { BatchPlot } from "./BatchPlot";
 import { BatchRows } from "./BatchRows";
 import classes from "./batch.module.css";
 import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
 import { lowest, rowsOf, scenarioOf, type Columns } from "./table";
+import { DOUBT_COLUMNS } from "./told";
 import { tableQuery } from "./useBatch";
 import type { BatchView } from "./view";
 
@@ -19,6 +21,7 @@ interface Props {
   readonly catalogue: Catalogue;
   /** The batch's, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
   readonly figures: readonly Figure[];
   readonly view: BatchView;
   readonly onView: (change: Partial<BatchView>) => void;
@@ -26,12 +29,21 @@ interface Props {
 
 const NOTHING: Columns = {};
 
-export function BatchResults({ batch, catalogue, strategies, figures, view, onView }: Props) {
+export function BatchResults({ batch, catalogue, strategies, markers, figures, view, onView }: Props) {
   const y = figures.find(({ key }) => key === view.y) ?? figures.find(({ key }) => key === OPENING_FIGURE) ?? figures[0];
   const x = batch.fields.find(({ name }) => name === view.x) ?? batch.fields[0];
   const keys = useMemo(() => [...new Set([...(y ? [y.key] : []), ...paperFigures(catalogue)])], [catalogue, y]);
-  const table = useQuery({ ...tableQuery(batch, keys), placeholderData: keepPreviousData });
+  const asked = useMemo(() => [...new Set([...keys, ...DOUBT_COLUMNS])], [keys]);
+  const table = useQuery({ ...tableQuery(batch, asked), placeholderData: keepPreviousData });
   const columns = table.data?.columns ?? NOTHING;
+  // The first finished runs are shown as soon as they are known of, not when rows are due again.
+  const readFirst = useEffectEvent(() => {
+    if (!columns.status?.includes("ok")) void table.refetch();
+  });
+  const hasStarted = batch.done > 0;
+  useEffect(() => {
+    if (hasStarted) readFirst();
+  }, [hasStarted]);
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
   const best = useMemo(() => {
     if (!y) return null;
@@ -65,9 +77,9 @@ export function BatchResults({ batch, catalogue, strategies, figures, view, onVi
           This run could not be opened: {opening.error instanceof ApiProblem && opening.error.errors[0] ? opening.error.errors[0].message : opening.error.message}
         </Text>
       )}
-      <BatchPlot {...{ batch, columns, strategies, figures, x, y, view, best, onView }} onOpen={open} />
+      <BatchPlot {...{ batch, columns, catalogue, strategies, markers, figures, x, y, view, best, onView }} onOpen={open} />
       <BatchRows
-        {...{ batch, columns, strategies, best }}
+        {...{ batch, columns, catalogue, strategies, markers, best }}
         loading={table.isPending}
         figures={shown}
         opening={opening.isPending || opening.isSuccess ? opening.variables : null}

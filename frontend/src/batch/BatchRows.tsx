@@ -1,20 +1,24 @@
 /** Every run as a row, a page of them at a time, sorted by any column. */
 
 import { ActionIcon, Checkbox, Pagination, Text, Tooltip, UnstyledButton } from "@mantine/core";
-import { IconArrowsSort, IconExternalLink, IconSortAscending, IconSortDescending } from "@tabler/icons-react";
+import { IconAlertTriangle, IconArrowsSort, IconExternalLink, IconSortAscending, IconSortDescending } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
-import type { Batch, Strategy } from "../api/types";
-import { StrategyKey } from "../tables/StrategyKey";
+import type { Batch, Catalogue, Strategy } from "../api/types";
+import type { Markers } from "../plots/markers";
 import { count, prettyUnit } from "../units/format";
 import classes from "./batch.module.css";
 import type { Figure } from "./figures";
+import { MarkerKey } from "./MarkerKey";
 import { showCell, showFigure } from "./show";
 import { cell, ordered, rowsOf, type Columns, type Order } from "./table";
+import { doubtsOfRow } from "./told";
 
 interface Props {
   readonly batch: Batch;
   readonly columns: Columns;
+  readonly catalogue: Catalogue;
   readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
   readonly figures: readonly Figure[];
   readonly best: number | null;
   readonly loading: boolean;
@@ -25,7 +29,7 @@ interface Props {
 
 const PAGE = 50;
 
-export function BatchRows({ batch, columns, strategies, figures, best, loading, opening, onOpen }: Props) {
+export function BatchRows({ batch, columns, catalogue, strategies, markers, figures, best, loading, opening, onOpen }: Props) {
   const [order, setOrder] = useState<Order>({ column: "run", descending: false });
   const [failedOnly, setFailedOnly] = useState(false);
   const [page, setPage] = useState(1);
@@ -87,7 +91,7 @@ export function BatchRows({ batch, columns, strategies, figures, best, loading, 
           </thead>
           <tbody>
             {shown.map((row) => (
-              <Row key={row} row={row} isBest={row === best} isOpening={row === opening} {...{ batch, columns, strategies, figures, onOpen }} />
+              <Row key={row} row={row} isBest={row === best} isOpening={row === opening} {...{ batch, columns, catalogue, strategies, markers, figures, onOpen }} />
             ))}
           </tbody>
         </table>
@@ -128,17 +132,18 @@ function Heading({ column, title, detail, unit = "1", left = false, order, onSor
   );
 }
 
-type RowProps = Pick<Props, "batch" | "columns" | "strategies" | "figures" | "onOpen"> & {
+type RowProps = Pick<Props, "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "onOpen"> & {
   readonly row: number;
   readonly isBest: boolean;
   readonly isOpening: boolean;
 };
 
-function Row({ row, batch, columns, strategies, figures, isBest, isOpening, onOpen }: RowProps) {
+function Row({ row, batch, columns, catalogue, strategies, markers, figures, isBest, isOpening, onOpen }: RowProps) {
   const run = Number(cell(columns, "run", row));
   const status = String(cell(columns, "status", row));
   const reason = cell(columns, "reason", row);
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row));
+  const doubts = doubtsOfRow(columns, row, catalogue);
   return (
     <tr data-best={isBest || undefined} data-status={status} data-run={run}>
       <td>
@@ -161,8 +166,19 @@ function Row({ row, batch, columns, strategies, figures, isBest, isOpening, onOp
       ))}
       <td data-left>
         <span className={classes.strategy}>
-          {strategy && <StrategyKey strategy={strategy} />}
+          {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
           {strategy?.label ?? String(cell(columns, "strategy", row))}
+          {doubts.length > 0 && (
+            <span
+              role="img"
+              className={classes.doubt}
+              data-doubt={doubts.map(({ event }) => event).join(" ")}
+              aria-label={doubts.map(({ text }) => text).join(", ")}
+              title={doubts.map(({ text, description }) => `${text} (${description})`).join("\n")}
+            >
+              <IconAlertTriangle size={14} stroke={1.9} aria-hidden />
+            </span>
+          )}
         </span>
       </td>
       {status === "ok" ? (

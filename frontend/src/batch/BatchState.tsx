@@ -48,12 +48,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
           {batch.reason !== null && `: ${batch.reason}`}
         </Text>
         <Text size="sm" className={classes.counts} data-testid="batch-counts">
-          {formatWhole(finished)} of {count(batch.total, "run")} finished
-          {batch.failed > 0 && (
-            <span className={classes.failed}>
-              , {formatWhole(batch.failed)} failed
-            </span>
-          )}
+          <Counts batch={batch} ended={ended} />
           {left !== null && !ended && ` · about ${formatDuration(left)} left`}
         </Text>
         {!ended && !readOnly && (
@@ -83,6 +78,21 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
         {facts(batch)}. {fixedParts(batch, form)}
       </Text>
     </section>
+  );
+}
+
+/** `1 ok, 2 failed of 3 runs`; `12 of 60 runs finished` where nothing has failed. */
+function Counts({ batch, ended }: { readonly batch: Batch; readonly ended: boolean }) {
+  const finished = batch.done + batch.failed;
+  const failed = <span className={classes.failed}>{formatWhole(batch.failed)} failed</span>;
+  if (batch.failed === 0) return `${formatWhole(finished)} of ${count(batch.total, "run")} finished`;
+  const whole = finished === batch.total ? ` of ${count(batch.total, "run")}` : "";
+  return (
+    <>
+      {!(ended && whole) && `${formatWhole(finished)} of ${count(batch.total, "run")} finished: `}
+      {formatWhole(batch.done)} ok, {failed}
+      {ended && whole}
+    </>
   );
 }
 

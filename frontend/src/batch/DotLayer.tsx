@@ -2,7 +2,6 @@
 
 import { useEffect, useEffectEvent, useRef, useState, type RefObject } from "react";
 import type { PlotElement } from "../plots/plotly";
-import { formatNumber, prettyUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { clearDots, drawDots, nearest, place, type Axes, type Hit, type Placed } from "./dots";
 import type { Dots } from "./scatter";
@@ -15,7 +14,8 @@ interface Props {
   readonly dots: readonly Dots[];
   readonly width: number;
   readonly height: number;
-  readonly units: readonly [string, string];
+  /** What a row says of itself, line by line. */
+  readonly tell: (row: number) => readonly string[];
   readonly onOpen: (row: number) => void;
 }
 
@@ -23,7 +23,7 @@ const REACH_PX = 12;
 /** Further is a drag, which zooms. */
 const CLICK_PX = 4;
 
-export function DotLayer({ host, drawing, dots, width, height, units, onOpen }: Props) {
+export function DotLayer({ host, drawing, dots, width, height, tell, onOpen }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const drawn = useRef<{ readonly placed: readonly Placed[]; readonly axes: Axes } | null>(null);
   const [hit, setHit] = useState<Hit | null>(null);
@@ -82,16 +82,17 @@ export function DotLayer({ host, drawing, dots, width, height, units, onOpen }: 
     };
   }, [host]);
 
-  const x = hit?.dots.x[hit.index];
-  const y = hit?.dots.y[hit.index];
+  const row = hit?.dots.rows[hit.index];
   return (
     <>
       <canvas ref={canvas} className={classes.dots} aria-hidden />
-      {hit && (
+      {hit && row !== undefined && (
         <div className={classes.tip} data-left={hit.x > width / 2 || undefined} style={{ left: hit.x, top: hit.y }} aria-hidden>
           <span className={classes.tipRing} style={{ borderColor: hit.dots.colour }} />
-          <span className={classes.tipText}>
-            {typeof x === "number" ? `${formatNumber(x, 4)} ${prettyUnit(units[0])}` : x}, {formatNumber(y ?? NaN, 4)} {prettyUnit(units[1])} · {hit.dots.label}
+          <span className={classes.tipText} data-testid="tip">
+            {tell(row).map((line) => (
+              <span key={line}>{line}</span>
+            ))}
           </span>
         </div>
       )}

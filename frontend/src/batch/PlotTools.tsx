@@ -2,16 +2,18 @@
 
 import { NativeSelect, Select } from "@mantine/core";
 import type { Batch, Strategy } from "../api/types";
+import type { Markers } from "../plots/markers";
 import shell from "../shell/shell.module.css";
-import { StrategyKey } from "../tables/StrategyKey";
 import { prettyUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { fullName, type Figure } from "./figures";
+import { MarkerKey } from "./MarkerKey";
 import type { BatchView } from "./view";
 
 interface Props {
   readonly batch: Batch;
   readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
   readonly figures: readonly Figure[];
   readonly x: Batch["fields"][number];
   readonly y: Figure;
@@ -19,7 +21,7 @@ interface Props {
   readonly onView: (change: Partial<BatchView>) => void;
 }
 
-export function PlotTools({ batch, strategies, figures, x, y, view, onView }: Props) {
+export function PlotTools({ batch, strategies, markers, figures, x, y, view, onView }: Props) {
   return (
     <div className={classes.plotTools}>
       <NativeSelect
@@ -51,7 +53,7 @@ export function PlotTools({ batch, strategies, figures, x, y, view, onView }: Pr
               aria-pressed={on}
               onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
             >
-              <StrategyKey strategy={strategy} />
+              <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />
               {strategy.label}
             </button>
           );

@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
+import { markersOf } from "../plots/markers";
 import { nearest, place } from "./dots";
+import { linesOf } from "./lines";
 import { secondsLeft, withMark, type Mark } from "./pace";
 import { MANY, scatterFigure } from "./scatter";
 import { formatBatchView, readBatchView } from "./view";
@@ -47,6 +49,30 @@ describe("rows", () => {
   });
 });
 
+describe("points that differ in x only", () => {
+  const columns: Columns = {
+    run: [0, 1, 2, 3, 4], strategy: Array<string>(5).fill("lv"), height: [1, 1, 2, 2, 3], speed: [15, 25, 15, 25, 35], peak: [5, 6, 7, 8, 9],
+  };
+
+  it("are a line for each combination of the others, a point alone is none", () => {
+    const points = pointsOf(columns, ["lv"], "height", "peak", 1);
+    expect(linesOf(columns, points, ["speed"])).toEqual([{ strategy: "lv", x: [1, 2, null, 1, 2, null], y: [5, 7, null, 6, 8, null] }]);
+    expect(linesOf(columns, points, [])[0]?.x).toEqual([1, 1, 2, 2, 3, null]);
+  });
+
+  it("are no lines where there would be a tangle", () => {
+    const many = Array.from({ length: 100 }, (_, index) => index);
+    const tangle: Columns = { run: many, strategy: many.map(() => "lv"), height: many.map((row) => row % 2), speed: many.map((row) => row - (row % 2)), peak: many };
+    expect(linesOf(tangle, pointsOf(tangle, ["lv"], "height", "peak", 1), ["speed"])).toEqual([]);
+  });
+});
+
+describe("a strategy's marker", () => {
+  it("is its own, whatever is swept", () => {
+    expect(markersOf([{ id: "lv" }, { id: "lqr" }, { id: "passive" }])).toEqual({ lv: "circle", lqr: "diamond", passive: "square" });
+  });
+});
+
 describe("how a sweep is looked at", () => {
   it("is in the address, and short for the usual view", () => {
     const view = { x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] };
@@ -68,11 +94,19 @@ describe("a plot of many points", () => {
     const list = Array.from({ length: count }, (_, index) => index + 1);
     return [{ strategy: "lv", rows: list, x: list.map((value) => value / count), y: list.map((value) => (value * 7) % 11) }];
   };
-  const figure = (count: number) => scatterFigure({ points: points(count), strategies, x, y, best: 11, joined: false, palette });
+  const rest = { strategies, markers: markersOf(strategies), x, y, lines: [], curves: false, isHollow: (row: number) => row === 2, tell: (row: number) => [`run ${row}`, "Height"], palette };
+  const figure = (count: number) => scatterFigure({ ...rest, points: points(count), best: 11 });
 
   it("is plotly's own while there are few", () => {
     const { data, dots, count } = figure(100);
     expect([count, dots.length, data.map(({ x: xs }) => xs.length)]).toEqual([100, 0, [100, 1]]);
+  });
+
+  it("draws what is in doubt hollow, and says where a point is", () => {
+    const [trace] = figure(3).data;
+    expect(trace?.marker.symbol).toEqual(["circle", "circle-open", "circle"]);
+    expect(trace?.text?.[0]).toBe("run 1<br>Height");
+    expect(figure(MANY + 1).dots[0]?.hollow.slice(0, 3)).toEqual([false, true, false]);
   });
 
   it("leaves plotly the axes alone, which span every point", () => {
@@ -86,7 +120,7 @@ describe("a plot of many points", () => {
   it("has decades for a field that spans them, and names for choices", () => {
     const decades = [{ strategy: "lv", rows: [0, 1], x: [1e-6, 1e-3], y: [1, 2] }];
     const names = [{ strategy: "lv", rows: [0, 1], x: ["cosine", "flat_top"], y: [1, 2] }];
-    const made = (list: typeof decades | typeof names) => scatterFigure({ points: list, strategies, x, y, best: null, joined: false, palette });
+    const made = (list: typeof decades | typeof names) => scatterFigure({ ...rest, points: list, best: null });
     expect(made(decades).layout.xaxis).toMatchObject({ type: "log" });
     expect(made(names).data[0]?.x).toEqual(["Cosine", "Flat top"]);
   });

@@ -1,5 +1,6 @@
 /** Many points on a canvas over plotly's axes: drawn at once, found by where the pointer is. */
 
+import { outlineOf } from "../plots/markers";
 import type { Dots } from "./scatter";
 
 /** The part of plotly's axis that says where a value lies; its own code calls these on every figure. */
@@ -59,26 +60,22 @@ export function nearest(placed: readonly Placed[], axes: Axes, x: number, y: num
 }
 
 /** One symbol, drawn once and then copied. */
-function stamp({ colour, symbol }: Dots, ratio: number): HTMLCanvasElement {
+function stamp({ colour, symbol }: Dots, hollow: boolean, ratio: number): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = Math.ceil((2 * HALF + 2) * ratio);
+  canvas.width = canvas.height = Math.ceil((2 * HALF + 4) * ratio);
   const context = canvas.getContext("2d");
   if (!context) return canvas;
   context.scale(ratio, ratio);
-  context.translate(HALF + 1, HALF + 1);
-  context.fillStyle = colour;
+  context.translate(HALF + 2, HALF + 2);
   context.globalAlpha = 0.75;
-  context.beginPath();
-  if (symbol === "circle") context.arc(0, 0, HALF, 0, 2 * Math.PI);
-  else if (symbol === "square") context.rect(-HALF, -HALF, 2 * HALF, 2 * HALF);
-  else {
-    const corners = symbol === "triangle-up" ? 3 : 4;
-    for (let corner = 0; corner < corners; corner++) {
-      const angle = (2 * Math.PI * corner) / corners - Math.PI / 2;
-      context.lineTo(1.25 * HALF * Math.cos(angle), 1.25 * HALF * Math.sin(angle));
-    }
+  const outline = new Path2D(outlineOf(symbol, HALF));
+  if (hollow) {
+    context.strokeStyle = colour;
+    context.stroke(outline);
+  } else {
+    context.fillStyle = colour;
+    context.fill(outline);
   }
-  context.fill();
   return canvas;
 }
 
@@ -96,8 +93,10 @@ export function drawDots(canvas: HTMLCanvasElement, placed: readonly Placed[], {
   context.rect(xaxis._offset * ratio, yaxis._offset * ratio, xaxis._length * ratio, yaxis._length * ratio);
   context.clip();
   for (const { dots, x, y } of placed) {
-    const image = stamp(dots, ratio);
-    const shift = image.width / 2;
-    for (let index = 0; index < x.length; index++) context.drawImage(image, (x[index] ?? 0) * ratio - shift, (y[index] ?? 0) * ratio - shift);
+    const [full, hollow] = [stamp(dots, false, ratio), stamp(dots, true, ratio)];
+    const shift = full.width / 2;
+    for (let index = 0; index < x.length; index++) {
+      context.drawImage(dots.hollow[index] === true ? hollow : full, (x[index] ?? 0) * ratio - shift, (y[index] ?? 0) * ratio - shift);
+    }
   }
 }

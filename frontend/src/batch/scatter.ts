@@ -2,26 +2,36 @@
 
 import type { Batch, Strategy } from "../api/types";
 import type { Palette } from "../plots/figure";
-import type { PlotLayout, PointTrace } from "../plots/plotly";
+import type { Markers, MarkerSymbol } from "../plots/markers";
+import type { LineTrace, PlotLayout, PointTrace } from "../plots/plotly";
 import { humanise } from "../editor/schema";
 import { prettyUnit } from "../units/format";
 import { fullName, type Figure } from "./figures";
+import type { Lines } from "./lines";
 import type { Points } from "./table";
 
 interface Input {
   readonly points: readonly Points[];
   readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
   readonly x: Batch["fields"][number];
   readonly y: Figure;
   /** The table's row to ring. */
   readonly best: number | null;
-  /** One field only is swept: the points are a curve. */
-  readonly joined: boolean;
+  readonly lines: readonly Lines[];
+  /** One field only is swept: the lines are curves, a strategy has one. */
+  readonly curves: boolean;
+  /** The rows whose points are hollow. */
+  readonly isHollow: (row: number) => boolean;
+  /** What a row says of itself, line by line. */
+  readonly tell: (row: number) => readonly string[];
   readonly palette: Palette;
 }
 
 export interface ScatterFigure {
   readonly data: readonly PointTrace[];
+  /** Below the points. */
+  readonly lines: readonly LineTrace[];
   readonly layout: PlotLayout;
   readonly count: number;
   /** What is too much for plotly, which makes an element of each point: for a canvas over its axes. */
@@ -29,13 +39,11 @@ export interface ScatterFigure {
 }
 
 export interface Dots extends Points {
-  readonly label: string;
   readonly colour: string;
-  readonly symbol: (typeof SYMBOLS)[number];
+  readonly symbol: MarkerSymbol;
+  readonly hollow: readonly boolean[];
 }
 
-/** Apart without their colour too. */
-const SYMBOLS = ["circle", "diamond", "square", "triangle-up", "cross", "x"] as const;
 /** More points than these are drawn on a canvas: as elements, 10 000 of them block the page for half a second. */
 export const MANY = 2000;
 const SIZE = 7;
@@ -61,24 +69,52 @@ const named = (value: number | string) => (typeof value === "string" ? humanise(
 const axisTitle = (label: string, unit: string) => (prettyUnit(unit) === "" ? label : `${label} [${prettyUnit(unit)}]`);
 
 const look = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
-const symbolOf = (strategies: readonly Strategy[], id: string) =>
-  SYMBOLS[Math.max(0, strategies.findIndex((strategy) => strategy.id === id)) % SYMBOLS.length] ?? SYMBOLS[0];
+const symbolOf = (markers: Markers, id: string) => markers[id] ?? "circle";
 
-function traces({ points, strategies, x, y, joined, palette }: Input): readonly PointTrace[] {
+function traces({ points, strategies, markers, isHollow, tell, palette }: Input): readonly PointTrace[] {
   return points.map(({ strategy, rows, x: xs, y: ys }): PointTrace => {
-    const { label = strategy, colour, dash } = look(strategies, strategy) ?? {};
+    const { label = strategy, colour } = look(strategies, strategy) ?? {};
+    const symbol = symbolOf(markers, strategy);
+    const hollow = rows.map(isHollow);
     return {
       type: "scatter",
-      mode: joined ? "lines+markers" : "markers",
+      mode: "markers",
       name: label,
       x: xs.map(named),
       y: ys,
       customdata: rows,
-      marker: { color: colour, size: SIZE, symbol: symbolOf(strategies, strategy), line: { width: 0.75, color: palette.text } },
-      ...(joined ? { line: { color: colour, dash, width: 1.5 } } : {}),
-      hovertemplate: `%{x} ${prettyUnit(x.unit)}, %{y:.4~g} ${prettyUnit(y.unit)}<extra>${label}</extra>`,
+      marker: {
+        color: colour,
+        size: hollow.map((open) => (open ? SIZE + 3 : SIZE)),
+        symbol: hollow.map((open) => (open ? `${symbol}-open` : symbol)),
+        line: { width: hollow.map((open) => (open ? 1.6 : 0.75)), color: palette.text },
+      },
+      text: rows.map((row) => tell(row).join("<br>")),
+      hovertemplate: "%{text}<extra></extra>",
     };
   });
+}
+
+function joints({ lines, strategies, curves }: Input): readonly LineTrace[] {
+  return lines.map(({ strategy, x, y }): LineTrace => {
+    const { label = strategy, colour, dash } = look(strategies, strategy) ?? {};
+    return {
+      type: "scatter",
+      mode: "lines",
+      name: label,
+      x: x.map((place) => (place === null ? null : named(place))),
+      y,
+      line: { color: colour, dash: curves ? dash : "solid", width: curves ? 1.5 : 1 },
+      opacity: curves ? 1 : 0.6,
+      hoverinfo: "skip",
+    };
+  });
+}
+
+/** Names in the order of x, in whichever order lines and points name them. */
+function categories(points: readonly Points[]) {
+  const names = [...new Set(points.flatMap(({ x }) => x.filter((place) => typeof place === "string")))].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+  return names.length === 0 ? {} : { categoryorder: "array", categoryarray: names.map(named) };
 }
 
 /** Nothing to see, and all that plotly needs to find the axes' ranges: the ends of both, or every name there is. */
@@ -94,7 +130,7 @@ function frame(points: readonly Points[]): readonly PointTrace[] {
 }
 
 export function scatterFigure(input: Input): ScatterFigure {
-  const { points, strategies, x, y, best, palette } = input;
+  const { points, strategies, markers, isHollow, x, y, best, palette } = input;
   const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
   const many = count > MANY;
   const data = many ? frame(points) : traces(input);
@@ -112,12 +148,13 @@ export function scatterFigure(input: Input): ScatterFigure {
       ? points.map((each) => ({
           ...each,
           x: each.x.map(named),
-          label: look(strategies, each.strategy)?.label ?? each.strategy,
           colour: look(strategies, each.strategy)?.colour ?? palette.text,
-          symbol: symbolOf(strategies, each.strategy),
+          symbol: symbolOf(markers, each.strategy),
+          hollow: each.rows.map(isHollow),
         }))
       : [],
     data: [...data, ...ring],
+    lines: many ? [] : joints(input),
     layout: {
       font: { family: "inherit", color: palette.text, size: 12 },
       margin: { l: 56, r: 16, t: 8, b: 52 },
@@ -125,9 +162,10 @@ export function scatterFigure(input: Input): ScatterFigure {
       plot_bgcolor: "rgba(0,0,0,0)",
       showlegend: false,
       hovermode: "closest",
+      hoverlabel: { align: "left" },
       // Somebody's zoom stays while rows arrive.
       uirevision: `${x.name} ${y.key}`,
-      xaxis: { ...axis, title: { text: axisTitle(x.title, x.unit) }, ...scaleOf(points) },
+      xaxis: { ...axis, title: { text: axisTitle(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },
       yaxis: { ...axis, title: { text: axisTitle(fullName(y), y.unit) }, rangemode: "tozero" },
       shapes: [],
     },

@@ -1,7 +1,7 @@
 /** A row's values as a person reads them. */
 
 import { humanise } from "../editor/schema";
-import { formatExact, formatNumber } from "../units/format";
+import { formatExact, formatResult } from "../units/format";
 import type { Cell } from "./table";
 
 /** A swept value: with all the digits that tell it from its neighbours. */
@@ -14,5 +14,5 @@ export function showCell(value: Cell, unit = "1"): string {
 
 export function showFigure(value: Cell, scale: number): string {
   if (typeof value === "boolean") return value ? "yes" : "no";
-  return typeof value === "number" ? formatNumber(value * scale, 4) : "–";
+  return typeof value === "number" ? formatResult(value * scale, 4) : "–";
 }

@@ -11,8 +11,10 @@ export const batchQuery = (id: string) =>
   queryOptions({ queryKey: ["batch", id], queryFn: ({ signal }) => api.batch(id, signal), staleTime: Infinity });
 
 /** Rows are asked for again while a batch runs, the less often the more there are, and soon until there are some [ms]. */
-const refreshEvery = ({ total }: Batch, table: BatchTable | undefined) =>
-  total <= 1000 || table?.columns.status?.includes("ok") !== true ? 3_000 : 10_000;
+function refreshEvery({ total, done }: Batch, table: BatchTable | undefined): number {
+  if (done > 0 && table?.columns.status?.includes("ok") !== true) return 1_000;
+  return total <= 1000 || done <= 1000 ? 3_000 : 10_000;
+}
 
 export const tableQuery = (batch: Batch | undefined, figures: readonly string[]) =>
   queryOptions({

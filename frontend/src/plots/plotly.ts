@@ -15,16 +15,28 @@ export interface PlotTrace {
 /** Single runs as points. */
 export interface PointTrace {
   readonly type: "scatter";
-  readonly mode: "markers" | "lines+markers";
+  readonly mode: "markers";
   readonly name: string;
   readonly x: readonly (number | string)[];
   readonly y: readonly number[];
   readonly marker: Options;
-  readonly line?: Options;
   /** The table's row of each point. */
   readonly customdata: readonly number[];
+  readonly text?: readonly string[];
   readonly hovertemplate?: string;
   readonly hoverinfo?: "skip";
+}
+
+/** What joins runs. */
+export interface LineTrace {
+  readonly type: "scatter";
+  readonly mode: "lines";
+  readonly name: string;
+  readonly x: readonly (number | string | null)[];
+  readonly y: readonly (number | null)[];
+  readonly line: Options;
+  readonly opacity: number;
+  readonly hoverinfo: "skip";
 }
 
 export interface PlotFigure {
@@ -57,7 +69,7 @@ interface ImageOptions {
 export interface Plotly {
   readonly react: (
     element: HTMLElement,
-    data: readonly (PlotTrace | PointTrace)[],
+    data: readonly (PlotTrace | PointTrace | LineTrace)[],
     layout: PlotLayout,
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;

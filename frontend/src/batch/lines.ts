@@ -1,0 +1,34 @@
+/** Points of a sweep that differ in one field only, as lines. */
+
+import type { StrategyId } from "../api/types";
+import { cell, type Columns, type Points } from "./table";
+
+/** A strategy's lines one after the other, with a gap (`null`) between them. */
+export interface Lines {
+  readonly strategy: StrategyId;
+  readonly x: readonly (number | string | null)[];
+  readonly y: readonly (number | null)[];
+}
+
+/** More lines than these are a tangle. */
+const MOST = 40;
+
+/** Joins the points that are equal in the `others`, the swept fields that are not x; none where there are too many. */
+export function linesOf(columns: Columns, points: readonly Points[], others: readonly string[]): readonly Lines[] {
+  const groups = points.map(({ rows }) => {
+    const found = new Map<string, number[]>();
+    rows.forEach((row, index) => {
+      const key = JSON.stringify(others.map((name) => cell(columns, name, row)));
+      const group = found.get(key);
+      if (group) group.push(index);
+      else found.set(key, [index]);
+    });
+    return [...found.values()].filter(({ length }) => length >= 2);
+  });
+  if (groups.reduce((sum, { length }) => sum + length, 0) > MOST) return [];
+  return points.map(({ strategy, x, y }, place) => ({
+    strategy,
+    x: (groups[place] ?? []).flatMap((group) => [...group.map((index) => x[index] ?? null), null]),
+    y: (groups[place] ?? []).flatMap((group) => [...group.map((index) => y[index] ?? null), null]),
+  }));
+}

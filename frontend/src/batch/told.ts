@@ -1,0 +1,49 @@
+/** What a run of a sweep says of itself: where it is, what came out, and whether to believe it. */
+
+import type { Batch, Catalogue, Strategy } from "../api/types";
+import { DOUBTFUL_EVENTS, doubtsOf, type Doubt } from "../tables/doubts";
+import { formatResult, isNothing, prettyUnit } from "../units/format";
+import { fullName, type Figure } from "./figures";
+import { showCell } from "./show";
+import { cell, type Columns } from "./table";
+
+const columnOf = (event: string) => `events.${event}`;
+
+/** Asked for with every table, whatever is shown. */
+export const DOUBT_COLUMNS = DOUBTFUL_EVENTS.map(columnOf);
+
+export function doubtsOfRow(columns: Columns, row: number, catalogue: Catalogue): readonly Doubt[] {
+  const events = DOUBTFUL_EVENTS.map((event) => {
+    const value = cell(columns, columnOf(event), row);
+    return [event, typeof value === "number" || typeof value === "boolean" ? value : null] as const;
+  });
+  return doubtsOf(Object.fromEntries(events), catalogue);
+}
+
+export function isAirborne(columns: Columns, row: number): boolean {
+  const value = cell(columns, columnOf("airborne_ms"), row);
+  return typeof value === "number" && !isNothing(value);
+}
+
+/** `Height 0.05 m`, for every swept field. */
+export const placeOf = (columns: Columns, row: number, fields: Batch["fields"]): readonly string[] =>
+  fields.map(({ name, title, unit }) => `${title} ${showCell(cell(columns, name, row), unit)}`);
+
+interface Telling {
+  readonly columns: Columns;
+  readonly fields: Batch["fields"];
+  readonly strategies: readonly Strategy[];
+  readonly y: Figure;
+  readonly catalogue: Catalogue;
+}
+
+/** The lines of what stands by a point under the pointer. */
+export function tell(row: number, { columns, fields, strategies, y, catalogue }: Telling): readonly string[] {
+  const value = formatResult(Number(cell(columns, y.key, row)) * y.scale, 4);
+  return [
+    strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "",
+    ...placeOf(columns, row, fields),
+    `${fullName(y)}: ${value} ${prettyUnit(y.unit)}`.trim(),
+    ...doubtsOfRow(columns, row, catalogue).map(({ text }) => `⚠ ${text}`),
+  ];
+}
