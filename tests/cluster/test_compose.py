@@ -1,5 +1,6 @@
 """The container files, read as text and YAML: no container engine is needed."""
 
+import importlib.util
 import os
 import re
 import shlex
@@ -197,3 +198,10 @@ def test_a_linter_finds_nothing_in_the_dockerfile() -> None:
     linter = Path(sys.executable).with_name("hadolint")
     found = subprocess.run([linter, ROOT / "Dockerfile"], capture_output=True, text=True, check=False)
     assert (found.returncode, found.stdout) == (0, ""), found.stdout
+
+
+def test_what_is_loaded_before_the_first_chunk_exists() -> None:
+    words = [word for service in SERVICES.values() for word in service.get("command", [])]
+    loaded = [word.removeprefix("--preload=") for word in words if word.startswith("--preload=")]
+    assert loaded
+    assert all(importlib.util.find_spec(name) for name in loaded), loaded
