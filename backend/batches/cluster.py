@@ -11,6 +11,7 @@ import asyncio
 import contextlib
 import logging
 import multiprocessing
+from collections import deque
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -38,6 +39,7 @@ QUIET = {
 
 _pools: dict[str, Workers] = {}  # of this process, by Dask worker: the embedded one, or the one this process is
 _running: dict[str, set[asyncio.Task[Any]]] = {}  # chunks under way in this process, by batch
+_stopped: deque[str] = deque(maxlen=1000)  # batches cancelled lately: chunks of theirs that lie ready are not begun
 
 
 class Cluster:
@@ -179,6 +181,8 @@ async def _on_worker(chunk: Chunk) -> Answer:
     if multiprocessing.current_process().daemon:
         detail = f"the Dask worker at {worker.address} may have no children: --no-nanny, or distributed.worker.daemon"
         return Answer(trouble="misfit", detail=f"{detail}: false")
+    if chunk.batch_id in _stopped:
+        return Answer(computed=[])
     pool = _pool(worker, chunk.timeout)
     task = asyncio.create_task(
         pool.call(run_chunk, chunk.base, chunk.schema_version, chunk.runs, chunk.budget, ends_with_caller=True)
@@ -216,6 +220,7 @@ def _pool(worker: Worker, timeout: float) -> Workers:
 
 
 async def _stop(batch_id: str) -> None:
-    """On a Dask worker: end that batch's chunks."""
+    """On a Dask worker: end that batch's chunks, and begin none any more."""
+    _stopped.append(batch_id)
     for task in tuple(_running.get(batch_id, ())):
         task.cancel()

@@ -312,7 +312,7 @@ def test_rows_that_ctrl_c_cannot_save_are_had_with_the_command_that_is_told(
         return httpx.Response(202, json=batch_answer("queued"))
 
     with patient(handler) as ridelab, pytest.raises(typer.Exit) as caught:
-        take(ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}}), table)
+        take(ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}}), table, ours=True)
     assert caught.value.exit_code == 130
     why, last = capsys.readouterr().err.splitlines()
     assert why.startswith(("No answer from http://ridelab.test", "Interrupted again"))
