@@ -27,13 +27,24 @@ class Course:
 
 
 class ClosedLoop:
-    """One run's loop; `most_change` is the largest change of a command in a step [N], infinity for none."""
+    """One run's loop; the actuator changes a force by at most `most_change` a step and gives at most `most_force` [N].
 
-    def __init__(self, controller: Controller, plant: Plant, forcing: FloatArray, most_change: float) -> None:
+    Both may be infinite. What it gives is what the controller is told as its previous command.
+    """
+
+    def __init__(
+        self,
+        controller: Controller,
+        plant: Plant,
+        forcing: FloatArray,
+        most_change: float,
+        most_force: float = np.inf,
+    ) -> None:
         self._controller = controller
         self._plant = plant
         self._forcing = forcing
         self._most_change = most_change
+        self._most_force = most_force
 
     def run(self, stages: list[tuple[str, int, int]]) -> Course:
         """Drive the stages (name, first step, one past the last) from rest, without a command before the first."""
@@ -58,7 +69,8 @@ class ClosedLoop:
                 if k < stop:
                     wanted = self._controller.step(k, stage, state[:STATES], previous)
                     change = np.clip(wanted - previous, -self._most_change, self._most_change)
-                    previous = np.where(change == wanted - previous, wanted, previous + change)
+                    given = np.where(change == wanted - previous, wanted, previous + change)
+                    previous = np.clip(given, -self._most_force, self._most_force)
                     states[k], commands[k] = state, previous
                     state = plant.A @ state + plant.B @ previous + self._forcing[k]
                     limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
@@ -104,4 +116,6 @@ class ClosedLoop:
         broken = ~(np.abs(measured @ law.checks.T + offsets) <= law.bounds * (1 - 1e-9)).all(axis=1)
         if np.isfinite(self._most_change):
             broken |= (np.abs(z[1:, n:] - now[:, n:]) > self._most_change).any(axis=1)
+        if np.isfinite(self._most_force):
+            broken |= (np.abs(z[1:, n:]) > self._most_force).any(axis=1)
         return int(broken.argmax()) if broken.any() else len(now)

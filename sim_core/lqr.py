@@ -64,20 +64,55 @@ def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: Float
     return H
 
 
-class LqrController(Controller):
-    """The regulator within the force limit; it knows neither the road ahead nor the travel limit."""
+@lru_cache(maxsize=64)
+def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
+    """The optimal force's part that a known future adds, in N: (2, 3 · horizon) on a preview window.
 
-    def __init__(self, design: Regulator, force_limit: float) -> None:
+    Dynamic programming with cost to go x'Px + 2 x's (Tomizuka 1976, cross terms added): with w_i the disturbances of
+    interval i and nothing known beyond the horizon,
+    u = -K x - (R + B'PB)⁻¹ [(S_uw + B'PE) w_0 + B' s_1],  s_i = Σ_{j>=i} (A - BK)'^(j-i) L w_j,
+    L = (A - BK)'PE + S_xw - K'S_uw.
+    """
+    model, design, S = discrete(terms.vehicle, terms.sample_time), regulator(terms), stage_cost(terms)
+    A, B, E, K, P = model.A, model.B * KILO, model.E, design.K, design.P
+    x, u, w = slice(0, STATES), slice(STATES, STATES + FORCES), slice(STATES + FORCES, None)
+    closed = (A - B @ K).T
+    curvature = S[u, u] + B.T @ P @ B
+    L = closed @ P @ E + S[x, w] - K.T @ S[u, w]
+    parts = [S[u, w] + B.T @ P @ E]
+    for _ in range(1, horizon):
+        parts.append(B.T @ L)
+        L = np.asarray(closed @ L)
+    return np.asarray(-KILO * np.linalg.solve(curvature, np.stack(parts, axis=-1).reshape(FORCES, -1)))
+
+
+class LqrController(Controller):
+    """The regulator within the force limit; it does not know the travel limit, and of the road only its feedforward.
+
+    `feed` (steps, 2) [N] is what preview adds in each control step; None is nothing.
+    """
+
+    def __init__(self, design: Regulator, force_limit: float, feed: FloatArray | None = None) -> None:
         super().__init__()
         gain = np.zeros((FORCES, STATES + FORCES))
         gain[:, :STATES] = -design.K * KILO
         self._law = LinearLaw(gain=gain, checks=gain, bounds=np.full(FORCES, force_limit))
         self._limit = force_limit
+        self._feed = feed
 
     def law(self, stage: str) -> LinearLaw:
         """The same in every stage."""
         return self._law
 
+    def ahead(self, stage: str, first: int, last: int) -> tuple[FloatArray, FloatArray]:
+        """The feedforward, which is part of the force that the limit checks too."""
+        if self._feed is None:
+            return super().ahead(stage, first, last)
+        return self._feed[first:last], self._feed[first:last]
+
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
         """The regulator's force, clipped."""
-        return np.clip(self._law.gain[:, :STATES] @ state, -self._limit, self._limit)
+        force = self._law.gain[:, :STATES] @ state
+        if self._feed is not None:
+            force = force + self._feed[step]
+        return np.clip(force, -self._limit, self._limit)

@@ -44,7 +44,7 @@ def evaluate(
         }
         for window, kept in windows.items()
     }
-    static = scenario.vehicle.static_loads
+    static = scenario.real_vehicle.static_loads
     bump_end = scenario.road.bump.start + scenario.road.bump.width + scenario.vehicle.wheelbase
     planned = strategy.speed is SpeedPolicy.PLANNED
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE

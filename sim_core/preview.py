@@ -12,13 +12,22 @@ from sim_core.half_car import DISTURBANCES
 from sim_core.longitudinal import Drive
 from sim_core.result import FloatArray
 from sim_core.road import profile
-from sim_core.scenario import Preview, Road
+from sim_core.scenario import Mismatch, Preview, Road
 from sim_core.track import Track
+
+EXACT = Mismatch()
+_NOISE_STREAM = 2  # a generator of its own beside the road's
 
 
 @kept(48)
 def preview_windows(
-    mode: Preview, road: Road, drive: Drive, track: Track, horizon: int, wheelbase: float
+    mode: Preview,
+    road: Road,
+    drive: Drive,
+    track: Track,
+    horizon: int,
+    wheelbase: float,
+    mismatch: Mismatch = EXACT,
 ) -> FloatArray:
     """Disturbances over the horizon as expected at each control step, shape (steps, 3 · horizon).
 
@@ -32,15 +41,21 @@ def preview_windows(
         track: The same, sampled.
         horizon: Prediction horizon.
         wheelbase: L [m].
+        mismatch: How the sensors that look ahead err.
     """
     surface, time, h = profile(road), track.time, track.step
     steps = len(time) - 1
     windows = np.zeros((steps, DISTURBANCES, horizon))
     if mode == "lookahead":
         further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
-        position, _ = drive.at(further)
+        position, _ = drive.at(further - mismatch.preview_delay)
+        position = position - mismatch.preview_offset
+        noise = np.random.default_rng((road.seed, _NOISE_STREAM))
         for axle, behind in enumerate((0.0, wheelbase)):
-            velocity = np.diff(surface.height(position - behind)) / h
+            height = mismatch.preview_gain * surface.height(position - behind)
+            if mismatch.preview_noise:
+                height = height + mismatch.preview_noise * noise.standard_normal(len(height))
+            velocity = np.diff(height) / h
             windows[:, axle] = sliding_window_view(velocity, horizon)[:steps]
         braking = drive.sample(drive.braking, further[:-1] + h / 2)
         windows[:, 2] = sliding_window_view(braking, horizon)[:steps]

@@ -8,7 +8,7 @@ from sim_core.cost import CostTerms
 from sim_core.fields import Weights
 from sim_core.half_car import OUTPUTS
 from sim_core.longitudinal import CONTROL_STEP, KMH, Drive, drive
-from sim_core.lqr import LqrController, regulator
+from sim_core.lqr import LqrController, feedforward, regulator
 from sim_core.metrics import Recording, evaluate
 from sim_core.mpc import Horizon, MpcController, design
 from sim_core.plant import plant
@@ -41,10 +41,11 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
     step = scenario.mpc.sample_time if actuated else CONTROL_STEP
     way = track(scenario.road, vehicle.wheelbase, motion, step, fine_step(scenario))
     actuator = scenario.actuator if actuated else Actuator()
-    car = plant(vehicle, actuator, step, way.fine)
+    car = plant(scenario.real_vehicle, actuator, step, way.fine)
     controller = make_controller(scenario, chosen, motion, way)
     most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * step
-    loop = ClosedLoop(controller, car, way.disturbance @ car.E, most_change)
+    most_force = np.inf if actuator.saturation is None else actuator.saturation
+    loop = ClosedLoop(controller, car, way.disturbance @ car.E, most_change, most_force)
     course = loop.run(segments(stages, way.position))
     outputs = car.record(course.states, course.commands, way.disturbance)[:, way.kept]
     signals = dict(zip((*OUTPUTS, "front_force", "rear_force"), outputs, strict=True))
@@ -59,7 +60,7 @@ def fine_step(scenario: Scenario) -> float:
     Between the ends of a fine step the road is linear and the car exact, so only the bump's curvature and the
     sampling of peaks need it short; tests/validation holds peaks against an adaptive solver.
     """
-    vehicle, bump = scenario.vehicle, scenario.road.bump
+    vehicle, bump = scenario.real_vehicle, scenario.road.bump
     stiffest = max(
         (vehicle.front_tyre_stiffness + vehicle.front_spring) / vehicle.front_wheel_mass,
         (vehicle.rear_tyre_stiffness + vehicle.rear_spring) / vehicle.rear_wheel_mass,
@@ -72,9 +73,15 @@ def make_controller(scenario: Scenario, chosen: Strategy, motion: Drive, way: Tr
     """The strategy's controller for one run over a track."""
     if chosen.suspension is SuspensionPolicy.PASSIVE:
         return PassiveController()
-    mpc, lqr = scenario.mpc, scenario.lqr
+    mpc, lqr, wheelbase = scenario.mpc, scenario.lqr, scenario.vehicle.wheelbase
     if chosen.suspension is SuspensionPolicy.LQR:
-        return LqrController(regulator(_terms(scenario, motion, lqr.weights, lqr.deflection_weight)), mpc.force_limit)
+        terms = _terms(scenario, motion, lqr.weights, lqr.deflection_weight)
+        if lqr.preview == "none":
+            return LqrController(regulator(terms), mpc.force_limit)
+        seen = preview_windows(
+            lqr.preview, scenario.road, motion, way, lqr.preview_horizon, wheelbase, scenario.mismatch
+        )
+        return LqrController(regulator(terms), mpc.force_limit, seen @ feedforward(terms, lqr.preview_horizon).T)
     horizon = Horizon(
         prediction=mpc.prediction_horizon,
         control=mpc.control_horizon,
@@ -86,7 +93,7 @@ def make_controller(scenario: Scenario, chosen: Strategy, motion: Drive, way: Tr
         weights = coordinated_weights(scenario, chosen, stage)
         designs[stage] = design(_terms(scenario, motion, weights, mpc.deflection_weight), horizon)
     windows = preview_windows(
-        mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, scenario.vehicle.wheelbase
+        mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, wheelbase, scenario.mismatch
     )
     return MpcController(designs, windows, mpc)
 

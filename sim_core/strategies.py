@@ -36,9 +36,20 @@ class Strategy:
     reads: tuple[str, ...]
 
 
-_ROAD = ("vehicle", "road", "speed.initial_speed_kmh", "mpc.deflection_limit")
+_ROAD = (
+    "vehicle",
+    "road",
+    "speed.initial_speed_kmh",
+    "mpc.deflection_limit",
+    "mismatch.body_mass",
+    "mismatch.springs",
+    "mismatch.damping",
+    "mismatch.tyres",
+)
+_PREVIEW = ("mismatch.preview_offset", "mismatch.preview_gain", "mismatch.preview_noise", "mismatch.preview_delay")
 _SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")
 _MPC = (
+    *_PREVIEW,
     "actuator",
     "mpc.sample_time",
     "mpc.prediction_horizon",
@@ -50,7 +61,7 @@ _MPC = (
     "mpc.force_change_weight",
     "mpc.solver",
 )
-_LQR = ("actuator", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
+_LQR = (*_PREVIEW, "actuator", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
 
 STRATEGIES: dict[str, Strategy] = {
     strategy.id: strategy

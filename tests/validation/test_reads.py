@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Bump, Lqr, Mpc, Road, Scenario, Speed
 from sim_core.simulation import simulate
 from sim_core.strategies import STRATEGIES, part_read
 
@@ -21,12 +21,14 @@ BASE = Scenario(
     road=Road(length=60, bump=Bump(start=40, width=3, height=0.09)),
     speed=Speed(initial_speed_kmh=45, detection_distance=30),
     mpc=Mpc(prediction_horizon=12, control_horizon=8, force_limit=2500, deflection_limit=0.05),
+    lqr=Lqr(preview="lookahead", preview_horizon=12),
 )
 OTHER = {
     "cosine": "half_sine",
     "lookahead": "wheelbase",
     "daqp": "osqp",
     "guarded": "fuzzy",
+    "predict": "none",
 }
 
 
@@ -45,6 +47,8 @@ def altered(value: Any) -> Any:
         return [altered(item) for item in value]
     if value is None:
         return 5000.0
+    if value == 0:
+        return 0.01
     return value - 1 if isinstance(value, int) else value * 0.93
 
 
@@ -55,8 +59,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
     for key in path[:-1]:
         place = place[key]
     place[path[-1]] = altered(place[path[-1]])
-    if path == ("actuator", "bandwidth"):
-        place["bandwidth"] = 8.0
+    if path[0] == "actuator":
+        place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 1200.0}[path[-1]]
     return Scenario.model_validate(document)
 
 
