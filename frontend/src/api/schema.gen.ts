@@ -464,6 +464,11 @@ export interface components {
              * @description Greatest change of the commanded force; none is unlimited.
              */
             rate_limit?: number | null;
+            /**
+             * Saturation
+             * @description Greatest force the actuator gives, which no controller knows; none is the force limit they do know.
+             */
+            saturation?: number | null;
         };
         /**
          * Batch
@@ -644,6 +649,16 @@ export interface components {
              *         "wheel_radius": 0.3
              *       },
              *       "actuator": {},
+             *       "mismatch": {
+             *         "body_mass": 1,
+             *         "damping": 1,
+             *         "preview_delay": 0,
+             *         "preview_gain": 1,
+             *         "preview_noise": 0,
+             *         "preview_offset": 0,
+             *         "springs": 1,
+             *         "tyres": 1
+             *       },
              *       "mpc": {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
@@ -687,11 +702,22 @@ export interface components {
              *       },
              *       "lqr": {
              *         "deflection_weight": 3,
+             *         "preview": "none",
+             *         "preview_horizon": 30,
              *         "weights": [
              *           1,
              *           1,
              *           1
              *         ]
+             *       },
+             *       "hil": {
+             *         "bits": 12,
+             *         "compensation": "predict",
+             *         "iterations": 30,
+             *         "jitter": 0,
+             *         "noise": 0,
+             *         "packet_loss": 0,
+             *         "seed": 1
              *       }
              *     }
              */
@@ -1059,6 +1085,55 @@ export interface components {
             status: "ok";
         };
         /**
+         * Hil
+         * @description Hardware in the loop: the controller apart from the plant, as `lv_hil` drives it (section 4.2).
+         */
+        Hil: {
+            /**
+             * Converter bits
+             * @description Resolution of every sensor and of the actuator commands.
+             * @default 12
+             */
+            bits: number;
+            /**
+             * Delay compensation
+             * @description A command takes effect one control step after its measurement: predict (ours) lets the ECU reckon the state ahead to that moment, none lets it answer the past.
+             * @default predict
+             * @enum {string}
+             */
+            compensation: "predict" | "none";
+            /**
+             * Iterations
+             * @description The ECU's solver stops after so many, whatever it has.
+             * @default 30
+             */
+            iterations: number;
+            /**
+             * Jitter
+             * @description A command takes effect up to so much later still, evenly spread, in milliseconds.
+             * @default 0
+             */
+            jitter: number;
+            /**
+             * Sensor noise
+             * @description Standard deviation as a share of the sensor's range, before the converter.
+             * @default 0
+             */
+            noise: number;
+            /**
+             * Lost packets
+             * @description Share of the commands that never arrive; the actuators hold the last one.
+             * @default 0
+             */
+            packet_loss: number;
+            /**
+             * Seed
+             * @description Of noise, jitter and losses.
+             * @default 1
+             */
+            seed: number;
+        };
+        /**
          * LatinHypercube
          * @description Evenly spread random points (scipy.stats.qmc.LatinHypercube); whole-number fields get whole numbers.
          */
@@ -1261,6 +1336,16 @@ export interface components {
              *         "wheel_radius": 0.3
              *       },
              *       "actuator": {},
+             *       "mismatch": {
+             *         "body_mass": 1,
+             *         "damping": 1,
+             *         "preview_delay": 0,
+             *         "preview_gain": 1,
+             *         "preview_noise": 0,
+             *         "preview_offset": 0,
+             *         "springs": 1,
+             *         "tyres": 1
+             *       },
              *       "mpc": {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
@@ -1304,11 +1389,22 @@ export interface components {
              *       },
              *       "lqr": {
              *         "deflection_weight": 3,
+             *         "preview": "none",
+             *         "preview_horizon": 30,
              *         "weights": [
              *           1,
              *           1,
              *           1
              *         ]
+             *       },
+             *       "hil": {
+             *         "bits": 12,
+             *         "compensation": "predict",
+             *         "iterations": 30,
+             *         "jitter": 0,
+             *         "noise": 0,
+             *         "packet_loss": 0,
+             *         "seed": 1
              *       }
              *     }
              */
@@ -1419,6 +1515,19 @@ export interface components {
              */
             deflection_weight: number;
             /**
+             * Preview
+             * @description As the MPC's, by a feedforward that is optimal without limits; none is the paper's LQR.
+             * @default none
+             * @enum {string}
+             */
+            preview: "none" | "wheelbase" | "lookahead";
+            /**
+             * Preview horizon
+             * @description In steps; nothing is known beyond.
+             * @default 30
+             */
+            preview_horizon: number;
+            /**
              * Weights
              * @description Equal, as in the paper.
              * @default [
@@ -1432,6 +1541,62 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * Mismatch
+         * @description What the real car and the real sensors have other than the controllers believe; nothing by default.
+         *
+         *     The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
+         */
+        Mismatch: {
+            /**
+             * Body mass and pitch inertia
+             * @description Real over believed, both alike: the load.
+             * @default 1
+             */
+            body_mass: number;
+            /**
+             * Damping
+             * @description Real over believed, both axles.
+             * @default 1
+             */
+            damping: number;
+            /**
+             * Preview delay
+             * @description The road ahead comes so late (lookahead).
+             * @default 0
+             */
+            preview_delay: number;
+            /**
+             * Preview gain
+             * @description Height the sensors see over the true height (lookahead).
+             * @default 1
+             */
+            preview_gain: number;
+            /**
+             * Preview noise
+             * @description Standard deviation of each height the sensors give, one height a control step (lookahead).
+             * @default 0
+             */
+            preview_noise: number;
+            /**
+             * Preview offset
+             * @description The sensors place the road ahead so much too far away (lookahead).
+             * @default 0
+             */
+            preview_offset: number;
+            /**
+             * Spring stiffness
+             * @description Real over believed, both axles.
+             * @default 1
+             */
+            springs: number;
+            /**
+             * Tyre stiffness
+             * @description Real over believed, both axles.
+             * @default 1
+             */
+            tyres: number;
         };
         /**
          * Mpc
@@ -1766,6 +1931,16 @@ export interface components {
              *         "wheel_radius": 0.3
              *       },
              *       "actuator": {},
+             *       "mismatch": {
+             *         "body_mass": 1,
+             *         "damping": 1,
+             *         "preview_delay": 0,
+             *         "preview_gain": 1,
+             *         "preview_noise": 0,
+             *         "preview_offset": 0,
+             *         "springs": 1,
+             *         "tyres": 1
+             *       },
              *       "mpc": {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
@@ -1809,11 +1984,22 @@ export interface components {
              *       },
              *       "lqr": {
              *         "deflection_weight": 3,
+             *         "preview": "none",
+             *         "preview_horizon": 30,
              *         "weights": [
              *           1,
              *           1,
              *           1
              *         ]
+             *       },
+             *       "hil": {
+             *         "bits": 12,
+             *         "compensation": "predict",
+             *         "iterations": 30,
+             *         "jitter": 0,
+             *         "noise": 0,
+             *         "packet_loss": 0,
+             *         "seed": 1
              *       }
              *     }
              */
@@ -1844,6 +2030,19 @@ export interface components {
              */
             brake: components["schemas"]["Brake"];
             /**
+             * Hardware in the loop
+             * @default {
+             *       "bits": 12,
+             *       "compensation": "predict",
+             *       "iterations": 30,
+             *       "noise": 0,
+             *       "jitter": 0,
+             *       "packet_loss": 0,
+             *       "seed": 1
+             *     }
+             */
+            hil: components["schemas"]["Hil"];
+            /**
              * LQR
              * @default {
              *       "weights": [
@@ -1851,10 +2050,26 @@ export interface components {
              *         1,
              *         1
              *       ],
-             *       "deflection_weight": 3
+             *       "deflection_weight": 3,
+             *       "preview": "none",
+             *       "preview_horizon": 30
              *     }
              */
             lqr: components["schemas"]["Lqr"];
+            /**
+             * Model mismatch
+             * @default {
+             *       "body_mass": 1,
+             *       "springs": 1,
+             *       "damping": 1,
+             *       "tyres": 1,
+             *       "preview_offset": 0,
+             *       "preview_gain": 1,
+             *       "preview_noise": 0,
+             *       "preview_delay": 0
+             *     }
+             */
+            mismatch: components["schemas"]["Mismatch"];
             /**
              * MPC
              * @default {
