@@ -87,8 +87,8 @@ READINGS: dict[str, Reading] = {
         Reading(
             id="travel_weight",
             title="Travel weight q4",
-            description="Eq. 16 and the LQR's cost name three weights; a fourth, on suspension travel, is ours. Without "
-            "it an LQR uses far more travel than a car has.",
+            description="Eq. 16 and the LQR's cost name three weights; a fourth, on travel, is ours. Without it an "
+            "LQR uses far more travel than a car has.",
             choices=(
                 Choice(id="3", label="3", changes={"mpc.deflection_weight": 3, "lqr.deflection_weight": 3}),
                 Choice(id="0", label="0, literal", changes={"mpc.deflection_weight": 0, "lqr.deflection_weight": 0}),

@@ -23,18 +23,18 @@ from sim_core.track import Track, track
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 
 
-def simulate(scenario: Scenario, name: str) -> StrategyResult:
+def simulate(scenario: Scenario, name: str | Strategy) -> StrategyResult:
     """Drive one strategy over the scenario's road.
 
     Args:
         scenario: What to drive.
-        name: Strategy id.
+        name: Strategy id, or a strategy that is in no table.
 
     Raises:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    chosen, vehicle = strategy(name), scenario.vehicle
+    chosen, vehicle = strategy(name) if isinstance(name, str) else name, scenario.vehicle
     actuated = chosen.suspension is not SuspensionPolicy.PASSIVE
     motion = drive(scenario, chosen.speed)
     stages = spans(scenario, chosen, motion)
