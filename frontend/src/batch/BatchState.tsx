@@ -5,12 +5,10 @@ import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { isFinal } from "../api/follow";
 import type { Batch } from "../api/types";
-import { isChanged } from "../editor/diff";
-import { getAt } from "../editor/path";
-import { humanise, type Group } from "../editor/schema";
-import { sweepFields } from "../sweep/fields";
+import { otherThanPaper } from "../carried/otherThanPaper";
+import type { Group } from "../editor/schema";
 import { formatDuration, formatMinute } from "../units/dates";
-import { count, formatExact, formatWhole } from "../units/format";
+import { count, formatWhole } from "../units/format";
 import classes from "./batch.module.css";
 import { batchQuery } from "./useBatch";
 
@@ -75,7 +73,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
         </Text>
       )}
       <Text size="xs" c="dimmed">
-        {facts(batch)}. {fixedParts(batch, form)}
+        {facts(batch)}. {otherThanPaper(batch.scenario, form, batch.fields.map(({ name }) => name))}
       </Text>
     </section>
   );
@@ -105,22 +103,4 @@ function facts({ created_at: created, started_at: started, finished_at: finished
     `core ${version}`,
   ];
   return parts.join(" · ");
-}
-
-const MOST_NAMED = 6;
-
-/** What is not swept and yet not the paper's. */
-function fixedParts({ scenario, fields }: Batch, form: Group): string {
-  const swept = fields.map(({ name }) => name);
-  const other = sweepFields(form).filter(
-    ({ name, leaf }) => isChanged(scenario, leaf) && !swept.some((each) => each === name || name.startsWith(`${each}.`)),
-  );
-  if (other.length === 0) return "All else as in the paper.";
-  const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
-    const value = getAt(scenario, leaf.pointer);
-    const text = typeof value === "number" ? formatExact(value, leaf.kind === "number" ? leaf.unit : "1") : typeof value === "string" ? humanise(value) : "off";
-    return `${title} ${text}`;
-  });
-  const more = other.length - named.length;
-  return `Other than the paper: ${named.join(", ")}${more > 0 ? ` and ${more} more` : ""}.`;
 }

@@ -1,0 +1,32 @@
+import { describe, expect, it } from "vitest";
+import { standardScenario } from "../editor/diff";
+import { FORM } from "../editor/form.fixture";
+import { setAt } from "../editor/path";
+import { formatOrigin, readOrigin } from "./carried";
+import { otherThanPaper } from "./otherThanPaper";
+
+describe("where a page's scenario comes from", () => {
+  it("is a run before a preset", () => {
+    expect(readOrigin("?preset=p&run=R")).toEqual({ run: "R", preset: null });
+    expect(readOrigin("?preset=p")).toEqual({ run: null, preset: "p" });
+    expect(readOrigin("")).toEqual({ run: null, preset: null });
+  });
+
+  it.each(["", "?run=a%2Fb", "?preset=half"])("stands in the address: %s", (search) => {
+    expect(formatOrigin(readOrigin(search))).toBe(search);
+  });
+});
+
+describe("what differs from the paper", () => {
+  const paper = standardScenario(FORM);
+  const changed = setAt(setAt(paper, "/road/bump/height", -0.06), "/mpc/weights/1", 3);
+
+  it("is told field by field", () => {
+    expect(otherThanPaper(paper, FORM)).toBe("As in the paper.");
+    expect(otherThanPaper(changed, FORM)).toBe("Other than the paper: Height −0.06\u00a0m, Cruise: Pitch 3.");
+  });
+
+  it("leaves out what is swept", () => {
+    expect(otherThanPaper(changed, FORM, ["road.bump.height", "mpc.weights"])).toBe("All else as in the paper.");
+  });
+});

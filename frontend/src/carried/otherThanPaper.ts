@@ -1,0 +1,25 @@
+/** What a scenario has other than the paper, in a sentence. */
+
+import type { Scenario } from "../api/types";
+import { isChanged } from "../editor/diff";
+import { getAt } from "../editor/path";
+import { humanise, type Group } from "../editor/schema";
+import { sweepFields } from "../sweep/fields";
+import { formatExact } from "../units/format";
+
+const MOST_NAMED = 6;
+
+/** `swept` are dotted names of fields, or of parts, that are told elsewhere. */
+export function otherThanPaper(scenario: Scenario, form: Group, swept: readonly string[] = []): string {
+  const other = sweepFields(form).filter(
+    ({ name, leaf }) => isChanged(scenario, leaf) && !swept.some((each) => each === name || name.startsWith(`${each}.`)),
+  );
+  if (other.length === 0) return swept.length > 0 ? "All else as in the paper." : "As in the paper.";
+  const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
+    const value = getAt(scenario, leaf.pointer);
+    const text = typeof value === "number" ? formatExact(value, leaf.kind === "number" ? leaf.unit : "1") : typeof value === "string" ? humanise(value) : "off";
+    return `${title} ${text}`;
+  });
+  const more = other.length - named.length;
+  return `Other than the paper: ${named.join(", ")}${more > 0 ? ` and ${more} more` : ""}.`;
+}
