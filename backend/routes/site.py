@@ -38,6 +38,19 @@ DOCS_SCRIPT = """SwaggerUIBundle({
 });
 """
 
+# As frontend/src/pages.ts and the dashboard have them.
+PAGES = (
+    "/",
+    "/r/{id}",
+    "/b/{id}",
+    "/paper",
+    "/robustness",
+    "/robustness/{id}",
+    "/tuner",
+    "/tuner/{id}",
+    "/ecu",
+)
+
 
 class HashedFiles(StaticFiles):
     """Files whose names hold their content's hash: a browser may keep them for ever."""
@@ -50,7 +63,7 @@ class HashedFiles(StaticFiles):
 
 
 def add_site(app: FastAPI, dist: Path) -> None:
-    """Serve the frontend in `dist` at `/`, `/r/{id}`, `/b/{id}` and `/s/{slug}`, the documentation at `/docs`."""
+    """Serve the frontend in `dist` at its pages' addresses and `/s/{slug}`, the documentation at `/docs`."""
     site = APIRouter(include_in_schema=False)
     index = dist / "index.html"
 
@@ -58,7 +71,7 @@ def add_site(app: FastAPI, dist: Path) -> None:
         _check_built(index)
         return FileResponse(index, headers={"Cache-Control": "no-cache"})
 
-    for path in ("/", "/r/{id}", "/b/{id}"):
+    for path in PAGES:
         site.add_api_route(path, page, methods=["GET"])
 
     @site.get("/s/{slug}")

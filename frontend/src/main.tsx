@@ -6,6 +6,7 @@ import { createRoot } from "react-dom/client";
 import { App } from "./App";
 import { LazyBatchPage } from "./batch/lazy";
 import "./global.css";
+import { pageAt } from "./pages";
 import { loadPlotly } from "./plots/plotly";
 import { ErrorBoundary } from "./shell/ErrorBoundary";
 import { createLab } from "./state/lab";
@@ -30,7 +31,13 @@ function dashboard() {
   return <App lab={lab} router={router} />;
 }
 
-const page = batchId === undefined ? dashboard() : <LazyBatchPage id={batchId} />;
+function content() {
+  if (batchId !== undefined) return <LazyBatchPage id={batchId} />;
+  const page = pageAt(window.location.pathname);
+  return page ? <page.View id={page.id} /> : dashboard();
+}
+
+const page = content();
 void loadPlotly();
 watchPrinting();
 

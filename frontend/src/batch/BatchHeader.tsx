@@ -1,15 +1,15 @@
-/** Name, the way back, sharing, files and the colour scheme. */
+/** Name, the way to other pages, sharing, files and the colour scheme. */
 
 import { Button, Menu } from "@mantine/core";
-import { IconArrowLeft, IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "@tabler/icons-react";
+import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "@tabler/icons-react";
 import { api } from "../api/client";
 import type { Batch } from "../api/types";
 import { download } from "../export/image";
 import { ShareLink } from "../share/ShareLink";
 import { Logo } from "../shell/Logo";
+import { Nav } from "../shell/Nav";
 import { SchemeToggle } from "../shell/SchemeToggle";
 import shell from "../shell/shell.module.css";
-import classes from "./batch.module.css";
 import type { BatchView } from "./view";
 
 interface Props {
@@ -28,13 +28,11 @@ const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", se
 export function BatchHeader({ batch, view }: Props) {
   return (
     <header className={shell.header}>
-      <a href="/" className={classes.home} aria-label="Ridelab, to the dashboard">
+      <a href="/" className={shell.home} aria-label="Ridelab, to the lab">
         <Logo />
       </a>
       <h1 className={shell.name}>Ridelab</h1>
-      <Button component="a" href="/" size="xs" variant="default" aria-label="Dashboard" classNames={compact} leftSection={<IconArrowLeft size={15} />}>
-        Dashboard
-      </Button>
+      <Nav />
       <span className={shell.grow} />
       <ShareLink
         make={() => (batch ? api.shareBatch(batch.id, toShare(batch, view)) : Promise.reject(new Error("there is no sweep")))}

@@ -9,6 +9,7 @@ import { ShareRun } from "../share/ShareRun";
 import { SweepButton } from "../sweep/SweepButton";
 import { IconButton } from "./IconButton";
 import { Logo } from "./Logo";
+import { Nav } from "./Nav";
 import { SchemeToggle } from "./SchemeToggle";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
@@ -24,6 +25,7 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       <Text component="h1" className={classes.name}>
         Ridelab
       </Text>
+      <Nav crowded />
       <PresetMenu presets={presets} disabled={readOnly} />
       <IconButton label="Undo" disabled={!canUndo} onClick={lab.undo}>
         <IconArrowBackUp size={18} stroke={1.7} />

@@ -1,0 +1,31 @@
+/** The pages beside the dashboard, in the order of the navigation; each has code of its own, fetched where it is shown. */
+
+import { lazy, type ComponentType } from "react";
+
+export interface PageProps {
+  /** What follows the page's own path, `null` where nothing does. */
+  readonly id: string | null;
+}
+
+export interface Page {
+  /** The first part of its address; backend/routes/site.py serves it. */
+  readonly path: `/${string}`;
+  /** What the navigation calls it. */
+  readonly label: string;
+  readonly View: ComponentType<PageProps>;
+}
+
+/** A component of that name in a module of its own. */
+const from = <Name extends string>(name: Name, load: () => Promise<Readonly<Record<Name, ComponentType<PageProps>>>>) =>
+  lazy(() => load().then((module) => ({ default: module[name] })));
+
+export const PAGES: readonly Page[] = [
+  { path: "/paper", label: "Paper", View: from("PaperPage", () => import("./paper/PaperPage")) },
+];
+
+/** The page of an address and what follows its path; `null` where the address is another one's. */
+export function pageAt(pathname: string): (Page & PageProps) | null {
+  const [, first = "", id = ""] = pathname.split("/");
+  const found = PAGES.find(({ path }) => path === `/${first}`);
+  return found ? { ...found, id: id === "" ? null : id } : null;
+}
