@@ -39,6 +39,19 @@ export interface LineTrace {
   readonly hoverinfo: "skip";
 }
 
+/** Counts, side by side. */
+export interface BarTrace {
+  readonly type: "bar";
+  readonly name: string;
+  readonly x: readonly (number | string)[];
+  readonly y: readonly number[];
+  readonly width?: readonly number[];
+  readonly marker: Options;
+  readonly text?: readonly string[];
+  readonly textposition?: "none";
+  readonly hovertemplate?: string;
+}
+
 export interface PlotFigure {
   readonly data: readonly PlotTrace[];
   readonly layout: PlotLayout;
@@ -69,7 +82,7 @@ interface ImageOptions {
 export interface Plotly {
   readonly react: (
     element: HTMLElement,
-    data: readonly (PlotTrace | PointTrace | LineTrace)[],
+    data: readonly (PlotTrace | PointTrace | LineTrace | BarTrace)[],
     layout: PlotLayout,
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;

@@ -1,0 +1,58 @@
+/** One small plot of its own: drawn anew when its figure or its width changes; points can be clicked. */
+
+import { useElementSize } from "@mantine/hooks";
+import { useEffect, useEffectEvent, useRef } from "react";
+import classes from "./plots.module.css";
+import type { BarTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
+import { usePlotly } from "./usePlotly";
+
+export interface ChartFigure {
+  readonly data: readonly (PointTrace | LineTrace | BarTrace)[];
+  readonly layout: PlotLayout;
+}
+
+interface Props {
+  readonly figure: ChartFigure;
+  readonly height: number;
+  /** What it shows, in words, for whoever does not see it. */
+  readonly label: string;
+  /** Gets the `customdata` of a clicked point. */
+  readonly onPoint?: (point: number) => void;
+}
+
+const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
+
+export function Chart({ figure, height, label, onPoint }: Props) {
+  const plotly = usePlotly();
+  const { ref, width } = useElementSize<HTMLDivElement>();
+  const host = useRef<HTMLDivElement>(null);
+
+  useEffect(() => {
+    if (!plotly || !host.current || width === 0) return;
+    void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, CONFIG);
+  }, [plotly, figure, width, height]);
+
+  const clicked = useEffectEvent((point: number) => onPoint?.(point));
+  const clickable = onPoint !== undefined;
+  useEffect(() => {
+    const element = host.current as PlotElement | null;
+    if (!plotly || !element || width === 0 || !clickable) return undefined;
+    element.on("plotly_click", ({ points }) => {
+      const point = points[0]?.customdata;
+      if (point !== undefined) clicked(point);
+    });
+    return () => element.removeAllListeners("plotly_click");
+  }, [plotly, width, clickable]);
+  useEffect(() => {
+    const element = host.current;
+    return () => {
+      if (plotly && element) plotly.purge(element);
+    };
+  }, [plotly]);
+
+  return (
+    <div ref={ref} className={classes.chart} style={{ height }}>
+      <div ref={host} role="img" aria-label={label} />
+    </div>
+  );
+}
