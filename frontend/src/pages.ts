@@ -12,6 +12,8 @@ export interface Page {
   readonly path: `/${string}`;
   /** What the navigation calls it. */
   readonly label: string;
+  /** It works on a scenario: the run one comes from goes along as `?run=`. */
+  readonly takesRun?: true;
   readonly View: ComponentType<PageProps>;
 }
 
@@ -21,6 +23,8 @@ const from = <Name extends string>(name: Name, load: () => Promise<Readonly<Reco
 
 export const PAGES: readonly Page[] = [
   { path: "/paper", label: "Paper", View: from("PaperPage", () => import("./paper/PaperPage")) },
+  { path: "/tuner", label: "Tuner", takesRun: true, View: from("TunerPage", () => import("./tuner/TunerPage")) },
+  { path: "/ecu", label: "ECU", takesRun: true, View: from("EcuPage", () => import("./hil/EcuPage")) },
 ];
 
 /** The page of an address and what follows its path; `null` where the address is another one's. */

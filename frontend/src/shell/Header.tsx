@@ -17,6 +17,7 @@ import { StatusLine } from "./StatusLine";
 export function Header({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useDesk();
   const readOnly = useReadOnly();
+  const runId = useLab((state) => state.shown?.runId ?? null);
   const canUndo = useLab((state) => state.shared === null && (state.history?.past.length ?? 0) > 0);
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
@@ -25,7 +26,7 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       <Text component="h1" className={classes.name}>
         Ridelab
       </Text>
-      <Nav crowded />
+      <Nav crowded run={runId} />
       <PresetMenu presets={presets} disabled={readOnly} />
       <IconButton label="Undo" disabled={!canUndo} onClick={lab.undo}>
         <IconArrowBackUp size={18} stroke={1.7} />

@@ -2,17 +2,26 @@
 
 import { Button, Menu } from "@mantine/core";
 import { IconChevronDown } from "@tabler/icons-react";
-import { PAGES, pageAt } from "../pages";
+import { PAGES, pageAt, type Page } from "../pages";
 import classes from "./nav.module.css";
 
 interface Props {
   /** The header holds much else: the links make room earlier. */
   readonly crowded?: boolean;
+  /** The run whose scenario this page works on: pages that take one get it, and the lab shows it again. */
+  readonly run?: string | null;
 }
 
-const ENTRIES = [{ path: "/", label: "Lab" }, ...PAGES];
+const LAB = { path: "/", label: "Lab" } as const;
 
-export function Nav({ crowded = false }: Props) {
+function addressOf({ path, takesRun }: Pick<Page, "path" | "takesRun">, run: string | null): string {
+  if (run === null) return path;
+  if (path === LAB.path) return `/r/${encodeURIComponent(run)}`;
+  return takesRun ? `${path}?${new URLSearchParams({ run })}` : path;
+}
+
+export function Nav({ crowded = false, run = null }: Props) {
+  const entries = [LAB, ...PAGES].map((page) => ({ path: page.path, label: page.label, href: addressOf(page, run) }));
   const { pathname } = window.location;
   // A sweep and a shared result belong to the lab, but are not its start.
   const current = pageAt(pathname) ?? { path: pathname.startsWith("/b/") ? null : "/", label: "Lab" };
@@ -20,9 +29,9 @@ export function Nav({ crowded = false }: Props) {
   return (
     <nav aria-label="Pages" className={classes.nav} data-crowded={crowded || undefined}>
       <ul className={classes.links}>
-        {ENTRIES.map(({ path, label }) => (
+        {entries.map(({ path, label, href }) => (
           <li key={path}>
-            <a href={path} className={classes.link} aria-current={currentOf(path)}>
+            <a href={href} className={classes.link} aria-current={currentOf(path)}>
               {label}
             </a>
           </li>
@@ -42,8 +51,8 @@ export function Nav({ crowded = false }: Props) {
           </Button>
         </Menu.Target>
         <Menu.Dropdown>
-          {ENTRIES.map(({ path, label }) => (
-            <Menu.Item key={path} component="a" href={path} aria-current={currentOf(path)} className={classes.item ?? ""}>
+          {entries.map(({ path, label, href }) => (
+            <Menu.Item key={path} component="a" href={href} aria-current={currentOf(path)} className={classes.item ?? ""}>
               {label}
             </Menu.Item>
           ))}

@@ -6,14 +6,20 @@ import { Nav } from "./Nav";
 import { SchemeToggle } from "./SchemeToggle";
 import classes from "./shell.module.css";
 
-export function PageHeader({ children }: { readonly children?: ReactNode }) {
+interface Props {
+  /** The run whose scenario the page works on. */
+  readonly run?: string | null;
+  readonly children?: ReactNode;
+}
+
+export function PageHeader({ run = null, children }: Props) {
   return (
     <header className={classes.header}>
       <a href="/" className={classes.home} aria-label="Ridelab, to the lab">
         <Logo />
       </a>
       <span className={classes.name}>Ridelab</span>
-      <Nav />
+      <Nav run={run} />
       <span className={classes.grow} />
       {children}
       <SchemeToggle />
