@@ -26,6 +26,15 @@ class Course:
     limited: int
 
 
+def near_rest(plant: Plant, law: LinearLaw) -> FloatArray:
+    """One control step of [plant state; previous command] while no limit binds (n + 2, n + 2)."""
+    n = plant.size
+    gain = np.zeros((FORCES, n + FORCES))
+    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
+    free = np.hstack([plant.A, np.zeros((n, FORCES))])
+    return np.vstack([free + plant.B @ gain, gain])
+
+
 class ClosedLoop:
     """One run's loop; the actuator changes a force by at most `most_change` a step and gives at most `most_force` [N].
 
@@ -78,11 +87,7 @@ class ClosedLoop:
 
     def _powers(self, law: LinearLaw) -> list[FloatArray]:
         """Powers 1, 2, 4, … of the closed loop over [plant state; previous command], transposed."""
-        n = self._plant.size
-        gain = np.zeros((FORCES, n + FORCES))
-        gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
-        free = np.hstack([self._plant.A, np.zeros((n, FORCES))])
-        powers = [np.vstack([free + self._plant.B @ gain, gain]).T]
+        powers = [near_rest(self._plant, law).T]
         while 2 ** len(powers) <= _LONGEST_BLOCK:
             powers.append(powers[-1] @ powers[-1])
         return powers

@@ -1,0 +1,61 @@
+"""Whether the loop with the real car is stable: against known modes, and against what a simulated one does."""
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from sim_core.half_car import half_car
+from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Speed
+from sim_core.simulation import simulate
+from sim_core.stability import damping, least_damping
+
+
+@pytest.mark.parametrize("ratio", [-0.3, 0.0, 0.2, 0.95])
+def test_an_oscillator_has_the_damping_it_was_given(ratio: float) -> None:
+    omega = 40.0
+    loop = expm(np.array([[0, 1], [-(omega**2), -2 * ratio * omega]]) * 0.01)
+    assert damping(loop, 0.01) == pytest.approx(ratio, abs=1e-9)  # two logarithms of rounded numbers
+
+
+def test_a_mode_that_is_gone_after_a_step_is_damped_enough() -> None:
+    assert damping(np.zeros((3, 3)), 0.01) == 1.0
+
+
+def test_the_passive_car_has_its_own_modes() -> None:
+    scenario = Scenario(mismatch=Mismatch(damping=0.5, body_mass=1.2))
+    poles = np.linalg.eigvals(half_car(scenario.real_vehicle).A)
+    assert least_damping(scenario, "passive") == pytest.approx((-poles.real / np.abs(poles)).min(), rel=1e-6)
+
+
+def test_preview_cannot_make_a_loop_unstable() -> None:
+    blind = Scenario(mismatch=Mismatch(preview_delay=0.5, preview_offset=5, preview_noise=0.1))
+    assert least_damping(blind, "lv") == least_damping(Scenario(), "lv")
+
+
+@pytest.mark.parametrize("name", ["lv", "lqr", "suspension_only"])
+@pytest.mark.parametrize(
+    ("mismatch", "actuator"),
+    [
+        (Mismatch(), Actuator()),
+        (Mismatch(damping=0.4), Actuator()),
+        (Mismatch(damping=0.4), Actuator(bandwidth=20)),
+        (Mismatch(damping=0.1), Actuator(bandwidth=2)),
+        (Mismatch(damping=0.75, tyres=1.1), Actuator(bandwidth=8)),
+    ],
+)
+def test_a_small_disturbance_grows_where_the_loop_is_unstable(
+    name: str, mismatch: Mismatch, actuator: Actuator
+) -> None:
+    """A bump of a micrometre on a smooth road: the wheels come to rest, or swing up, if need be to the limits."""
+    scenario = Scenario(
+        road=Road(roughness=0, length=150, bump=Bump(height=1e-6, width=1, start=5)),
+        speed=Speed(target_speed_kmh=50),
+        mismatch=mismatch,
+        actuator=actuator,
+    )
+    signals = simulate(scenario, name).series
+    load = np.hypot(signals["front_tyre_load"], signals["rear_tyre_load"])
+    early, late = (load[(signals["position"] > a) & (signals["position"] < a + 10)].max() for a in (60, 139))
+    # Six seconds apart: no case is so near to neutral that it would not show. A kilonewton is ten million times what
+    # the bump itself makes: the limits stopped the growth before the early window.
+    assert (late > early or late > 1000) == (least_damping(scenario, name) < 0)
