@@ -17,8 +17,9 @@ from backend.batches.service import Batches
 from backend.compute import Workers
 from backend.links.service import Links
 from backend.memory import Memory
+from backend.paper.service import Paper
 from backend.results import Results
-from backend.routes import batches, health, links, runs, schema, site
+from backend.routes import batches, health, links, paper, runs, schema, site
 from backend.runs import Runs
 from backend.security import GuardMiddleware
 from backend.settings import Settings
@@ -59,6 +60,7 @@ def create_app(settings: Settings) -> FastAPI:
         batches.batches,
         links.sharing,
         links.links,
+        paper.paper,
         schema.schema,
         health.health,
     ):
@@ -91,6 +93,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
+        app.state.paper = Paper(store=store, workers=workers, results=results, admission=admission)
         app.state.links = Links(store=store, workers=workers, admission=admission)
         app.state.batches = Batches(store=store, workers=workers, admission=admission, driver=driver, settings=settings)
         driver.start()

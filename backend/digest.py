@@ -2,7 +2,7 @@
 
 import base64
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import orjson
@@ -22,6 +22,11 @@ def canonical(value: Any) -> bytes:
 def result_key(scenario: Scenario, strategy: str) -> str:
     """Key of one strategy's result: core version, strategy and the part of the scenario it reads."""
     return _hash({"core": CORE_VERSION, "strategy": strategy, "part": part_read(scenario, strategy)})
+
+
+def derived_key(name: str, parameters: Mapping[str, Any]) -> str:
+    """Key of what is derived from many runs: core version, what it is and what it was asked for."""
+    return _hash({"core": CORE_VERSION, "derived": name, "parameters": dict(parameters)})
 
 
 def run_id(scenario: Scenario, strategies: Iterable[str]) -> str:

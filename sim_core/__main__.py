@@ -7,11 +7,10 @@ from time import perf_counter
 
 from pydantic import ValidationError
 
-from sim_core import __version__
+from sim_core import __version__, errata, reference
 from sim_core.errors import RidelabError
 from sim_core.margins import change, margins, mean_metrics
 from sim_core.presets import PRESETS, preset
-from sim_core.reference import page
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.signals import PAPER_SIGNALS, SIGNALS
@@ -37,12 +36,15 @@ def main(arguments: list[str] | None = None) -> int:
     check.add_argument("--seeds", type=int, default=10, help="roads 1 to this (10)")
     check.add_argument("--preview", default="lookahead", choices=("lookahead", "wheelbase", "none"))
     commands.add_parser("fields", help="the scenario's reference page, docs/scenario.md")
+    commands.add_parser("errata", help="the paper's errata, docs/errata.md")
     chosen = parser.parse_args(arguments)
     try:
         if chosen.command == "margins":
             _print_margins(chosen.seeds, chosen.preview)
         elif chosen.command == "fields":
-            print(page(), end="")
+            print(reference.page(), end="")
+        elif chosen.command == "errata":
+            print(errata.page(), end="")
         else:
             scenario = preset(chosen.preset) if chosen.scenario is None else _load(chosen.scenario)
             _print_run(

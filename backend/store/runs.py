@@ -52,6 +52,11 @@ class RunStore:
             rows = connection.execute(select(results).where(results.c.key.in_(list(keys)))).all()
         return {row.key: _result(row) for row in rows}
 
+    def save_result(self, item: StoredResult, core_version: str) -> None:
+        """Commit one result that belongs to no run; where it is stored already, that one stays."""
+        with self._database.writing() as connection:
+            insert_new(connection, results, [result_row(item, core_version, datetime.now(UTC))])
+
     def save(
         self,
         *,

@@ -100,7 +100,10 @@ def test_estimate_grows_with_what_costs() -> None:
     assert estimate(Scenario(), "passive") < plain
 
 
-def test_reference_page_is_what_the_command_prints(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["fields"]) == 0
-    page = Path(__file__).parents[2] / "docs" / "scenario.md"
+@pytest.mark.parametrize(("command", "name"), [("fields", "scenario.md"), ("errata", "errata.md")])
+def test_a_reference_page_is_what_the_command_prints(
+    command: str, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([command]) == 0
+    page = Path(__file__).parents[2] / "docs" / name
     assert page.read_text(encoding="utf-8") == capsys.readouterr().out

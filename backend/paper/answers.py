@@ -1,0 +1,165 @@
+"""Values of many runs as the paper page's answers."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim_core import __version__ as CORE_VERSION
+from sim_core import paper
+from sim_core.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
+from sim_core.errata import ERRATA
+from sim_core.paper import FIGURES, Judged
+from sim_core.paper_tables import TABLES
+from sim_core.readings import READINGS
+from sim_core.statistics import Interval, change_with_interval, mean_with_interval
+
+
+def reproduction(
+    chosen: Mapping[str, str], seeds: int, ours: paper.Values, without_preview: paper.Values
+) -> dict[str, Any]:
+    """`PaperAnswer`."""
+    judged, blind = paper.judge(ours), paper.judge(without_preview)
+    counts, blind_counts = paper.count(judged), paper.count(blind)
+    return {
+        "core_version": CORE_VERSION,
+        "seeds": seeds,
+        "reached": counts["reached"],
+        "total": len(judged),
+        "counts": counts,
+        "without_preview": {"reached": blind_counts["reached"], "counts": blind_counts},
+        "scenario": paper.scenario_for(chosen, 1).model_dump(mode="json"),
+        "cells": [_cell(item, other) for item, other in zip(judged, blind, strict=True)],
+        "readings": [
+            {
+                "id": reading.id,
+                "title": reading.title,
+                "description": reading.description,
+                "chosen": chosen[reading.id],
+                "choices": [
+                    {"id": choice.id, "label": choice.label, "default": choice.id == reading.default}
+                    for choice in reading.choices
+                ],
+            }
+            for reading in READINGS.values()
+        ],
+        "rules": paper.RULES,
+        "tables": [
+            {
+                "number": table.number,
+                "title": table.title,
+                "columns": [{"strategy": strategy, "against": against} for strategy, against, _ in table.columns],
+            }
+            for table in TABLES
+        ],
+        "errata": [{"place": item.place, "printed": item.printed, "here": item.here} for item in ERRATA],
+    }
+
+
+def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> dict[str, Any]:
+    """`ReadingRow`."""
+    counts = paper.count(judged)
+    return {
+        "reading": reading,
+        "choice": choice,
+        "reached": counts["reached"],
+        "total": len(judged),
+        "counts": counts,
+        "changed": sum(one.verdict is not other.verdict for one, other in zip(base, judged, strict=True)),
+    }
+
+
+def attribution(seeds: int, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> dict[str, Any]:
+    """`AttributionAnswer` from a row for each road: variant -> its figures."""
+    values = {variant.id: _of_variant(variant.id, runs) for variant in VARIANTS}
+    passive = values["passive-constant"]
+    return {
+        "core_version": CORE_VERSION,
+        "seeds": seeds,
+        "rows": [
+            {
+                "id": variant.id,
+                "label": variant.label,
+                "controller": variant.controller,
+                "speed": variant.speed,
+                "preview": variant.preview,
+                "weights": variant.weights,
+                "is": variant.known_as,
+                "travel_time": mean_with_interval(values[variant.id]["travel_time"]).value,
+                "metrics": [
+                    {
+                        **_named(figure),
+                        **_interval(mean_with_interval(values[variant.id][figure])),
+                        "change_vs_passive": change_with_interval(values[variant.id][figure], passive[figure]).value,
+                    }
+                    for figure in FIGURES
+                ],
+                "comfort": {key: _interval(mean_with_interval(values[variant.id][key])) for key in COMFORT_FIGURES},
+            }
+            for variant in VARIANTS
+        ],
+        "shares": [
+            {
+                **_named(item.figure),
+                **{factor: getattr(item, factor) for factor in FACTORS},
+                "total_change": item.total,
+            }
+            for item in shares(values)
+        ],
+        "sentences": sentences(values),
+        "equal_speed": [
+            {
+                "label": label,
+                "strategy": first,
+                "against": second,
+                "cells": [
+                    {**_named(figure), "our_change": change.value, "ci": [change.low, change.high]}
+                    for figure, change in zip(FIGURES, compared(first, second, values), strict=True)
+                ],
+            }
+            for label, first, second in EQUAL_SPEED
+        ],
+    }
+
+
+def _of_variant(name: str, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> dict[Any, list[float]]:
+    found: dict[Any, list[float]] = {
+        figure: [run[name]["figures"][index] for run in runs] for index, figure in enumerate(FIGURES)
+    }
+    return found | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
+
+
+def _cell(item: Judged, blind: Judged) -> dict[str, Any]:
+    cell = item.cell
+    looks_ahead = {cell.strategy, cell.against} & set(paper.PREVIEWED)
+    return {
+        "table": cell.table,
+        "window": cell.window,
+        "signal": cell.signal,
+        "statistic": cell.statistic,
+        "strategy": cell.strategy,
+        "against": cell.against,
+        "paper_value": cell.value,
+        "paper_base": cell.base,
+        "paper_change": cell.printed,
+        "misprint": None if cell.follows is None else {"printed": cell.printed, "follows": cell.follows},
+        "our_value": item.value,
+        "our_base": item.base,
+        **_judgement(item),
+        "without_preview": _judgement(blind) if looks_ahead else None,
+    }
+
+
+def _judgement(item: Judged) -> dict[str, Any]:
+    return {
+        "our_change": item.change.value,
+        "ci": [item.change.low, item.change.high],
+        "verdict": item.verdict.value,
+        "certain": item.certain,
+    }
+
+
+def _named(figure: tuple[str, str, str]) -> dict[str, str]:
+    return dict(zip(("window", "statistic", "signal"), figure, strict=True))
+
+
+def _interval(found: Interval) -> dict[str, float]:
+    return {"value": found.value, "low": found.low, "high": found.high}

@@ -1,0 +1,251 @@
+"""The shapes of the paper page's answers."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import ConfigDict, Field, create_model
+
+from backend.models import Answer, RequestModel
+from sim_core.paper import SEEDS
+from sim_core.readings import READINGS
+from sim_core.scenario import Scenario
+
+Verdict = Literal["reached", "smaller", "contradicts"]
+Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
+Seeds = Annotated[int, Field(ge=20, le=200, description="Roads 1 to this, each driven by every strategy")]
+
+
+class Counts(Answer):
+    """How many cells got each verdict."""
+
+    reached: int
+    smaller: int
+    contradicts: int
+
+
+class Misprint(Answer):
+    """A printed change that does not follow from the absolutes printed beside it [%]."""
+
+    printed: float
+    follows: float
+
+
+class Judgement(Answer):
+    """Our change [%] and what the paper's comes to."""
+
+    our_change: float
+    ci: Interval
+    verdict: Verdict
+    certain: bool = Field(description="The whole interval would get that verdict")
+
+
+class Cell(Judgement):
+    """One printed change, and ours; absolutes in SI."""
+
+    table: int
+    window: str
+    signal: str
+    statistic: str
+    strategy: str
+    against: str
+    paper_value: float
+    paper_base: float
+    paper_change: float = Field(description="As printed [%]")
+    misprint: Misprint | None = Field(description="The verdict is then taken against `follows`")
+    our_value: float
+    our_base: float
+    without_preview: Judgement | None = Field(description="Where a controller that looks ahead takes part")
+
+
+class WithoutPreview(Answer):
+    """The same count without the road ahead."""
+
+    reached: int
+    counts: Counts
+
+
+class ReadingChoice(Answer):
+    """One way to read it."""
+
+    id: str
+    label: str
+    default: bool
+
+
+class ReadingAnswer(Answer):
+    """A question the paper leaves open, and what was chosen."""
+
+    id: str
+    title: str
+    description: str
+    chosen: str
+    choices: list[ReadingChoice]
+
+
+class Column(Answer):
+    """Who is compared with whom."""
+
+    strategy: str
+    against: str
+
+
+class TableAnswer(Answer):
+    """One table of the paper."""
+
+    number: int
+    title: str
+    columns: list[Column]
+
+
+class Erratum(Answer):
+    """What is printed and what is used here; Markdown in both."""
+
+    place: str
+    printed: str
+    here: str
+
+
+class PaperAnswer(Answer):
+    """The reproduction."""
+
+    core_version: str
+    seeds: int
+    reached: int
+    total: int
+    counts: Counts
+    without_preview: WithoutPreview
+    scenario: Scenario
+    cells: list[Cell]
+    readings: list[ReadingAnswer]
+    rules: dict[str, str]
+    tables: list[TableAnswer]
+    errata: list[Erratum]
+
+
+class ReadingRow(Answer):
+    """What one switch does, all others as they are by default."""
+
+    reading: str
+    choice: str
+    reached: int
+    total: int
+    counts: Counts
+    changed: int = Field(description="Cells whose verdict is another than by default")
+
+
+class ReadingsAnswer(Answer):
+    """Every switch by itself; `complete` is false while rows are still being computed: ask again."""
+
+    rows: list[ReadingRow]
+    complete: bool
+
+
+class Figure8(Answer):
+    """One of the eight figures of a combination, mean over the seeds and its interval; SI."""
+
+    window: str
+    signal: str
+    statistic: str
+    value: float
+    low: float
+    high: float
+    change_vs_passive: float = Field(description="[%]")
+
+
+class Comfort(Answer):
+    """Mean over the seeds and its interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+class CombinationRow(Answer):
+    """One combination of controller, speed, preview and weights."""
+
+    id: str
+    label: str
+    controller: Literal["passive", "lqr", "mpc"]
+    speed: Literal["constant", "planned"]
+    preview: Literal["none", "wheelbase", "lookahead"] | None
+    weights: Literal["equal", "comfort", "switched"] | None
+    same_as: str | None = Field(alias="is", description="The paper's strategy it is")
+    travel_time: float = Field(description="[s]")
+    metrics: list[Figure8]
+    comfort: dict[str, Comfort]
+
+
+class Share(Answer):
+    """Shares of LV's whole change in one figure [%], which add up to 100, and that change [%]."""
+
+    window: str
+    signal: str
+    statistic: str
+    speed: float
+    preview: float
+    switching: float
+    total_change: float
+
+
+class Change(Answer):
+    """Change of one combination against another [%]."""
+
+    window: str
+    signal: str
+    statistic: str
+    our_change: float
+    ci: Interval
+
+
+class EqualSpeed(Answer):
+    """Two combinations with the same speed plan."""
+
+    label: str
+    strategy: str
+    against: str
+    cells: list[Change]
+
+
+class AttributionAnswer(Answer):
+    """What each part contributes."""
+
+    core_version: str
+    seeds: int
+    rows: list[CombinationRow]
+    shares: list[Share]
+    sentences: list[str]
+    equal_speed: list[EqualSpeed]
+
+
+class PaperFigure(Answer):
+    """One of the paper's figures, made by us."""
+
+    number: int
+    title: str
+    caption: str
+    figure: dict[str, Any] = Field(description="Plotly: data and layout")
+
+
+class PaperFigures(Answer):
+    """Figures 3-6, 8, 10-17 and 19-22."""
+
+    figures: list[PaperFigure]
+
+
+class _Query(RequestModel):
+    model_config = ConfigDict(strict=False)
+
+    seeds: Seeds = SEEDS
+
+    def chosen(self) -> dict[str, str]:
+        """Reading -> choice, all of them."""
+        return {name: getattr(self, name) for name in READINGS}
+
+
+_CHOICES: dict[str, Any] = {
+    reading.id: (
+        Literal[tuple(choice.id for choice in reading.choices)],
+        Field(reading.default, description=f"{reading.title}: {reading.description}"),
+    )
+    for reading in READINGS.values()
+}
+PaperQuery = create_model("PaperQuery", __base__=_Query, **_CHOICES)

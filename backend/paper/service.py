@@ -1,0 +1,118 @@
+"""The paper page's answers: what is stored is answered at once, the rest is computed beside what others do."""
+
+import asyncio
+import time
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from backend import digest
+from backend.admission import Admission
+from backend.compute import Workers
+from backend.paper import answers, drawings, work
+from backend.results import Results
+from backend.store import Store, StoredResult
+from sim_core import __version__ as CORE_VERSION
+from sim_core import paper
+from sim_core.readings import READINGS
+from sim_core.scenario import Scenario
+
+AT_ONCE = 4  # roads one worker task drives
+HISTORY_POINTS = 1200
+PATIENCE = 20.0  # an answer in rows waits so long for more of them [s]
+
+
+class Paper:
+    """The one service of the paper page; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission) -> None:
+        self._store = store
+        self._workers = workers
+        self._results = results
+        self._admission = admission
+        self._under_way: dict[str, asyncio.Task[Any]] = {}
+        # A visitor's what-if finds a worker free: this work takes one of them at a time.
+        self._turn = asyncio.Semaphore(1)
+
+    async def reproduction(self, chosen: Mapping[str, str], seeds: int, client: str) -> dict[str, Any]:
+        """Every cell under these readings (reading -> choice, all of them), as `PaperAnswer`.
+
+        Raises:
+            ProblemError: 429 or 503.
+        """
+        without = {**chosen, "preview": "none"}
+        ours = await self._values(chosen, seeds, client)
+        blind = ours if without == chosen else await self._values(without, seeds, client)
+        return answers.reproduction(chosen, seeds, ours, blind)
+
+    async def readings(self, seeds: int, client: str) -> dict[str, Any]:
+        """What each switch does by itself, as `ReadingsAnswer`; as many rows as there are after a while.
+
+        Raises:
+            ProblemError: 429 or 503.
+        """
+        default = paper.default_choices()
+        base = paper.judge(await self._values(default, seeds, client))
+        end, rows, complete = time.monotonic() + PATIENCE, [], True
+        for reading in READINGS.values():
+            for choice in reading.choices[1:]:
+                task = self._values({**default, reading.id: choice.id}, seeds, client)
+                try:
+                    async with asyncio.timeout(max(0.01, end - time.monotonic())):
+                        values = await task
+                except TimeoutError:
+                    complete = False
+                    break
+                rows.append(answers.reading_row(reading.id, choice.id, base, paper.judge(values)))
+        return {"rows": rows, "complete": complete}
+
+    async def attribution(self, seeds: int, client: str) -> dict[str, Any]:
+        """What each part contributes, as `AttributionAnswer`.
+
+        Raises:
+            ProblemError: 429 or 503.
+        """
+        return answers.attribution(seeds, await self._rows(work.combinations, (), seeds, client))
+
+    async def figures(self, seeds: int, client: str) -> dict[str, Any]:
+        """The paper's figures made by us, as `PaperFigures`.
+
+        Raises:
+            ProblemError: 429 or 503.
+        """
+        peaks = await self._rows(work.peaks_over_speed, (), seeds, client)
+        found = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
+        outcomes = {name: item.outcome for name, item in found.items()}
+        return {"figures": await asyncio.to_thread(drawings.all_figures, peaks, outcomes)}
+
+    async def _values(self, chosen: Mapping[str, str], seeds: int, client: str) -> dict[str, Any]:
+        return paper.gathered(await self._rows(work.values, (dict(chosen),), seeds, client))
+
+    async def _rows(
+        self, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int, client: str
+    ) -> list[Any]:
+        """`function(*given, roads)` for roads 1 to `seeds`, a row each: stored, under way, or computed and stored."""
+        name = f"paper.{function.__name__}"
+        key = digest.derived_key(name, {"given": given, "seeds": seeds})
+        stored = await self._store.call(self._store.runs.load_results, [key])
+        if key in stored:
+            rows: list[Any] = stored[key].summary["rows"]
+            return rows
+        with self._admission.computing(client, Scenario(), paper.STRATEGIES):
+            task = self._under_way.get(key)
+            if task is None:
+                task = self._under_way[key] = asyncio.create_task(self._compute(key, name, function, given, seeds))
+                task.add_done_callback(lambda _: self._under_way.pop(key, None))
+            return await asyncio.shield(task)
+
+    async def _compute(
+        self, key: str, name: str, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int
+    ) -> list[Any]:
+        begin, rows = time.perf_counter(), []
+        for first in range(1, seeds + 1, AT_ONCE):
+            roads = list(range(first, min(first + AT_ONCE, seeds + 1)))
+            async with self._turn:
+                rows += await self._workers.call(function, *given, roads)
+        took = 1000 * (time.perf_counter() - begin)
+        item = StoredResult(key=key, strategy=name, status="ok", summary={"rows": rows}, compute_ms=took)
+        await self._store.call(self._store.runs.save_result, item, CORE_VERSION)
+        return rows

@@ -1,0 +1,49 @@
+"""What a worker process computes for the paper page; no web here."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sim_core.attribution import COMFORT_FIGURES, VARIANTS
+from sim_core.paper import STRATEGIES, figures_of, scenario_for
+from sim_core.scenario import Bump, Road, Scenario, Speed
+from sim_core.signals import PAPER_SIGNALS
+from sim_core.simulation import simulate
+
+SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
+
+
+def values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
+    """For each seed: strategy -> its eight figures (`sim_core.paper.FIGURES`), under these readings."""
+    return [{name: figures_of(simulate(scenario_for(chosen, seed), name)) for name in STRATEGIES} for seed in seeds]
+
+
+def combinations(seeds: Sequence[int]) -> list[dict[str, dict[str, Any]]]:
+    """For each seed: variant -> its eight `figures`, its comfort figures and its travel time."""
+    return [{variant.id: _one(variant.scenario(seed), variant.strategy) for variant in VARIANTS} for seed in seeds]
+
+
+def _one(scenario: Scenario, strategy: Any) -> dict[str, Any]:
+    result = simulate(scenario, strategy)
+    comfort = {key: result.comfort[key] for key in COMFORT_FIGURES}
+    return {"figures": figures_of(result), "travel_time": result.travel_time, **comfort}
+
+
+def peaks_over_speed(seeds: Sequence[int]) -> list[dict[str, list[list[float]]]]:
+    """For each seed: `rough` (the paper's road) and `smooth` (the bump alone), peaks on the bump of the passive car.
+
+    Each a row for every speed of SPEEDS_KMH, a column for every one of PAPER_SIGNALS. The road begins 30 m before the
+    bump: at constant speed nothing before matters.
+    """
+    return [{"rough": _peaks(64e-6, seed), "smooth": _peaks(0, seed)} for seed in seeds]
+
+
+def _peaks(roughness: float, seed: int) -> list[list[float]]:
+    rows = []
+    for speed in SPEEDS_KMH:
+        scenario = Scenario(
+            road=Road(roughness=roughness, seed=seed, length=60, bump=Bump(start=30)),
+            speed=Speed(initial_speed_kmh=speed),
+        )
+        metrics = simulate(scenario, "passive").metrics["bump"]
+        rows.append([metrics[signal]["peak"] for signal in PAPER_SIGNALS])
+    return rows

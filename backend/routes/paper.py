@@ -1,0 +1,47 @@
+"""The paper, checked: tables, switches, what each part contributes, figures."""
+
+from typing import Annotated, Any
+
+from fastapi import Depends, Query, Request, Response
+
+from backend.paper import models
+from backend.paper.service import Paper
+from backend.routes import router
+from backend.routes.deps import Client, json_answer
+from sim_core.paper import SEEDS
+
+paper = router("paper", 422, 429, 503)
+
+
+async def _paper(request: Request) -> Paper:
+    service: Paper = request.app.state.paper
+    return service
+
+
+PaperService = Annotated[Paper, Depends(_paper)]
+Chosen: Any = Annotated[models.PaperQuery, Query()]
+Roads = Annotated[models.Seeds, Query()]
+
+
+@paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
+async def get_paper(query: Chosen, service: PaperService, client: Client) -> Response:
+    """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; each reading may be chosen."""
+    return json_answer(await service.reproduction(query.chosen(), query.seeds, client))
+
+
+@paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)
+async def get_readings(service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
+    """What each reading does to the verdicts by itself; ask again while it is not complete."""
+    return json_answer(await service.readings(seeds, client))
+
+
+@paper.get("/paper/attribution", operation_id="getPaperAttribution", response_model=models.AttributionAnswer)
+async def get_attribution(service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
+    """Preview, weights and speed varied one at a time, and how much of LV's gain each is."""
+    return json_answer(await service.attribution(seeds, client))
+
+
+@paper.get("/paper/figures", operation_id="getPaperFigures", response_model=models.PaperFigures)
+async def get_figures(service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
+    """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
+    return json_answer(await service.figures(seeds, client))

@@ -1,0 +1,100 @@
+"""The paper page's answers against runs asked for one by one."""
+
+import statistics
+import time
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.paper import models
+from sim_core.paper import FIGURES
+from tests.api.conftest import Service
+
+PAPER = "/api/v1/paper"
+
+
+@pytest.fixture(scope="module")
+def answer(client: httpx.Client) -> dict[str, Any]:
+    response = client.get(PAPER)
+    assert response.status_code == 200, response.text
+    found: dict[str, Any] = response.json()
+    return found
+
+
+def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str, Any]) -> None:
+    models.PaperAnswer.model_validate(answer)
+    assert answer["total"] == len(answer["cells"]) == 48
+    assert [cell["verdict"] for cell in answer["cells"]].count("reached") == answer["reached"]
+    assert sum(answer["counts"].values()) == 48
+    for cell in answer["cells"]:
+        assert cell["ci"][0] <= cell["our_change"] <= cell["ci"][1]
+        assert (cell["without_preview"] is None) == (
+            {cell["strategy"], cell["against"]} <= {"passive", "speed_only", "lqr"}
+        )
+
+
+def test_a_cell_is_the_change_of_the_means_of_single_runs(service: Service, answer: dict[str, Any]) -> None:
+    values: dict[str, list[float]] = {"lv": [], "lqr": []}
+    for seed in range(1, 21):
+        run = service.run(list(values), {"road": {"seed": seed}}).json()
+        for name, found in values.items():
+            found.append(run["strategies"][name]["metrics"]["bump"]["rear_tyre_load"]["peak"])
+    lv, lqr = statistics.fmean(values["lv"]), statistics.fmean(values["lqr"])
+    cell = next(
+        cell
+        for cell in answer["cells"]
+        if (cell["table"], cell["strategy"], cell["signal"]) == (10, "lqr", "rear_tyre_load")
+    )
+    assert cell["our_value"] == pytest.approx(lqr, rel=1e-12)
+    assert cell["our_base"] == pytest.approx(lv, rel=1e-12)
+    assert cell["our_change"] == pytest.approx(100 * (lqr / lv - 1), rel=1e-9)
+
+
+def test_a_switch_changes_what_it_says_and_the_answer_comes_at_once_afterwards(
+    client: httpx.Client, answer: dict[str, Any]
+) -> None:
+    blind = client.get(PAPER, params={"preview": "none"}).json()
+    assert blind["scenario"]["mpc"]["preview"] == "none"
+    assert blind["counts"] == answer["without_preview"]["counts"]
+    by_place = {(cell["table"], cell["strategy"], cell["against"], cell["signal"]): cell for cell in answer["cells"]}
+    for cell in blind["cells"]:
+        without = by_place[cell["table"], cell["strategy"], cell["against"], cell["signal"]]["without_preview"]
+        if without is not None:
+            assert {key: cell[key] for key in without} == without
+    begin = time.perf_counter()
+    assert client.get(PAPER).json() == answer
+    assert time.perf_counter() - begin < 2  # computing takes several, reading it back a few milliseconds
+
+
+@pytest.mark.parametrize(
+    ("query", "parameter"), [({"preview": "red"}, "preview"), ({"seeds": "3"}, "seeds"), ({"colour": "red"}, "colour")]
+)
+def test_what_cannot_be_chosen_is_refused_by_name(client: httpx.Client, query: dict[str, str], parameter: str) -> None:
+    response = client.get(PAPER, params=query)
+    assert response.status_code == 422
+    assert response.json()["errors"][0]["parameter"] == parameter
+    assert "red" not in response.text
+
+
+def test_what_each_part_contributes(client: httpx.Client) -> None:
+    found = client.get(f"{PAPER}/attribution").json()
+    models.AttributionAnswer.model_validate(found)
+    rows = {row["id"]: row for row in found["rows"]}
+    assert {row["is"] for row in found["rows"]} == {"passive", "speed_only", "lqr", "lv", None}
+    for share in found["shares"]:
+        assert share["speed"] + share["preview"] + share["switching"] == pytest.approx(100)
+    # Driven at constant speed, no suspension changes how long it takes.
+    times = {row["travel_time"] for row in rows.values() if row["speed"] == "constant"}
+    assert len(times) == 1
+    assert len(found["equal_speed"][0]["cells"]) == len(FIGURES)
+
+
+def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
+    found = client.get(f"{PAPER}/figures").json()
+    models.PaperFigures.model_validate(found)
+    assert [figure["number"] for figure in found["figures"]] == [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
+    for item in found["figures"]:
+        assert item["caption"]
+        assert item["figure"]["data"], item["number"]
+        assert all(len(trace["y"]["bdata"]) > 50 for trace in item["figure"]["data"])

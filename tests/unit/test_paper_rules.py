@@ -1,0 +1,195 @@
+"""The paper's numbers as we hold them, and the rules of a verdict: rules are pinned, verdicts are not."""
+
+import json
+from math import inf, nan
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from sim_core import paper
+from sim_core.attribution import FACTORS, VARIANTS, shares
+from sim_core.dotted import field
+from sim_core.errors import UnknownNameError
+from sim_core.paper import FIGURES, Verdict, judge, scenario_for, verdict
+from sim_core.paper_tables import ABSOLUTES, TABLES, cells
+from sim_core.readings import READINGS
+from sim_core.scenario import Scenario
+from sim_core.signals import PAPER_SIGNALS
+from sim_core.statistics import change_with_interval, mean_with_interval
+
+COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
+NAMED = {"lv_hil": "hil"}
+
+
+def test_the_absolutes_are_the_printed_ones() -> None:
+    for (window, statistic), strategies in ABSOLUTES.items():
+        copy = COPY["absolute"][f"{window}_{statistic}"]
+        ours = {NAMED.get(name, name): dict(zip(PAPER_SIGNALS, row, strict=True)) for name, row in strategies.items()}
+        assert ours == copy
+
+
+def test_the_changes_are_the_printed_ones() -> None:
+    ours = {
+        f"table_{table.number} {table.window}_{table.statistic} {NAMED.get(one, one)} vs {against}": list(changes)
+        for table in TABLES
+        for one, against, changes in table.columns
+    }
+    assert ours == COPY["printed_changes"]
+
+
+def test_the_misprints_are_those_that_do_not_follow_from_the_absolutes() -> None:
+    """Printed changes are rounded to a tenth or a hundredth, and absolutes too: 0.1 points cover both."""
+    marked = {
+        f"table_{cell.table} {cell.window}_{cell.statistic} {NAMED.get(cell.strategy, cell.strategy)} "
+        f"vs {cell.against} {cell.signal}": {"printed": cell.printed, "follows": cell.follows}
+        for cell in cells()
+        if cell.follows is not None
+    }
+    assert marked == COPY["misprint"]
+    for cell in cells():
+        follows = 100 * (cell.value / cell.base - 1)
+        assert follows == pytest.approx(cell.claim, abs=0.1 if cell.strategy != "lv_hil" else 0.15), cell
+
+
+def test_there_are_48_cells_each_once() -> None:
+    found = [(cell.table, cell.strategy, cell.against, cell.signal) for cell in cells()]
+    assert len(found) == len(set(found)) == 48
+
+
+@pytest.mark.parametrize(
+    ("claim", "ours", "expected"),
+    [
+        (-25.0, -25.0, Verdict.REACHED),
+        (-25.0, -60.0, Verdict.REACHED),
+        (-25.0, -24.999, Verdict.SMALLER),
+        (-25.0, -1e-9, Verdict.SMALLER),
+        (-25.0, 0.0, Verdict.CONTRADICTS),
+        (-25.0, 30.0, Verdict.CONTRADICTS),
+        (8.45, 8.45, Verdict.REACHED),
+        (8.45, 3.0, Verdict.SMALLER),
+        (8.45, -9.0, Verdict.CONTRADICTS),
+        (8.45, nan, Verdict.CONTRADICTS),
+        (8.45, inf, Verdict.REACHED),
+    ],
+)
+def test_the_rule(claim: float, ours: float, expected: Verdict) -> None:
+    assert verdict(claim, ours, hil=False) is expected
+
+
+@pytest.mark.parametrize(
+    ("ours", "expected"),
+    [
+        (0.0, Verdict.REACHED),
+        (8.0, Verdict.REACHED),
+        (-8.0, Verdict.REACHED),
+        (8.01, Verdict.CONTRADICTS),
+        (-8.01, Verdict.CONTRADICTS),
+        (nan, Verdict.CONTRADICTS),
+    ],
+)
+def test_the_rule_of_hardware_in_the_loop(ours: float, expected: Verdict) -> None:
+    """Within 8 % of the simulation, either way; what the paper prints does not matter."""
+    assert verdict(1.6, ours, hil=True) is verdict(-50, ours, hil=True) is expected
+
+
+def values_of(factor: dict[str, float], spread: float = 0.0) -> paper.Values:
+    """Every strategy's figures: a common one times the strategy's factor, over 20 roads."""
+    noise = np.random.default_rng(1).standard_normal(20)
+    return {
+        name: {figure: [factor.get(name, 1.0) * (10 + spread * float(each)) for each in noise] for figure in FIGURES}
+        for name in paper.STRATEGIES
+    }
+
+
+def test_cells_are_judged_against_what_follows_where_it_is_misprinted() -> None:
+    """Table 8 prints -44.0 where -62.6 follows: -50 % reaches the printed change, but not the paper's own absolutes."""
+    judged = judge(values_of({"lv": 0.5}))
+    found = {
+        (item.cell.table, item.cell.strategy, item.cell.against, item.cell.signal): item.verdict for item in judged
+    }
+    assert found[8, "lv", "speed_only", "rear_tyre_load"] is Verdict.SMALLER
+    assert found[8, "lv", "speed_only", "body_acceleration"] is Verdict.REACHED
+    assert sum(paper.count(judged).values()) == len(judged)
+
+
+def test_a_verdict_is_certain_where_its_whole_interval_gets_it() -> None:
+    """Paired values that differ by a factor have no spread of their ratio; one that scatters has."""
+    assert all(item.certain for item in judge(values_of({"lv": 0.5}, spread=1.0)))
+    noise = np.random.default_rng(2).standard_normal(20)
+    values = {name: dict(each) for name, each in values_of({}).items()}
+    for figure in FIGURES:
+        values["lv"][figure] = [float(10 * (1 - 0.313) + each) for each in noise]
+    item = next(each for each in judge(values) if each.cell.claim == -31.3)
+    assert item.change.low < -31.3 < item.change.high
+    assert not item.certain
+
+
+def test_the_interval_of_a_mean_is_students() -> None:
+    sample = np.random.default_rng(3).normal(5, 2, 25)
+    low, high = stats.t.interval(0.95, 24, loc=sample.mean(), scale=stats.sem(sample))
+    found = mean_with_interval(sample)
+    assert (found.low, found.high) == pytest.approx((low, high), rel=1e-12)
+
+
+def test_the_interval_of_a_change_covers_the_truth_as_often_as_it_says() -> None:
+    """2000 samples of 20 pairs whose means stand as 0.8 to 1, strongly correlated as results on the same road are.
+
+    95 % of them must cover -20 %: 93.5 to 96.5 % are three standard errors around it.
+    """
+    random = np.random.default_rng(4)
+    common = random.normal(0, 1, (2000, 20))
+    base = 10 + 2 * common + 0.3 * random.normal(size=common.shape)
+    ours = 8 + 1.6 * common + 0.3 * random.normal(size=common.shape)
+    found = [change_with_interval(one, other) for one, other in zip(ours, base, strict=True)]
+    covered = np.mean([item.low <= -20 <= item.high for item in found])
+    assert 0.935 < covered < 0.965
+    # Unpaired, the interval would be wider by the roads' own spread.
+    assert np.mean([item.high - item.low for item in found]) < 5
+
+
+def test_a_change_against_zero_is_none_and_pairs_must_match() -> None:
+    assert np.isnan(change_with_interval([1, 2], [0, 0]).value)
+    with pytest.raises(ValueError, match="Paired"):
+        change_with_interval([1, 2, 3], [1, 2])
+
+
+def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() -> None:
+    default = Scenario().model_dump(mode="json")
+    for reading in READINGS.values():
+        assert len({choice.id for choice in reading.choices}) == len(reading.choices) > 1
+        for choice in reading.choices:
+            for name, value in choice.changes.items():
+                field(name).checked(value)
+            ours = scenario_for({reading.id: choice.id}, 1).model_dump(mode="json")
+            assert (ours == default) == (choice.id == reading.default), (reading.id, choice.id)
+    for chosen in ({"colour": "red"}, {"preview": "red"}):
+        with pytest.raises(UnknownNameError):
+            scenario_for(chosen, 1)
+
+
+def test_the_paper_s_strategies_are_among_the_combinations() -> None:
+    known = {variant.known_as: variant for variant in VARIANTS if variant.known_as}
+    assert set(known) == {"passive", "speed_only", "lqr", "lv"}
+    assert known["lv"].scenario(3) == scenario_for({}, 3)
+    assert len({variant.id for variant in VARIANTS}) == len(VARIANTS) == 26
+
+
+def test_shares_add_up_and_are_right_where_factors_multiply() -> None:
+    """Where each factor multiplies on its own, its share is its log's, whatever the order: a known answer."""
+    factors = {"speed": 0.5, "preview": 0.8, "switching": 1.25}
+
+    def value(name: str) -> float:
+        parts = name.split("-")
+        if parts[0] != "mpc" or parts[2] == "wheelbase" or parts[3] == "comfort":
+            return 1.0
+        on = {"speed": parts[1] == "planned", "preview": parts[2] == "lookahead", "switching": parts[3] == "switched"}
+        return float(np.prod([factors[each] if on[each] else 1 for each in FACTORS]))
+
+    values = {variant.id: {figure: [value(variant.id)] * 3 for figure in FIGURES} for variant in VARIANTS}
+    for item in shares(values):
+        assert item.total == pytest.approx(-50.0)
+        assert item.speed == pytest.approx(100.0)
+        assert item.preview == pytest.approx(100 * np.log(0.8) / np.log(0.5))
+        assert item.speed + item.preview + item.switching == pytest.approx(100)
