@@ -4,6 +4,7 @@ import { connection } from "./connection";
 import { decodeSeries } from "./decode";
 import { ApiProblem, Unreachable, isAbort, readProblem } from "./problem";
 import type {
+  Attribution,
   Batch,
   BatchTable,
   Catalogue,
@@ -14,7 +15,10 @@ import type {
   Link,
   LiveAnswer,
   NewLink,
+  Paper,
+  PaperFigure,
   Preset,
+  ReadingEffects,
   Run,
   Scenario,
   SeriesByStrategy,
@@ -86,6 +90,11 @@ async function post<T>(path: string, body: unknown, { signal, headers = {} }: Po
   return (await request(BASE + path, init)) as T;
 }
 
+function asQuery(values: Readonly<Record<string, string>>): string {
+  const text = new URLSearchParams(values).toString();
+  return text === "" ? "" : `?${text}`;
+}
+
 export interface SweepWish {
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
@@ -130,6 +139,13 @@ export const api = {
   shareBatch: (batchId: string, view: SharedView) => post<NewLink>("/links", { batch_id: batchId, view }),
   share: (runId: string, view: SharedView) => post<NewLink>("/links", { run_id: runId, view }),
   link: (slug: string, signal?: AbortSignal) => get<Link>(`/links/${encodeURIComponent(slug)}`, signal),
+
+  paper: (choices: Readonly<Record<string, string>>, signal?: AbortSignal) => get<Paper>(`/paper${asQuery(choices)}`, signal),
+  paperReadings: (roads: Readonly<Record<string, string>>, signal?: AbortSignal) => get<ReadingEffects>(`/paper/readings${asQuery(roads)}`, signal),
+  paperAttribution: (roads: Readonly<Record<string, string>>, signal?: AbortSignal) => get<Attribution>(`/paper/attribution${asQuery(roads)}`, signal),
+  paperFigures: async (roads: Readonly<Record<string, string>>, signal?: AbortSignal) =>
+    (await get<{ readonly figures: readonly PaperFigure[] }>(`/paper/figures${asQuery(roads)}`, signal)).figures,
+  paperReportAddress: (choices: Readonly<Record<string, string>>) => `${BASE}/paper/report.html${asQuery(choices)}`,
 
   live: (wish: LiveWish, signal?: AbortSignal) => post<LiveAnswer>("/live", wish, { signal }),
 

@@ -225,6 +225,86 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/paper": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Paper
+         * @description Every printed change of Tables 4-5 and 7-10 with ours and a verdict; each reading may be chosen.
+         */
+        get: operations["getPaper"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/paper/attribution": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Attribution
+         * @description Preview, weights and speed varied one at a time, and how much of LV's gain each is.
+         */
+        get: operations["getPaperAttribution"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/paper/figures": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Figures
+         * @description Figures 3-6, 8, 10-17 and 19-22 from our own runs.
+         */
+        get: operations["getPaperFigures"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/paper/readings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Readings
+         * @description What each reading does to the verdicts by itself; ask again while it is not complete.
+         */
+        get: operations["getPaperReadings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/presets": {
         parameters: {
             query?: never;
@@ -469,6 +549,24 @@ export interface components {
              * @description Greatest force the actuator gives, which no controller knows; none is the force limit they do know.
              */
             saturation?: number | null;
+        };
+        /**
+         * AttributionAnswer
+         * @description What each part contributes.
+         */
+        AttributionAnswer: {
+            /** Core Version */
+            core_version: string;
+            /** Equal Speed */
+            equal_speed: components["schemas"]["EqualSpeed"][];
+            /** Rows */
+            rows: components["schemas"]["CombinationRow"][];
+            /** Seeds */
+            seeds: number;
+            /** Sentences */
+            sentences: string[];
+            /** Shares */
+            shares: components["schemas"]["Share"][];
         };
         /**
          * Batch
@@ -995,6 +1093,151 @@ export interface components {
             windows: components["schemas"]["QuantityAnswer"][];
         };
         /**
+         * Cell
+         * @description One printed change, and ours; absolutes in SI.
+         */
+        Cell: {
+            /** Against */
+            against: string;
+            /**
+             * Certain
+             * @description The whole interval would get that verdict
+             */
+            certain: boolean;
+            /**
+             * Ci
+             * @description 95 % interval [%]
+             */
+            ci: number[];
+            /** @description The verdict is then taken against `follows` */
+            misprint: components["schemas"]["Misprint"] | null;
+            /** Our Base */
+            our_base: number;
+            /** Our Change */
+            our_change: number;
+            /** Our Value */
+            our_value: number;
+            /** Paper Base */
+            paper_base: number;
+            /**
+             * Paper Change
+             * @description As printed [%]
+             */
+            paper_change: number;
+            /** Paper Value */
+            paper_value: number;
+            /** Signal */
+            signal: string;
+            /** Statistic */
+            statistic: string;
+            /** Strategy */
+            strategy: string;
+            /** Table */
+            table: number;
+            /**
+             * Verdict
+             * @enum {string}
+             */
+            verdict: "reached" | "smaller" | "contradicts";
+            /** Window */
+            window: string;
+            /** @description Where a controller that looks ahead takes part */
+            without_preview: components["schemas"]["Judgement"] | null;
+        };
+        /**
+         * Change
+         * @description Change of one combination against another [%].
+         */
+        Change: {
+            /**
+             * Ci
+             * @description 95 % interval [%]
+             */
+            ci: number[];
+            /** Our Change */
+            our_change: number;
+            /** Signal */
+            signal: string;
+            /** Statistic */
+            statistic: string;
+            /** Window */
+            window: string;
+        };
+        /**
+         * Column
+         * @description Who is compared with whom.
+         */
+        Column: {
+            /** Against */
+            against: string;
+            /** Strategy */
+            strategy: string;
+        };
+        /**
+         * CombinationRow
+         * @description One combination of controller, speed, preview and weights.
+         */
+        CombinationRow: {
+            /** Comfort */
+            comfort: {
+                [key: string]: components["schemas"]["Comfort"];
+            };
+            /**
+             * Controller
+             * @enum {string}
+             */
+            controller: "passive" | "lqr" | "mpc";
+            /** Id */
+            id: string;
+            /**
+             * Is
+             * @description The paper's strategy it is
+             */
+            is: string | null;
+            /** Label */
+            label: string;
+            /** Metrics */
+            metrics: components["schemas"]["Figure8"][];
+            /** Preview */
+            preview: ("none" | "wheelbase" | "lookahead") | null;
+            /**
+             * Speed
+             * @enum {string}
+             */
+            speed: "constant" | "planned";
+            /**
+             * Travel Time
+             * @description [s]
+             */
+            travel_time: number;
+            /** Weights */
+            weights: ("equal" | "comfort" | "switched") | null;
+        };
+        /**
+         * Comfort
+         * @description Mean over the seeds and its interval.
+         */
+        Comfort: {
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Value */
+            value: number;
+        };
+        /**
+         * Counts
+         * @description How many cells got each verdict.
+         */
+        Counts: {
+            /** Contradicts */
+            contradicts: number;
+            /** Reached */
+            reached: number;
+            /** Smaller */
+            smaller: number;
+        };
+        /**
          * CreatedLink
          * @description A new link.
          */
@@ -1034,6 +1277,32 @@ export interface components {
             };
         };
         /**
+         * EqualSpeed
+         * @description Two combinations with the same speed plan.
+         */
+        EqualSpeed: {
+            /** Against */
+            against: string;
+            /** Cells */
+            cells: components["schemas"]["Change"][];
+            /** Label */
+            label: string;
+            /** Strategy */
+            strategy: string;
+        };
+        /**
+         * Erratum
+         * @description What is printed and what is used here; Markdown in both.
+         */
+        Erratum: {
+            /** Here */
+            here: string;
+            /** Place */
+            place: string;
+            /** Printed */
+            printed: string;
+        };
+        /**
          * Estimate
          * @description What a batch would be.
          */
@@ -1060,6 +1329,29 @@ export interface components {
              * @description Runs: points times strategies
              */
             total: number;
+        };
+        /**
+         * Figure8
+         * @description One of the eight figures of a combination, mean over the seeds and its interval; SI.
+         */
+        Figure8: {
+            /**
+             * Change Vs Passive
+             * @description [%]
+             */
+            change_vs_passive: number;
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Signal */
+            signal: string;
+            /** Statistic */
+            statistic: string;
+            /** Value */
+            value: number;
+            /** Window */
+            window: string;
         };
         /**
          * Figures
@@ -1132,6 +1424,29 @@ export interface components {
              * @default 1
              */
             seed: number;
+        };
+        /**
+         * Judgement
+         * @description Our change [%] and what the paper's comes to.
+         */
+        Judgement: {
+            /**
+             * Certain
+             * @description The whole interval would get that verdict
+             */
+            certain: boolean;
+            /**
+             * Ci
+             * @description 95 % interval [%]
+             */
+            ci: number[];
+            /** Our Change */
+            our_change: number;
+            /**
+             * Verdict
+             * @enum {string}
+             */
+            verdict: "reached" | "smaller" | "contradicts";
         };
         /**
          * LatinHypercube
@@ -1599,6 +1914,16 @@ export interface components {
             tyres: number;
         };
         /**
+         * Misprint
+         * @description A printed change that does not follow from the absolutes printed beside it [%].
+         */
+        Misprint: {
+            /** Follows */
+            follows: number;
+            /** Printed */
+            printed: number;
+        };
+        /**
          * Mpc
          * @description Model predictive suspension control (Eq. 8-15, section 3.2.2).
          */
@@ -1704,6 +2029,62 @@ export interface components {
             stage_weights: components["schemas"]["StageWeights"];
         };
         /**
+         * PaperAnswer
+         * @description The reproduction.
+         */
+        PaperAnswer: {
+            /** Cells */
+            cells: components["schemas"]["Cell"][];
+            /** Core Version */
+            core_version: string;
+            counts: components["schemas"]["Counts"];
+            /** Errata */
+            errata: components["schemas"]["Erratum"][];
+            /** Reached */
+            reached: number;
+            /** Readings */
+            readings: components["schemas"]["ReadingAnswer"][];
+            /** Rules */
+            rules: {
+                [key: string]: string;
+            };
+            scenario: components["schemas"]["Scenario"];
+            /** Seeds */
+            seeds: number;
+            /** Tables */
+            tables: components["schemas"]["TableAnswer"][];
+            /** Total */
+            total: number;
+            without_preview: components["schemas"]["WithoutPreview"];
+        };
+        /**
+         * PaperFigure
+         * @description One of the paper's figures, made by us.
+         */
+        PaperFigure: {
+            /** Caption */
+            caption: string;
+            /**
+             * Figure
+             * @description Plotly: data and layout
+             */
+            figure: {
+                [key: string]: unknown;
+            };
+            /** Number */
+            number: number;
+            /** Title */
+            title: string;
+        };
+        /**
+         * PaperFigures
+         * @description Figures 3-6, 8, 10-17 and 19-22.
+         */
+        PaperFigures: {
+            /** Figures */
+            figures: components["schemas"]["PaperFigure"][];
+        };
+        /**
          * PresetAnswer
          * @description A named scenario.
          */
@@ -1779,6 +2160,64 @@ export interface components {
             store: boolean;
             /** Workers */
             workers: boolean;
+        };
+        /**
+         * ReadingAnswer
+         * @description A question the paper leaves open, and what was chosen.
+         */
+        ReadingAnswer: {
+            /** Choices */
+            choices: components["schemas"]["ReadingChoice"][];
+            /** Chosen */
+            chosen: string;
+            /** Description */
+            description: string;
+            /** Id */
+            id: string;
+            /** Title */
+            title: string;
+        };
+        /**
+         * ReadingChoice
+         * @description One way to read it.
+         */
+        ReadingChoice: {
+            /** Default */
+            default: boolean;
+            /** Id */
+            id: string;
+            /** Label */
+            label: string;
+        };
+        /**
+         * ReadingRow
+         * @description What one switch does, all others as they are by default.
+         */
+        ReadingRow: {
+            /**
+             * Changed
+             * @description Cells whose verdict is another than by default
+             */
+            changed: number;
+            /** Choice */
+            choice: string;
+            counts: components["schemas"]["Counts"];
+            /** Reached */
+            reached: number;
+            /** Reading */
+            reading: string;
+            /** Total */
+            total: number;
+        };
+        /**
+         * ReadingsAnswer
+         * @description Every switch by itself; `complete` is false while rows are still being computed: ask again.
+         */
+        ReadingsAnswer: {
+            /** Complete */
+            complete: boolean;
+            /** Rows */
+            rows: components["schemas"]["ReadingRow"][];
         };
         /**
          * Road
@@ -2197,6 +2636,26 @@ export interface components {
             };
         };
         /**
+         * Share
+         * @description Shares of LV's whole change in one figure [%], which add up to 100, and that change [%].
+         */
+        Share: {
+            /** Preview */
+            preview: number;
+            /** Signal */
+            signal: string;
+            /** Speed */
+            speed: number;
+            /** Statistic */
+            statistic: string;
+            /** Switching */
+            switching: number;
+            /** Total Change */
+            total_change: number;
+            /** Window */
+            window: string;
+        };
+        /**
          * Speed
          * @description Speeds and when braking begins (section 3.1).
          */
@@ -2429,6 +2888,18 @@ export interface components {
             }[] | null;
         };
         /**
+         * TableAnswer
+         * @description One table of the paper.
+         */
+        TableAnswer: {
+            /** Columns */
+            columns: components["schemas"]["Column"][];
+            /** Number */
+            number: number;
+            /** Title */
+            title: string;
+        };
+        /**
          * TypedArray
          * @description Little-endian float32 in base64: plotly's typed-array form.
          */
@@ -2524,6 +2995,15 @@ export interface components {
              * @default 66.3
              */
             rear_wheel_mass: number;
+        };
+        /**
+         * WithoutPreview
+         * @description The same count without the road ahead.
+         */
+        WithoutPreview: {
+            counts: components["schemas"]["Counts"];
+            /** Reached */
+            reached: number;
         };
     };
     responses: never;
@@ -3309,6 +3789,258 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getPaper: {
+        parameters: {
+            query?: {
+                /** @description Braking pitches the body: Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes. */
+                braking_moment?: "on" | "off";
+                /** @description Actuator force limit: The paper gives none. */
+                force_limit?: "5" | "2.5" | "10";
+                /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. */
+                lqr_preview?: "none" | "wheelbase" | "lookahead";
+                /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. */
+                preview?: "lookahead" | "wheelbase" | "none";
+                /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. */
+                road_end?: "150" | "110";
+                /** @description Control interval: The paper does not give it. */
+                sample_time?: "10" | "5" | "20";
+                /** @description Roads 1 to this, each driven by every strategy */
+                seeds?: number;
+                /** @description Travel weight q4: Eq. 16 and the LQR's cost name three weights; a fourth, on travel, is ours. Without it an LQR uses far more travel than a car has. */
+                travel_weight?: "3" | "0";
+                /** @description Table 2's car: Its masses look like a whole car's, its stiffnesses like one wheel's. */
+                vehicle?: "printed" | "half";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PaperAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getPaperAttribution: {
+        parameters: {
+            query?: {
+                /** @description Roads 1 to this, each driven by every strategy */
+                seeds?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["AttributionAnswer"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getPaperFigures: {
+        parameters: {
+            query?: {
+                /** @description Roads 1 to this, each driven by every strategy */
+                seeds?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PaperFigures"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getPaperReadings: {
+        parameters: {
+            query?: {
+                /** @description Roads 1 to this, each driven by every strategy */
+                seeds?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ReadingsAnswer"];
                 };
             };
             /** @description Unprocessable Entity */

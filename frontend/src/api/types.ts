@@ -67,8 +67,32 @@ export type Link = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "vi
   readonly batch: Batch | null;
 };
 
+/** The paper, checked. */
+export type Paper = Deep<Omit<Schemas["PaperAnswer"], "scenario">> & { readonly scenario: Scenario };
+export type PaperCell = Paper["cells"][number];
+export type PaperReading = Paper["readings"][number];
+export type PaperTable = Paper["tables"][number];
+export type PaperVerdict = PaperCell["verdict"];
+export type VerdictCounts = Paper["counts"];
+export type ReadingEffects = Deep<Schemas["ReadingsAnswer"]>;
+export type Attribution = Deep<Schemas["AttributionAnswer"]>;
+export type Combination = Attribution["rows"][number];
+export type PaperFigure = Deep<Omit<Schemas["PaperFigure"], "figure">> & { readonly figure: MadeFigure };
+
 export type EncodedSeries = Readonly<Record<SignalKey, Deep<Schemas["TypedArray"]>>>;
 export type SeriesByStrategy = Readonly<Record<StrategyId, Series>>;
+
+/** A whole plotly figure with its data in it, as the server has made it. */
+export interface MadeFigure {
+  readonly data: readonly MadeTrace[];
+  readonly layout: Readonly<Record<string, unknown>> & { readonly xaxis?: JsonObject; readonly yaxis?: JsonObject };
+}
+
+/** plotly reads the encoded numbers itself. */
+export interface MadeTrace extends JsonObject {
+  readonly type: "scatter";
+  readonly name: string;
+}
 
 /** What a figure template says about itself (`layout.meta`, written by backend/figures.py). */
 export interface FigureMeta {

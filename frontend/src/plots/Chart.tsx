@@ -2,12 +2,13 @@
 
 import { useElementSize } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useRef } from "react";
+import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
 import type { BarTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
 import { usePlotly } from "./usePlotly";
 
 export interface ChartFigure {
-  readonly data: readonly (PointTrace | LineTrace | BarTrace)[];
+  readonly data: readonly (PointTrace | LineTrace | BarTrace | MadeTrace)[];
   readonly layout: PlotLayout;
 }
 

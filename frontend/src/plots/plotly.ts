@@ -1,5 +1,7 @@
 /** plotly.js, loaded once and late, and the few types of it this page uses. */
 
+import type { MadeTrace } from "../api/types";
+
 export type Numbers = Float32Array;
 
 export interface PlotTrace {
@@ -82,7 +84,7 @@ interface ImageOptions {
 export interface Plotly {
   readonly react: (
     element: HTMLElement,
-    data: readonly (PlotTrace | PointTrace | LineTrace | BarTrace)[],
+    data: readonly (PlotTrace | PointTrace | LineTrace | BarTrace | MadeTrace)[],
     layout: PlotLayout,
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;
