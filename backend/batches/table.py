@@ -28,7 +28,7 @@ FIGURES: dict[str, tuple[tuple[str, ...], str]] = {
     **{f"events.{key}": (("events", key), item.unit) for key, item in EVENTS.items()},
     **{key: ((key,), item.unit) for key, item in RUN_FIGURES.items()},
 }
-_FLAGS = {key for key in FIGURES if key.startswith("events.") and key.endswith(("target_reached", "bump_complete"))}
+FLAGS = {key for key in FIGURES if key.startswith("events.") and key.endswith(("target_reached", "bump_complete"))}
 
 
 def units(batch: StoredBatch) -> dict[str, str]:
@@ -141,7 +141,7 @@ def _at(summary: Mapping[str, Any], path: Sequence[str]) -> Any:
 
 def _schema(batch: StoredBatch) -> pa.Schema:
     types = {"run": pa.int64(), **{name: _field_type(name) for name in batch.fields}}
-    types |= {key: pa.bool_() if key in _FLAGS else pa.float64() for key in FIGURES}
+    types |= {key: pa.bool_() if key in FLAGS else pa.float64() for key in FIGURES}
     known = units(batch)
     fields = [
         pa.field(

@@ -7,8 +7,9 @@ from backend.store.batches import BatchStore, StoredBatch
 from backend.store.database import Database
 from backend.store.links import LinkStore, StoredLink
 from backend.store.runs import RunStore, StoredResult, StoredRun
+from backend.store.tunings import StoredTuning, TuningStore
 
-__all__ = ["Store", "StoredBatch", "StoredLink", "StoredResult", "StoredRun"]
+__all__ = ["Store", "StoredBatch", "StoredLink", "StoredResult", "StoredRun", "StoredTuning"]
 
 
 class Store(Database):
@@ -19,3 +20,4 @@ class Store(Database):
         self.runs = RunStore(self)
         self.batches = BatchStore(self)
         self.links = LinkStore(self)
+        self.tunings = TuningStore(self)

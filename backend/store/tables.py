@@ -1,6 +1,19 @@
 """The tables; the migrations in backend/migrations make them, and a test holds the two together."""
 
-from sqlalchemy import Column, DateTime, Float, ForeignKey, Index, Integer, LargeBinary, MetaData, String, Table, Text
+from sqlalchemy import (
+    Boolean,
+    Column,
+    DateTime,
+    Float,
+    ForeignKey,
+    Index,
+    Integer,
+    LargeBinary,
+    MetaData,
+    String,
+    Table,
+    Text,
+)
 
 metadata = MetaData(
     naming_convention={
@@ -105,4 +118,55 @@ pinned_series = Table(
     Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
     Column("content", LargeBinary, nullable=False),
     Column("created_at", DateTime(timezone=True), nullable=False),
+)
+
+tunings = Table(
+    "tunings",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("state", String(16), nullable=False),
+    Column("reason", Text, nullable=True),
+    Column("step", String(16), nullable=False),
+    Column("attempt", Integer, nullable=False),
+    Column("core_version", String(32), nullable=False),
+    Column("schema_version", Integer, nullable=False),
+    Column("request", Text, nullable=False),
+    Column("estimated_cost", Float, nullable=False),
+    Column("total", Integer, nullable=False),
+    Column("done", Integer, nullable=False),
+    Column("failed", Integer, nullable=False),
+    Column("feasible", Integer, nullable=False),
+    Column("generation", Integer, nullable=False),
+    Column("batch_id", String(22), ForeignKey("batches.id"), nullable=True),
+    Column("comparison", Text, nullable=True),
+    Column("idempotency_key", String(255), nullable=True, unique=True),
+    Column("request_hash", String(43), nullable=False),
+    Column("created_at", DateTime(timezone=True), nullable=False),
+    Column("started_at", DateTime(timezone=True), nullable=True),
+    Column("finished_at", DateTime(timezone=True), nullable=True),
+    Index("ix_tunings_state", "state"),
+)
+
+# Only of complete generations: what a crash interrupts is asked for and run again, to the same trials.
+tuning_trials = Table(
+    "tuning_trials",
+    metadata,
+    Column("tuning_id", String(22), ForeignKey("tunings.id"), primary_key=True),
+    Column("number", Integer, primary_key=True),
+    Column("generation", Integer, nullable=False),
+    Column("weights", Text, nullable=False),
+    Column("status", String(16), nullable=False),
+    Column("reason", Text, nullable=True),
+    Column("feasible", Boolean, nullable=False),
+    Column("objectives", Text, nullable=True),
+    Column("limits", Text, nullable=True),
+)
+
+tuning_events = Table(
+    "tuning_events",
+    metadata,
+    Column("tuning_id", String(22), ForeignKey("tunings.id"), primary_key=True),
+    Column("number", Integer, primary_key=True),
+    Column("kind", String(16), nullable=False),
+    Column("data", Text, nullable=False),
 )
