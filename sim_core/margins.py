@@ -8,16 +8,13 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from statistics import fmean
 
+from sim_core.paper_tables import cells
 from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS
 from sim_core.simulation import simulate
 from sim_core.strategies import STRATEGIES
 
-# Printed changes "LQR vs. LV" of Tables 9 (rough road RMS) and 10 (bump peak), in %, in the order of PAPER_SIGNALS.
-PAPER_MARGINS = {
-    ("rough_road", "rms"): (10.9, 23.9, 11.4, 12.1),
-    ("bump", "peak"): (19.9, 12.6, 24.0, 12.3),
-}
+# Printed changes "LQR vs. LV" of Tables 9 (rough road RMS) and 10 (bump peak), in %, by window, statistic and signal.
+PAPER_MARGINS = {(cell.window, cell.statistic, cell.signal): cell.printed for cell in cells() if cell.strategy == "lqr"}
 
 # strategy -> (window, statistic, signal) -> mean over the seeds
 Means = dict[str, dict[tuple[str, str, str], float]]
@@ -41,19 +38,18 @@ class Margin:
 
 def mean_metrics(scenario: Scenario, seeds: Iterable[int], report: Callable[[int], None] = lambda seed: None) -> Means:
     """Run every strategy over each seed's road and average the cells of Tables 9-10."""
-    cells = [(window, statistic, signal) for window, statistic in PAPER_MARGINS for signal in PAPER_SIGNALS]
     found: dict[str, dict[tuple[str, str, str], list[float]]] = {
-        name: {cell: [] for cell in cells} for name in STRATEGIES
+        name: {cell: [] for cell in PAPER_MARGINS} for name in STRATEGIES
     }
     for seed in seeds:
         road = scenario.road.model_copy(update={"seed": seed})
         seeded = scenario.model_copy(update={"road": road})
         for name, values in found.items():
             metrics = simulate(seeded, name).metrics
-            for window, statistic, signal in cells:
+            for window, statistic, signal in PAPER_MARGINS:
                 values[window, statistic, signal].append(metrics[window][signal][statistic])
         report(seed)
-    return {name: {cell: fmean(values) for cell, values in cells.items()} for name, cells in found.items()}
+    return {name: {cell: fmean(values) for cell, values in each.items()} for name, each in found.items()}
 
 
 def margins(means: Means) -> list[Margin]:
@@ -66,8 +62,7 @@ def margins(means: Means) -> list[Margin]:
             paper=paper,
             ours=change(means["lqr"][window, statistic, signal], means["lv"][window, statistic, signal]),
         )
-        for (window, statistic), printed in PAPER_MARGINS.items()
-        for signal, paper in zip(PAPER_SIGNALS, printed, strict=True)
+        for (window, statistic, signal), paper in PAPER_MARGINS.items()
     ]
 
 
