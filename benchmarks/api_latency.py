@@ -15,6 +15,7 @@ import httpx
 
 from benchmarks.timing import table
 
+QUIET = {"RIDELAB_LOG_LEVEL": "warning"}  # the figures are what is printed
 TOGETHER = ["lv", "lqr", "passive"]
 REPEATS = 15
 
@@ -25,7 +26,7 @@ def server() -> Iterator[httpx.Client]:
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", folder]
         process = subprocess.Popen(  # noqa: S603 - our own module, no shell
-            command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1], env=os.environ
+            command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1], env={**os.environ, **QUIET}
         )
         try:
             address = next(iter(process.stdout or [])).split()[-1]
