@@ -18,11 +18,17 @@ from sim_core.strategies import Strategy, SuspensionPolicy, strategy
 from sim_core.track import track
 
 STAGES = ("cruise", "brake", "bump")
+JUDGED = {
+    SuspensionPolicy.PASSIVE,
+    SuspensionPolicy.LQR,
+    SuspensionPolicy.MPC_BY_ROAD,
+    SuspensionPolicy.MPC_BY_STAGE,
+}
 _ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))  # no law depends on it
 
 
-def least_damping(scenario: Scenario, name: str | Strategy) -> float:
-    """Smallest damping ratio of the closed loop's modes [1], over the stages the strategy drives.
+def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
+    """Smallest damping ratio of the closed loop's modes [1], over the stages; None for a controller that is not a law.
 
     Of a mode exp(s·t) it is -Re(s)/|s|: 1 does not oscillate, 0 oscillates for ever, below 0 the loop is unstable.
     Each stage is taken by itself; preview is left out, because it is not fed back and cannot make a loop unstable.
@@ -36,6 +42,8 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float:
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     chosen = strategy(name) if isinstance(name, str) else name
+    if chosen.suspension not in JUDGED:
+        return None
     actuated = chosen.suspension is not SuspensionPolicy.PASSIVE
     believed = scenario.model_copy(
         update={

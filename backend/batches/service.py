@@ -8,13 +8,15 @@ from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterable, M
 from datetime import UTC, datetime
 from typing import Any
 
+from cachetools import LRUCache
 from fastapi.sse import format_sse_event
 
 from backend import digest
 from backend.admission import Admission
-from backend.batches import plan
+from backend.batches import plan, reading
 from backend.batches import table as batch_table
 from backend.batches.driver import Driver
+from backend.batches.robustness import BASELINE
 from backend.batches.sweeps import Sweep, SweepError, shown_path, size
 from backend.batches.table import Format
 from backend.compute import Workers
@@ -33,6 +35,7 @@ LOOK = 0.4  # between two looks for events [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
 RECONNECT = 2000  # a browser that lost the stream comes back after so long [ms]
 RETRY_AFTER = 30
+SUMMARIES = 16  # of batches that have ended, kept: a page that is opened again asks for the same
 
 
 class Batches:
@@ -46,6 +49,7 @@ class Batches:
         self._admission = admission
         self._driver = driver
         self._settings = settings
+        self._summaries: LRUCache[tuple[str, ...], dict[str, Any]] = LRUCache(SUMMARIES)
 
     async def estimate(
         self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str
@@ -171,6 +175,27 @@ class Batches:
             "units": {name: known[name] for name in whole if name in known},
             "columns": whole,
         }
+
+    async def summary(self, batch_id: str, figures: Sequence[str], baseline: str | None, client: str) -> dict[str, Any]:
+        """What its finished rows say as a whole, as `BatchSummary`.
+
+        Raises:
+            ProblemError: 404, 422 for a baseline the batch has not, 429 and 503 where too much is being read.
+        """
+        batch = await self._stored(batch_id)
+        against = baseline or (BASELINE if BASELINE in batch.strategies else batch.strategies[0])
+        if against not in batch.strategies:
+            message = f"The batch has no such strategy; it has {', '.join(batch.strategies)}"
+            raise ProblemError(422, message, errors=[{"parameter": "baseline", "pointer": "", "message": message}])
+        asked = (batch.id, against, *figures)
+        if asked not in self._summaries:
+            with self._admission.entering(client):
+                pages = self._pages(batch.id)
+                found = await reading.summarised(batch, pages, self._workers, figures, against)
+            if batch.state not in FINAL:
+                return found
+            self._summaries[asked] = found
+        return self._summaries[asked]
 
     async def results(self, batch_id: str, file_format: Format) -> tuple[StoredBatch, AsyncIterator[bytes]]:
         """The batch and its rows in that format, piece by piece.

@@ -51,7 +51,7 @@ def columns(rows: Sequence[BatchRow], names: Iterable[str], figures: Iterable[st
     table |= {name: [change.get(name) for change in changes] for name in names}
     for key in figures:
         path, _ = FIGURES[key]
-        table[key] = [_at(summary, path) for summary in found]
+        table[key] = [at(summary, path) for summary in found]
     return table
 
 
@@ -132,7 +132,8 @@ def _reason(row: BatchRow, summary: Mapping[str, Any]) -> str | None:
     return row.reason if row.reason is not None else summary.get("reason")
 
 
-def _at(summary: Mapping[str, Any], path: Sequence[str]) -> Any:
+def at(summary: Mapping[str, Any], path: Sequence[str]) -> Any:
+    """What a summary has at that path of `FIGURES`; None where it has nothing there."""
     found: Any = summary
     for step in path:
         found = found.get(step) if isinstance(found, Mapping) else None

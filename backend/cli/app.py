@@ -10,6 +10,7 @@ from backend.cli.browse import open_
 from backend.cli.compare import compare
 from backend.cli.export import export
 from backend.cli.reporting import BROKEN_PIPE, ReportingGroup, abandon_output
+from backend.cli.robustness import robustness
 from backend.cli.run import run as run_
 from backend.cli.serve import serve
 from backend.cli.sweep import sweep
@@ -37,6 +38,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "serve": serve,
     "run": run_,
     "sweep": sweep,
+    "robustness": robustness,
     "compare": compare,
     "open": open_,
     "export": export,

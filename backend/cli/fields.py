@@ -51,10 +51,19 @@ def sweep_of(
     if grid:
         return {"grid": _unique(grid, "--grid", "FIELD=VALUES", _values)}
     if ranges:
-        found = _unique(ranges, "--latin-hypercube", "FIELD=LOW:HIGH", _range)
+        found = ranges_of(ranges, "--latin-hypercube")
         return {"latin_hypercube": {"ranges": found, "samples": samples, "seed": seed}}
     assert points is not None  # noqa: S101  # one of three
     return {"list": document(points.read_bytes(), str(points))}
+
+
+def ranges_of(specs: Sequence[str], option: str = "--range") -> dict[str, list[float]]:
+    """Each `FIELD=LOW:HIGH`.
+
+    Raises:
+        InputError: No such field, given twice, or no range.
+    """
+    return _unique(specs, option, "FIELD=LOW:HIGH", _range)
 
 
 def _unique(specs: Sequence[str], option: str, form: str, read: Any) -> dict[str, Any]:
@@ -99,7 +108,7 @@ def _values(field: dotted.DottedField, text: str) -> list[Any]:
 def _range(field: dotted.DottedField, text: str) -> list[float]:
     low, sign, high = text.partition(":")
     if not sign or ":" in high:
-        raise InputError(f"{field.name}: --latin-hypercube takes FIELD=LOW:HIGH")
+        raise InputError(f"{field.name}: a range is LOW:HIGH")
     return [_number(field, low), _number(field, high)]
 
 

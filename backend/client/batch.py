@@ -3,7 +3,7 @@
 import json
 import os
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -119,6 +119,21 @@ class Batch:
         """
         self._answer = self._http.json("POST", self._path("/cancel"))
         return self
+
+    def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
+        """What its finished rows say as a whole: quantiles, extremes, paired margins, stability (docs/robustness.md).
+
+        Args:
+            figures: Keys such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.
+            baseline: The strategy the others are compared with; None is LV, else the first.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer.
+        """
+        params = {"figures": ",".join(figures), **({} if baseline is None else {"baseline": baseline})}
+        found: dict[str, Any] = self._http.json("GET", self._path("/summary"), params=params)
+        return found
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too.

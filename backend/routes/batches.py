@@ -1,11 +1,14 @@
 """Batches: submit, follow, cancel, read."""
 
+from collections.abc import Iterable
 from typing import Annotated, Any, Literal
 
 from fastapi import Depends, Header, Path, Query, Request, Response
 from fastapi.responses import StreamingResponse
 
 from backend.batches import models as models_batches
+from backend.batches import robustness
+from backend.batches.reading import NUMBERS
 from backend.batches.service import Batches
 from backend.batches.table import FIGURES
 from backend.models import Problem
@@ -137,9 +140,49 @@ async def get_batch_table(
     figures: Annotated[str, Query(description="Keys with commas, such as bump.body_acceleration.peak")] = "",
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
-    names = [name.strip() for name in figures.split(",") if name.strip()]
-    if not set(names) <= set(FIGURES):
-        message = f"Unknown figure; there are {', '.join(FIGURES)}"
-        raise ProblemError(422, message, errors=[{"parameter": "figures", "pointer": "", "message": message}])
-    answer: dict[str, Any] = await service.table(batch_id, list(dict.fromkeys(names)))
+    answer: dict[str, Any] = await service.table(batch_id, _figures(figures, FIGURES))
     return json_answer(answer)
+
+
+@batches.get(
+    "/batches/{id}/summary",
+    operation_id="getBatchSummary",
+    response_model=models_batches.BatchSummary,
+    responses={429: {"model": Problem}},
+)
+async def get_batch_summary(
+    batch_id: BatchId,
+    service: BatchesService,
+    client: Client,
+    figures: Annotated[
+        str, Query(description="Keys with commas; without any the paper's eight, travel exceeded and airborne")
+    ] = "",
+    baseline: Annotated[
+        str | None, Query(max_length=64, description="Strategy; without one LV, else the first")
+    ] = None,
+) -> Response:
+    """Each figure's quantiles and extremes under each strategy, paired margins, what they follow, and stability.
+
+    Over the runs that have finished. The worst place of a figure is its `highest`.
+    """
+    names = _figures(figures, NUMBERS) or list(robustness.FIGURES)
+    return json_answer(await service.summary(batch_id, names, baseline, client))
+
+
+@batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=models_batches.RobustnessDefaults)
+async def get_robustness_defaults() -> Response:
+    """What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary."""
+    return json_answer(robustness.answer())
+
+
+def _figures(text: str, known: Iterable[str]) -> list[str]:
+    """The figures named, each once.
+
+    Raises:
+        ProblemError: 422, one is unknown.
+    """
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    if not set(names) <= set(known):
+        message = f"Unknown figure; there are {', '.join(known)}"
+        raise ProblemError(422, message, errors=[{"parameter": "figures", "pointer": "", "message": message}])
+    return list(dict.fromkeys(names))

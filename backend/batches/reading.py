@@ -1,0 +1,102 @@
+"""Reads a batch as a whole: gathers its rows by point and strategy and has a worker summarise them."""
+
+import asyncio
+from collections import Counter
+from collections.abc import AsyncIterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import orjson
+
+from backend.batches import robustness, summary
+from backend.batches.plan import scenario_at
+from backend.batches.table import FIGURES, FLAGS, at
+from backend.compute import Workers
+from backend.store import StoredBatch
+from backend.store.batches import BatchRow
+from sim_core.result import FloatArray
+
+NUMBERS = [key for key in FIGURES if key not in FLAGS]  # what a distribution can be made of
+POINTS_A_CALL = 500  # whose stability one task of a worker reckons; each takes about a millisecond
+
+
+async def summarised(
+    batch: StoredBatch,
+    pages: AsyncIterator[list[BatchRow]],
+    workers: Workers,
+    figures: Sequence[str],
+    baseline: str,
+) -> dict[str, Any]:
+    """`BatchSummary` of what has finished."""
+    gathered = _Gathered(batch, figures)
+    async for rows in pages:
+        await asyncio.to_thread(gathered.add, rows)
+    origin = (batch.scenario, batch.schema_version)
+    damping: list[list[float | None]] = []
+    for first in range(0, len(gathered.changes), POINTS_A_CALL):
+        some = gathered.changes[first : first + POINTS_A_CALL]
+        damping += await workers.call(summary.dampings, *origin, some, batch.strategies)
+    summaries, nominal_damping = await workers.call(summary.nominal, *origin, batch.strategies)
+    study = gathered.study(damping, summaries, nominal_damping)
+    return {
+        "batch": batch.id,
+        "state": batch.state,
+        "points": batch.total // len(batch.strategies),
+        "baseline": baseline,
+        "quantiles": list(summary.QUANTILES),
+        "units": {key: FIGURES[key][1] for key in figures},
+        "strategies": await workers.call(summary.summarise, study, baseline),
+    }
+
+
+class _Gathered:
+    """A batch's rows, taken in page by page; a point's strategies lie side by side."""
+
+    def __init__(self, batch: StoredBatch, figures: Sequence[str]) -> None:
+        self._batch = batch
+        self._figures = figures
+        shape = (batch.total // len(batch.strategies), len(batch.strategies))
+        self._values: dict[str, FloatArray] = {key: np.full(shape, np.nan) for key in figures}
+        self._status = np.full(shape, "waiting", dtype="U9")
+        self._reasons: dict[str, Counter[str]] = {name: Counter() for name in batch.strategies}
+        self.changes: list[str] = []
+
+    def add(self, rows: Sequence[BatchRow]) -> None:
+        """Take a page in."""
+        for row in rows:
+            point, index = divmod(row.position, len(self._batch.strategies))
+            self._status[point, index] = row.status
+            if not index:
+                self.changes.append(row.changes)
+            found = orjson.loads(row.summary) if row.summary is not None else {}
+            if row.status == "failed":
+                self._reasons[row.strategy][row.reason or found.get("reason") or "unknown"] += 1
+            if row.status == "ok":
+                for key in self._figures:
+                    value = at(found, FIGURES[key][0])
+                    self._values[key][point, index] = np.nan if value is None else value
+
+    def study(
+        self,
+        damping: Sequence[Sequence[float | None]],
+        summaries: Mapping[str, Mapping[str, Any]],
+        nominal_damping: Mapping[str, float | None],
+    ) -> summary.Study:
+        """All of it, with what the workers found."""
+        changes = [orjson.loads(text) for text in self.changes]
+        scenario = scenario_at(self._batch.scenario, {}, self._batch.schema_version).model_dump(mode="json")
+        ratios = np.array(damping, dtype=np.float64).reshape(self._status.shape)  # None becomes NaN
+        names, fields = self._batch.strategies, self._batch.fields
+        return summary.Study(
+            strategies=names,
+            status=self._status,
+            reasons=self._reasons,
+            figures=self._values,
+            fields={name: [change.get(name) for change in changes] for name in fields},
+            read={name: robustness.read(name, fields, scenario) for name in names},
+            damping=np.where(self._status == "ok", ratios, np.nan),
+            nominal={
+                name: {key: at(found, FIGURES[key][0]) for key in self._figures} for name, found in summaries.items()
+            },
+            nominal_damping=nominal_damping,
+        )

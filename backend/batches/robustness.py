@@ -1,0 +1,82 @@
+"""What a robustness study varies unless told otherwise; the ranges are ours (docs/robustness.md says why)."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sim_core import dotted
+from sim_core.signals import PAPER_SIGNALS
+from sim_core.strategies import STRATEGIES as KNOWN
+
+SAMPLES = 200
+BASELINE = "lv"
+STRATEGIES = ("lv", "lqr", "suspension_only", "passive")
+FIGURES = (
+    *(f"rough_road.{signal}.rms" for signal in PAPER_SIGNALS),
+    *(f"bump.{signal}.peak" for signal in PAPER_SIGNALS),
+    "events.travel_exceeded_mm",
+    "events.airborne_ms",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Uncertainty:
+    """A field nobody knows exactly, the range its true value lies in, and where that range comes from."""
+
+    field: str
+    low: float
+    high: float
+    why: str
+
+
+UNCERTAINTIES = (
+    Uncertainty(field="mismatch.body_mass", low=0.8, high=1.25, why="From the driver alone to a full load"),
+    Uncertainty(field="mismatch.springs", low=0.9, high=1.1, why="Scatter of manufacture, and age"),
+    Uncertainty(field="mismatch.damping", low=0.7, high=1.3, why="Oil temperature and wear"),
+    Uncertainty(field="mismatch.tyres", low=0.9, high=1.1, why="Pressure and temperature"),
+    Uncertainty(field="mismatch.preview_offset", low=-0.3, high=0.3, why="Where the sensors place the road ahead"),
+    Uncertainty(field="mismatch.preview_gain", low=0.85, high=1.15, why="Scale of the measured height"),
+    Uncertainty(field="mismatch.preview_noise", low=0, high=0.003, why="Noise of each measured height"),
+    Uncertainty(field="mismatch.preview_delay", low=0, high=0.03, why="Exposure, transfer and processing"),
+    Uncertainty(field="actuator.bandwidth", low=5, high=30, why="From hydraulic to electric actuators"),
+    Uncertainty(field="actuator.saturation", low=1500, high=5000, why="What the actuator gives, hot or at low supply"),
+    Uncertainty(field="road.seed", low=1, high=1000, why="Another road of the same class at every point"),
+)
+
+
+def answer() -> dict[str, Any]:
+    """`RobustnessDefaults`."""
+    return {
+        "ranges": [
+            {
+                "field": each.field,
+                "title": dotted.field(each.field).title,
+                "unit": dotted.field(each.field).unit,
+                "low": each.low,
+                "high": each.high,
+                "why": each.why,
+            }
+            for each in UNCERTAINTIES
+        ],
+        "samples": SAMPLES,
+        "strategies": list(STRATEGIES),
+        "baseline": BASELINE,
+        "figures": list(FIGURES),
+    }
+
+
+def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> dict[str, Any]:
+    """The Latin hypercube over those ranges, as a batch takes it."""
+    return {"latin_hypercube": {"ranges": {k: list(v) for k, v in ranges.items()}, "samples": samples, "seed": seed}}
+
+
+def read(strategy: str, fields: Sequence[str], scenario: Mapping[str, Any]) -> list[str]:
+    """Those of the fields that can change the strategy's result; errors of the look ahead only where it looks ahead."""
+    if strategy not in KNOWN:  # another version's
+        return list(fields)
+    parts = KNOWN[strategy].reads
+    named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
+    whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
+    if whose in fields or dotted.value(scenario, whose) == "lookahead":
+        return named
+    return [name for name in named if not name.startswith("mismatch.preview_")]

@@ -1,0 +1,199 @@
+"""A batch's summary and the robustness command, over HTTP: against the exported rows, and what is refused."""
+
+import json
+import statistics
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.batches.models import BatchSummary, RobustnessDefaults
+from backend.batches.robustness import FIGURES, UNCERTAINTIES
+from backend.cli.app import run as command
+from sim_core import dotted
+from tests.api.test_batches import wait_for
+
+# Nobody else's, so that nothing is stored yet; short, so that it is quick.
+BASE = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
+PEAK = "bump.body_acceleration.peak"
+TRAVEL = "events.travel_exceeded_mm"
+# Every third point contradicts itself: its bump would lie behind the road's end.
+POINTS = [
+    {
+        "mismatch.body_mass": 0.8 + 0.02 * index,
+        "mismatch.damping": 1.3 - 0.05 * (index * 7 % 20),
+        "road.bump.start": 91 if index % 3 == 2 else 70,
+    }
+    for index in range(24)
+]
+
+
+@pytest.fixture(scope="module")
+def batch(client: httpx.Client) -> str:
+    body = {"scenario": BASE, "strategies": ["passive", "lqr", "lv"], "sweep": {"list": POINTS}}
+    answer = client.post("/api/v1/batches", json=body)
+    assert answer.status_code == 202, answer.text
+    ended = wait_for(client, answer.json()["id"])
+    assert (ended["state"], ended["failed"]) == ("done", 24)
+    return str(ended["id"])
+
+
+@pytest.fixture(scope="module")
+def rows(client: httpx.Client, batch: str) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = client.get(f"/api/v1/batches/{batch}/results").json()["rows"]
+    return found
+
+
+def read(client: httpx.Client, batch: str, **params: str) -> dict[str, Any]:
+    answer = client.get(f"/api/v1/batches/{batch}/summary", params=params)
+    assert answer.status_code == 200, answer.text
+    BatchSummary.model_validate(answer.json())
+    found: dict[str, Any] = answer.json()
+    return found
+
+
+def peaks(rows: list[dict[str, Any]], strategy: str) -> dict[int, tuple[int, float]]:
+    """Point -> the run and its peak on the bump, of those that ran."""
+    of = [row for row in rows if row["strategy"] == strategy]
+    return {
+        point: (row["run"], row["metrics"]["bump"]["body_acceleration"]["peak"])
+        for point, row in enumerate(of)
+        if row["status"] == "ok"
+    }
+
+
+def test_it_says_what_the_exported_rows_say(client: httpx.Client, batch: str, rows: list[dict[str, Any]]) -> None:
+    found = read(client, batch, figures=f"{PEAK},{TRAVEL}")
+    assert (found["points"], found["baseline"], found["state"]) == (24, "lv", "done")
+    assert found["units"] == {PEAK: "m/s^2", TRAVEL: "mm"}
+    for strategy in ("lv", "lqr", "passive"):
+        runs = peaks(rows, strategy)
+        values = [value for _, value in runs.values()]
+        told = found["strategies"][strategy]
+        assert (told["ok"], told["failed"], told["unfinished"]) == (16, 8, 0)
+        assert list(told["reasons"].values()) == [8]
+        assert "road" in next(iter(told["reasons"]))
+        peak = told["figures"][PEAK]
+        cut = statistics.quantiles(values, n=20, method="inclusive")
+        expected = [min(values), cut[0], cut[4], cut[9], cut[14], cut[18], max(values)]
+        assert peak["quantiles"] == pytest.approx(expected, rel=1e-12)
+        worst = max(runs, key=lambda point: runs[point][1])
+        assert peak["highest"] == {"run": runs[worst][0], "value": runs[worst][1], "at": POINTS[worst]}
+        assert {item["field"] for item in peak["sensitivity"]} <= {"mismatch.body_mass", "mismatch.damping"}
+
+
+def test_margins_pair_each_point_with_the_baselines_own(
+    client: httpx.Client, batch: str, rows: list[dict[str, Any]]
+) -> None:
+    found = read(client, batch, figures=PEAK, baseline="lqr")["strategies"]
+    assert found["lqr"]["figures"][PEAK]["margin"] is None
+    own, base = peaks(rows, "lv"), peaks(rows, "lqr")
+    changes = {point: 100 * (own[point][1] / base[point][1] - 1) for point in own}
+    margin = found["lv"]["figures"][PEAK]["margin"]
+    assert (margin["pairs"], margin["n"]) == (16, 16)
+    assert margin["quantiles"][3] == pytest.approx(statistics.median(changes.values()))
+    assert margin["better"] == sum(change < 0 for change in changes.values()) / 16
+    most = max(changes, key=lambda point: changes[point])
+    assert (margin["highest"]["run"], margin["highest"]["at"]) == (own[most][0], POINTS[most])
+    nominal = {name: found[name]["figures"][PEAK]["nominal"] for name in ("lv", "lqr")}
+    assert margin["nominal"] == pytest.approx(100 * (nominal["lv"] / nominal["lqr"] - 1))
+
+
+def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.Client, batch: str) -> None:
+    run = client.post("/api/v1/runs", json={"scenario": BASE, "strategies": ["lv", "passive"]}).json()
+    found = read(client, batch)["strategies"]
+    assert list(found["lv"]["figures"]) == list(FIGURES)
+    for name in ("lv", "passive"):
+        for key, told in found[name]["figures"].items():
+            value: Any = run["strategies"][name] if key.startswith("events") else run["strategies"][name]["metrics"]
+            for step in key.split("."):
+                value = value[step]
+            # Another process: the blocks a law is computed in may differ in their last bits.
+            assert told["nominal"] == pytest.approx(value, rel=1e-9, abs=1e-9), key
+
+
+def test_a_batch_under_way_is_read_as_far_as_it_is(client: httpx.Client) -> None:
+    body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
+    sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 400}}
+    batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]
+    told = read(client, batch)
+    of = told["strategies"]["passive"]
+    assert told["baseline"] == "passive"
+    assert of["ok"] + of["unfinished"] == 400
+    assert of["figures"][PEAK]["n"] == of["ok"]
+    client.post(f"/api/v1/batches/{batch}/cancel")
+
+
+@pytest.mark.parametrize(
+    ("params", "parameter", "said"),
+    [
+        ({"figures": "bump.nothing.peak"}, "figures", "Unknown figure"),
+        ({"figures": "events.target_reached"}, "figures", "Unknown figure"),  # yes or no has no quantiles
+        ({"baseline": "speed_only"}, "baseline", "it has lv, lqr, passive"),
+    ],
+)
+def test_what_the_batch_has_not_is_refused(
+    client: httpx.Client, batch: str, params: dict[str, str], parameter: str, said: str
+) -> None:
+    answer = client.get(f"/api/v1/batches/{batch}/summary", params=params)
+    assert answer.status_code == 422
+    assert answer.json()["errors"][0]["parameter"] == parameter
+    assert said in answer.json()["detail"]
+    assert "nothing" not in answer.text
+
+
+def test_there_is_no_summary_of_no_batch(client: httpx.Client) -> None:
+    assert client.get("/api/v1/batches/AAAAAAAAAAAAAAAAAAAAAA/summary").status_code == 404
+
+
+def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> None:
+    usual = client.get("/api/v1/robustness").json()
+    RobustnessDefaults.model_validate(usual)
+    assert len(usual["ranges"]) == len(UNCERTAINTIES)
+    for each in usual["ranges"]:
+        field = dotted.field(each["field"])
+        assert field.unit == each["unit"]
+        for end in (each["low"], each["high"]):
+            field.checked(int(end) if field.kind == "integer" else end)
+    ranges = {each["field"]: [each["low"], each["high"]] for each in usual["ranges"]}
+    sweep = {"latin_hypercube": {"ranges": ranges, "samples": usual["samples"]}}
+    body = {"scenario": BASE, "strategies": usual["strategies"], "sweep": sweep, "dry_run": True}
+    estimate = client.post("/api/v1/batches", json=body).json()
+    assert (estimate["points"], estimate["contradictory"]) == (usual["samples"], 0)
+
+
+def test_the_command_prints_the_summary_the_service_gives(
+    client: httpx.Client, capsys: pytest.CaptureFixture[str]
+) -> None:
+    server = str(client.base_url).rstrip("/")
+    options = ["--server", server, "--samples", "12", "--strategy", "lv,passive", "--exact", "road.seed"]
+    options += ["--range", "mismatch.damping=0.5:1.5", "--set", "road.length=92", "--set", "road.bump.start=70"]
+    assert command(["robustness", *options, "--json"]) == 0
+    summary = json.loads(capsys.readouterr().out)
+    ranges = client.get(f"/api/v1/batches/{summary['batch']}").json()["sweep"]["latin_hypercube"]["ranges"]
+    assert ranges["mismatch.damping"] == [0.5, 1.5]
+    assert len(ranges) == len(UNCERTAINTIES) - 1
+    assert summary == client.get(f"/api/v1/batches/{summary['batch']}/summary").json()
+
+    assert command(["robustness", *options]) == 0
+    printed = capsys.readouterr().out
+    median = summary["strategies"]["lv"]["figures"][PEAK]["quantiles"][3]
+    assert f"{median:.4g}" in printed.split(PEAK)[1].split("\n\n")[0]
+    assert "unstable" in printed
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--only"], "Nothing is uncertain: every field is exact"),
+        (["--exact", ",".join(each.field for each in UNCERTAINTIES)], "Nothing is uncertain: every field is exact"),
+        (["--exact", "road.bump.height"], "--exact: road.bump.height is not varied"),
+        (["--range", "mismatch.damping=0.5"], "mismatch.damping: a range is LOW:HIGH"),
+        (["--baseline", "speed_only"], "--baseline: speed_only is not among the strategies"),
+    ],
+)
+def test_a_study_of_nothing_is_refused(
+    client: httpx.Client, capsys: pytest.CaptureFixture[str], options: list[str], said: str
+) -> None:
+    assert command(["robustness", "--server", str(client.base_url).rstrip("/"), *options]) == 2
+    assert said in capsys.readouterr().err
