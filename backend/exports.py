@@ -11,10 +11,10 @@ import pyarrow as pa
 from pyarrow import csv, parquet
 
 from backend import pins
+from backend.hil.drive import simulate
 from backend.series import ROWS, SeriesArray, as_json, pack
 from sim_core.scenario import Scenario
 from sim_core.signals import SIGNALS
-from sim_core.simulation import simulate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -31,6 +31,7 @@ class Style:
 # search under these bounds; Okabe and Ito's colours come as near as 0.03 there). A dash of its own besides.
 STYLES: dict[str, Style] = {
     "lv": Style(colour="#1C5FDF", dash="solid"),
+    "lv_hil": Style(colour="#C0300C", dash="longdashdot"),
     "lqr": Style(colour="#FF5F00", dash="dash"),
     "suspension_only": Style(colour="#16A87C", dash="dashdot"),
     "speed_only": Style(colour="#A882D9", dash="longdash"),

@@ -12,11 +12,11 @@ import numpy as np
 import pyarrow as pa
 from pyarrow import parquet
 
+from backend.hil.drive import simulate
 from backend.series import ROWS, SeriesArray, decimate, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 from sim_core.signals import SIGNALS
-from sim_core.simulation import simulate
 
 LEVEL = 1  # of zstd; 9 takes three times as long for 2 % (benchmarks/pins.py)
 

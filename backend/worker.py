@@ -13,12 +13,12 @@ from typing import Any
 
 import orjson
 
+from backend.hil.drive import simulate
 from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import STRATEGIES, SuspensionPolicy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,9 +63,13 @@ def start(nice: int) -> None:
 
 
 def warm_up() -> None:
-    """Run the paper's scenario with every strategy once, so that a first request meets filled caches."""
-    for strategy in STRATEGIES:
-        simulate(Scenario(), strategy)
+    """Run the paper's scenario with every strategy once, so that a first request meets filled caches.
+
+    Not those with an ECU: its program is built when somebody asks for it.
+    """
+    for strategy in STRATEGIES.values():
+        if strategy.suspension is not SuspensionPolicy.ECU:
+            simulate(Scenario(), strategy.id)
 
 
 def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, Outcome]:

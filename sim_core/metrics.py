@@ -7,6 +7,7 @@ import numpy as np
 
 from sim_core.comfort import vibration_dose, weighted
 from sim_core.controller import SolverReport
+from sim_core.hil.loop import Tally
 from sim_core.longitudinal import KMH, TARGET_BAND, Drive
 from sim_core.result import FloatArray, Span, StrategyResult
 from sim_core.road import kinks
@@ -32,8 +33,9 @@ def evaluate(
     recording: Recording,
     report: SolverReport,
     limited_steps: int,
+    tally: Tally | None = None,
 ) -> StrategyResult:
-    """Everything a run reports, from its recording."""
+    """Everything a run reports, from its recording; `tally` of a strategy with an ECU."""
     series = recording.series
     windows = _windows(scenario, series["position"])
     arrival = float(drive.at(np.array(drive.time_at(scenario.road.bump.start)))[1])
@@ -73,6 +75,9 @@ def evaluate(
             "qp_fallbacks": report.fallbacks,
             "qp_failures": report.failures,
             "max_slack_mm": report.max_slack * 1000,
+            "ecu_most_iterations": tally.iterations if tally else None,
+            "ecu_clipped_values": tally.clipped if tally else None,
+            "ecu_held_commands": tally.held if tally else None,
         },
         reference={
             "front_static_load": static[0],

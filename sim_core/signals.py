@@ -194,13 +194,32 @@ EVENTS = _catalogue(
         key="qp_failures",
         label="QPs not solved",
         unit="1",
-        description="neither solver gave a verified solution; the last safe force was held",
+        description="neither solver gave a verified solution and the last safe force was held; of an ECU, its "
+        "iterations ran out and the forces were clipped",
     ),
     Quantity(
         key="max_slack_mm",
         label="Largest travel slack",
         unit="mm",
         description="largest predicted deflection beyond the limit the MPC accepted",
+    ),
+    Quantity(
+        key="ecu_most_iterations",
+        label="ECU: most iterations",
+        unit="1",
+        description="of its solver in one step; null without an ECU",
+    ),
+    Quantity(
+        key="ecu_clipped_values",
+        label="ECU: values beyond their range",
+        unit="1",
+        description="measured or previewed values a converter clipped; null without an ECU",
+    ),
+    Quantity(
+        key="ecu_held_commands",
+        label="ECU: commands without effect",
+        unit="1",
+        description="lost, late or overtaken: the actuators held an earlier one; null without an ECU",
     ),
 )
 

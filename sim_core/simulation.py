@@ -3,17 +3,21 @@
 import numpy as np
 
 from sim_core.closed_loop import ClosedLoop
-from sim_core.controller import Controller, PassiveController
+from sim_core.controller import Controller, PassiveController, SolverReport
 from sim_core.cost import CostTerms
 from sim_core.fields import Weights
 from sim_core.half_car import OUTPUTS
+from sim_core.hil.calibration import Calibration, Checked
+from sim_core.hil.drive import calibration, drive_hil, longest_fine_step
+from sim_core.hil.ecu import Connect
+from sim_core.hil.model import modelled
 from sim_core.longitudinal import CONTROL_STEP, KMH, Drive, drive
 from sim_core.lqr import LqrController, feedforward, regulator
 from sim_core.metrics import Recording, evaluate
-from sim_core.mpc import Horizon, MpcController, design
+from sim_core.mpc import CENTI, Horizon, MpcController, MpcDesign, design
 from sim_core.plant import plant
 from sim_core.preview import preview_windows
-from sim_core.result import StrategyResult
+from sim_core.result import FloatArray, StrategyResult
 from sim_core.road import detail
 from sim_core.scenario import Actuator, Scenario
 from sim_core.stages import coordinated_weights, segments, spans
@@ -23,23 +27,26 @@ from sim_core.track import Track, track
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 
 
-def simulate(scenario: Scenario, name: str | Strategy) -> StrategyResult:
+def simulate(scenario: Scenario, name: str | Strategy, connect: Connect = modelled) -> StrategyResult:
     """Drive one strategy over the scenario's road.
 
     Args:
         scenario: What to drive.
         name: Strategy id, or a strategy that is in no table.
+        connect: To the ECU of a strategy that has one; by default its model in NumPy.
 
     Raises:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    chosen, vehicle = strategy(name) if isinstance(name, str) else name, scenario.vehicle
+    chosen = strategy(name) if isinstance(name, str) else name
+    if chosen.suspension is SuspensionPolicy.ECU:
+        return simulate_ecu(scenario, ecu_calibration(scenario), connect)
     actuated = chosen.suspension is not SuspensionPolicy.PASSIVE
     motion = drive(scenario, chosen.speed)
     stages = spans(scenario, chosen, motion)
     step = scenario.mpc.sample_time if actuated else CONTROL_STEP
-    way = track(scenario.road, vehicle.wheelbase, motion, step, fine_step(scenario))
+    way = track(scenario.road, scenario.vehicle.wheelbase, motion, step, fine_step(scenario))
     actuator = scenario.actuator if actuated else Actuator()
     car = plant(scenario.real_vehicle, actuator, step, way.fine)
     controller = make_controller(scenario, chosen, motion, way)
@@ -47,11 +54,47 @@ def simulate(scenario: Scenario, name: str | Strategy) -> StrategyResult:
     most_force = np.inf if actuator.saturation is None else actuator.saturation
     loop = ClosedLoop(controller, car, way.disturbance @ car.E, most_change, most_force)
     course = loop.run(segments(stages, way.position))
-    outputs = car.record(course.states, course.commands, way.disturbance)[:, way.kept]
-    signals = dict(zip((*OUTPUTS, "front_force", "rear_force"), outputs, strict=True))
+    outputs = car.record(course.states, course.commands, way.disturbance)
+    return evaluate(scenario, chosen, motion, stages, _recording(way, outputs), controller.report, course.limited)
+
+
+def simulate_ecu(scenario: Scenario, known: Calibration, connect: Connect = modelled) -> StrategyResult:
+    """Drive `lv_hil` with these numbers in the ECU.
+
+    Args:
+        scenario: What to drive.
+        known: `ecu_calibration`'s, perhaps of other horizons.
+        connect: To the ECU.
+    """
+    chosen = strategy("lv_hil")
+    motion = drive(scenario, chosen.speed)
+    stages = spans(scenario, chosen, motion)
+    step = scenario.mpc.sample_time
+    way = track(scenario.road, scenario.vehicle.wheelbase, motion, step, longest_fine_step(step, fine_step(scenario)))
+    record = drive_hil(scenario, known, motion, way, segments(stages, way.position), connect)
+    tally = record.tally
+    report = SolverReport(solves=tally.limited, failures=tally.unfinished, max_slack=tally.slack / CENTI)
+    return evaluate(scenario, chosen, motion, stages, _recording(way, record.outputs), report, tally.limited, tally)
+
+
+def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
+    """What the ECU of `lv_hil` knows: the scenario's own MPC, exported.
+
+    Args:
+        scenario: Whose.
+        checked: Which limits of the horizon its program checks.
+
+    Raises:
+        RidelabError: The vehicle and weights admit no stabilising controller.
+    """
+    chosen = strategy("lv_hil")
+    return calibration(scenario, mpc_designs(scenario, chosen, drive(scenario, chosen.speed)), checked)
+
+
+def _recording(way: Track, outputs: FloatArray) -> Recording:
+    signals = dict(zip((*OUTPUTS, "front_force", "rear_force"), outputs[:, way.kept], strict=True))
     deflection_speed = np.stack([signals.pop("front_deflection_speed"), signals.pop("rear_deflection_speed")])
-    recording = Recording(step=way.fine_step, series=way.series | signals, deflection_speed=deflection_speed)
-    return evaluate(scenario, chosen, motion, stages, recording, controller.report, course.limited)
+    return Recording(step=way.fine_step, series=way.series | signals, deflection_speed=deflection_speed)
 
 
 def fine_step(scenario: Scenario) -> float:
@@ -82,6 +125,15 @@ def make_controller(scenario: Scenario, chosen: Strategy, motion: Drive, way: Tr
             lqr.preview, scenario.road, motion, way, lqr.preview_horizon, wheelbase, scenario.mismatch
         )
         return LqrController(regulator(terms), mpc.force_limit, seen @ feedforward(terms, lqr.preview_horizon).T)
+    windows = preview_windows(
+        mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, wheelbase, scenario.mismatch
+    )
+    return MpcController(mpc_designs(scenario, chosen, motion), windows, mpc)
+
+
+def mpc_designs(scenario: Scenario, chosen: Strategy, motion: Drive) -> dict[str, MpcDesign]:
+    """The MPC of each driving stage."""
+    mpc = scenario.mpc
     horizon = Horizon(
         prediction=mpc.prediction_horizon,
         control=mpc.control_horizon,
@@ -92,10 +144,7 @@ def make_controller(scenario: Scenario, chosen: Strategy, motion: Drive, way: Tr
     for stage in ("cruise", "brake", "bump"):
         weights = coordinated_weights(scenario, chosen, stage)
         designs[stage] = design(_terms(scenario, motion, weights, mpc.deflection_weight), horizon)
-    windows = preview_windows(
-        mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, wheelbase, scenario.mismatch
-    )
-    return MpcController(designs, windows, mpc)
+    return designs
 
 
 def _terms(scenario: Scenario, motion: Drive, weights: Weights, deflection_weight: float) -> CostTerms:

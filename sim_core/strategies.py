@@ -22,6 +22,7 @@ class SuspensionPolicy(StrEnum):
     LQR = "lqr"
     MPC_BY_ROAD = "mpc_by_road"
     MPC_BY_STAGE = "mpc_by_stage"
+    ECU = "ecu"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,6 +74,14 @@ STRATEGIES: dict[str, Strategy] = {
             speed=SpeedPolicy.PLANNED,
             suspension=SuspensionPolicy.MPC_BY_STAGE,
             reads=(*_ROAD, *_SPEED, *_MPC, "mpc.stage_weights"),
+        ),
+        Strategy(
+            id="lv_hil",
+            label="LV control, hardware in the loop",
+            description="LV's suspension control as C code of its own, behind converters, a step of delay and losses.",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.ECU,
+            reads=(*_ROAD, *_SPEED, *(name for name in _MPC if name != "mpc.solver"), "mpc.stage_weights", "hil"),
         ),
         Strategy(
             id="lqr",

@@ -1,5 +1,6 @@
 """What a run will cost, told from the scenario alone, so that a service can refuse it before starting."""
 
+from sim_core.hil.loop import short_steps
 from sim_core.longitudinal import CONTROL_STEP, KMH, TARGET_BAND
 from sim_core.scenario import Scenario
 from sim_core.simulation import fine_step
@@ -12,6 +13,11 @@ _PER_FINE_STEP = 4e-7
 _PER_PREDICTED_NUMBER = 1e-9  # control step × checked row × preview column
 _PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves and 30 steps; grows as below
 _PER_LIMITED_STEP = 1e-4  # decided singly, without a QP
+_START_ECU = 0.1  # its process, and the tables for it
+_PER_EXCHANGE = 2e-4  # a frame to the ECU and its answer back
+_PER_SHORT_STEP = 1e-5
+_PER_ITERATED_ROW = 3e-8  # solver iteration × checked row
+_PER_NOISE = 3e-8
 
 
 def duration(scenario: Scenario, name: str) -> float:
@@ -43,4 +49,12 @@ def estimate(scenario: Scenario, name: str) -> float:
         longer, further = max(1.0, mpc.control_horizon / 20), max(1.0, mpc.prediction_horizon / 30)
         qp = _PER_QP[mpc.solver] * longer**1.5 * further**0.75
         cost += steps * (rows * columns * _PER_PREDICTED_NUMBER + qp)  # as if a limit bound in every step
+    if chosen.suspension is SuspensionPolicy.ECU:
+        steps = time / mpc.sample_time
+        rows, columns = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
+        each = _PER_EXCHANGE + _PER_SHORT_STEP * short_steps(mpc.sample_time) + rows * columns * _PER_PREDICTED_NUMBER
+        each += scenario.hil.iterations * rows * _PER_ITERATED_ROW
+        if scenario.hil.noise:
+            each += columns * _PER_NOISE
+        cost += _START_ECU + steps * each
     return cost

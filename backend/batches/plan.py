@@ -12,10 +12,10 @@ from pydantic import ValidationError
 from backend import digest
 from backend.batches.sweeps import Sweep, points
 from backend.chunk import WaitingRun
+from backend.hil.drive import simulate
 from sim_core import dotted
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario
-from sim_core.simulation import simulate
 from sim_core.versions import restored
 from sim_core.workload import estimate
 

@@ -8,9 +8,9 @@ import orjson
 
 from backend.batches.plan import scenario_at
 from backend.chunk import ComputedRun, WaitingRun
+from backend.hil.drive import simulate
 from backend.worker import elapsed_ms, summary_json
 from sim_core.errors import RidelabError
-from sim_core.simulation import simulate
 
 
 def run_chunk(

@@ -1,0 +1,112 @@
+"""C sources into programs, kept by what they were made from; any machine that runs Ridelab can build them."""
+
+import hashlib
+import importlib.util
+import os
+import platform
+import shutil
+import stat
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+SOURCES = Path(__file__).parent / "ecu"
+CONTROLLER = ("ridelab_controller.c", "ridelab_dual.c")
+# C99, every number a float32 rounded after each operation: all compilers then give the same bits.
+FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+PATIENCE = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
+FOLDER = "RIDELAB_ECU_DIR"
+
+
+class EcuError(Exception):
+    """The ECU's program cannot be built, or does not do its part; the message says why, for a person to read."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.message = message
+
+
+def folder() -> Path:
+    """Where built programs are kept: as the operator says, else a folder nobody else may write to.
+
+    Raises:
+        EcuError: There is no such place.
+    """
+    named = os.environ.get(FOLDER)
+    place = Path(named) if named else Path(tempfile.gettempdir()) / f"ridelab-ecu-{os.getuid()}"
+    try:
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        found = place.lstat()
+    except OSError as error:
+        raise EcuError(f"There is no folder for the ECU's program: {error.strerror}") from None
+    private = found.st_uid == os.getuid() and stat.S_ISDIR(found.st_mode) and not stat.S_IMODE(found.st_mode) & 0o022
+    if not named and not private:
+        raise EcuError(f"The folder for the ECU's program is somebody else's; name one in {FOLDER}")
+    return place
+
+
+def compilers() -> list[list[str]]:
+    """C compilers for this machine in the order they are tried: its own, else the one that came with Ridelab."""
+    found = [[path] for name in ("cc", "gcc", "clang") if (path := shutil.which(name))]
+    return [*found[:1], zig()] if importlib.util.find_spec("ziglang") else found[:1]
+
+
+def zig() -> list[str]:
+    """The C compiler of the package `ziglang`."""
+    return [sys.executable, "-m", "ziglang", "cc"]
+
+
+@cache
+def program() -> Path:
+    """The ECU's program for this machine, which loads its tables; built where it is not there yet.
+
+    Raises:
+        EcuError: There is no working C compiler.
+    """
+    sources = [SOURCES / name for name in (*CONTROLLER, "host/ridelab_main.c", "host/ridelab_loaded.c")]
+    return built(sources, [SOURCES, SOURCES / "host"])
+
+
+def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
+    """The program of these sources, made once.
+
+    Raises:
+        EcuError: There is no working C compiler.
+    """
+    texts = [path.read_bytes() for path in sources]
+    texts += [path.read_bytes() for place in include for path in sorted(place.glob("*.h"))]
+    content = hashlib.sha256(repr([platform.system(), platform.machine(), FLAGS, texts]).encode()).hexdigest()
+    target = folder() / f"ridelab_ecu-{content[:24]}"
+    if target.is_file():
+        return target
+    options = [*FLAGS, *(f"-I{place}" for place in include), *map(str, sources)]
+    reasons = []
+    for compiler in compilers():
+        with tempfile.TemporaryDirectory(dir=target.parent) as beside:
+            made = Path(beside) / "program"
+            reason = compiled([*compiler, *options, "-o", str(made)], Path(beside))
+            if reason is None:
+                made.replace(target)  # at once, whoever else builds it too
+                return target
+            reasons.append(reason)
+    raise EcuError("The ECU's program cannot be built: " + ("; ".join(reasons) or "there is no C compiler"))
+
+
+def compiled(command: Sequence[str], place: Path) -> str | None:
+    """Run a compiler; None, or why it failed."""
+    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(place), "ZIG_LOCAL_CACHE_DIR": str(place)}
+    try:
+        run = subprocess.run(  # noqa: S603  # our own command, no shell
+            command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return "the compiler took too long"
+    except OSError as error:
+        return f"the compiler does not start ({error.strerror})"
+    if run.returncode == 0:
+        return None
+    lines = run.stderr.strip().splitlines()
+    return f"the compiler failed ({lines[0][:200] if lines else run.returncode})"

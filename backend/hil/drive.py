@@ -1,0 +1,33 @@
+"""`simulate` as the service does it: a strategy with an ECU drives the C program, in a process of its own."""
+
+import logging
+
+from backend.hil.build import EcuError
+from backend.hil.link import connected
+from sim_core.errors import RidelabError
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.simulation import simulate as simulate_core
+
+logger = logging.getLogger(__name__)
+
+
+class EcuUnavailableError(RidelabError):
+    """The ECU's program cannot take part here and now; the scenario is not to blame, and the result is not kept."""
+
+
+def simulate(scenario: Scenario, name: str) -> StrategyResult:
+    """See `sim_core.simulation.simulate`; a program that ends in the middle is started once more.
+
+    Raises:
+        EcuUnavailableError: It cannot be built, or failed twice.
+        RidelabError: As there.
+    """
+    try:
+        return simulate_core(scenario, name, connected)
+    except EcuError as error:
+        logger.warning("The drive of an ECU failed: %s", error.message)
+    try:
+        return simulate_core(scenario, name, connected)
+    except EcuError as error:
+        raise EcuUnavailableError(error.message) from None

@@ -1,0 +1,30 @@
+/* Dual active-set iterations (Goldfarb and Idnani 1983) on the rows' values alone. */
+#ifndef RIDELAB_DUAL_H
+#define RIDELAB_DUAL_H
+
+#include "ridelab_tables.h"
+
+/* A limit: |values[row]| <= bounds[row] + slack, at the side `sign`; or (row -1, sign 0) the slack of `axle` itself. */
+typedef struct {
+    int16_t row;
+    int8_t sign;
+    int8_t axle;
+} ridelab_limit;
+
+typedef struct {
+    int32_t count; /* limits that bind */
+    int32_t iterations;
+    ridelab_limit limits[RIDELAB_MOST_ACTIVE];
+    float multipliers[RIDELAB_MOST_ACTIVE];
+    float direction[RIDELAB_MOST_ACTIVE];
+    float solved[RIDELAB_MOST_ACTIVE];
+    float factor[RIDELAB_MOST_ACTIVE][RIDELAB_MOST_ACTIVE]; /* L below the diagonal, D on it */
+    float slacks[RIDELAB_AXLES];                            /* [cm] */
+} ridelab_dual;
+
+/* Moves `values` (rows) from the unconstrained optimum to the constrained one; returns the controller's flags. */
+int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *known, const float *gram, float *values);
+
+float ridelab_dual_slack(const ridelab_dual *me);
+
+#endif

@@ -1,0 +1,37 @@
+/* The controller's numbers. ridelab_tables.c has them for one scenario; units: kN, cm, and SI for what is measured. */
+#ifndef RIDELAB_TABLES_H
+#define RIDELAB_TABLES_H
+
+#include <stdint.h>
+
+#include "ridelab_sizes.h"
+
+#define RIDELAB_STATES 8
+#define RIDELAB_FORCES 2
+#define RIDELAB_PREVIEWED 3 /* road velocity front and rear, braking deceleration */
+#define RIDELAB_STAGES 3    /* cruise, brake, bump */
+#define RIDELAB_AXLES 2
+
+/* Matrices are stored row after row. */
+typedef struct {
+    int32_t intervals;  /* of the prediction, Np */
+    int32_t previewed;  /* intervals each input tells of: Np, or one more where the state is reckoned ahead */
+    int32_t rows;       /* forces and deflections that are checked; the first two are the commands */
+    int32_t predicts;   /* 1: reckon the state ahead to the moment the command takes effect */
+    int32_t iterations; /* the solver stops after so many */
+    int32_t highest;    /* greatest code of a command */
+    float command_step; /* what one code of a command stands for [kN] */
+    float force_limit;  /* [kN] */
+    float slack_price;  /* of a deflection beyond its limit [1/cm] */
+    float slack_yield;  /* inverse of its quadratic price [cm^2] */
+    const float *input_steps;              /* what one code stands for: states, then previewed (11) */
+    const float *a;                        /* (8, 8): the car over one control step */
+    const float *b;                        /* (8, 2): forces in kN */
+    const float *e;                        /* (8, 3): road velocities, deceleration */
+    const float *bounds;                   /* (rows): greatest magnitude [kN or cm] */
+    const int8_t *axles;                   /* (rows): whose slack softens it, 0 or 1; -1 none */
+    const float *effects[RIDELAB_STAGES];  /* (rows, 10 + 3 Np) on state, previous command [kN], preview */
+    const float *gram[RIDELAB_STAGES];     /* (rows, rows): how a multiplier of one row moves the others */
+} ridelab_tables;
+
+#endif

@@ -1,0 +1,131 @@
+"""The controller's numbers as the C program takes them: float32, loaded at its start or as C text to be compiled in."""
+
+import struct
+import zlib
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from sim_core.half_car import FORCES, STATES
+from sim_core.hil.calibration import MOST_ACTIVE, Calibration
+from sim_core.hil.channels import PREVIEW, SENSORS, STAGES, highest_code
+from sim_core.result import FloatArray
+
+_ACROSS = 6  # numbers a line
+
+
+def fingerprint(known: Calibration) -> int:
+    """Names a set of tables: both sides of a connection must have the same."""
+    return zlib.crc32(_body(known))
+
+
+def loaded(known: Calibration) -> bytes:
+    """What the program reads at its start: fingerprint, sizes, tables."""
+    body = _body(known)
+    return struct.pack("<I", zlib.crc32(body)) + body
+
+
+def _body(known: Calibration) -> bytes:
+    whole = (
+        known.intervals,
+        known.preview_length,
+        known.row_count,
+        int(known.predicts),
+        known.iterations,
+        highest_code(known.bits),
+    )
+    real = (known.command_step, known.force_limit, known.slack_price, known.slack_yield)
+    head = struct.pack("<6i4f", *whole, *real)
+    parts = [_single(part) for part in (known.input_steps, known.A, known.B, known.E, known.bounds)]
+    parts.append(np.array(known.axles, dtype=np.int8).tobytes())
+    for stage in known.stages:
+        parts += [_single(stage.rows), _single(stage.gram)]
+    return b"".join([head, *parts])
+
+
+def _single(values: FloatArray) -> bytes:
+    return np.ascontiguousarray(values, dtype="<f4").tobytes()
+
+
+def sizes_header(known: Calibration) -> str:
+    """`ridelab_sizes.h` of an exported controller: memory for these tables and no more."""
+    return _guarded(
+        "RIDELAB_SIZES_H",
+        "How much memory the controller keeps: what these tables need.",
+        [
+            f"#define RIDELAB_MOST_PREVIEWED {known.preview_length}",
+            f"#define RIDELAB_MOST_ROWS {known.row_count}",
+            f"#define RIDELAB_MOST_ACTIVE {most_active(known)}",
+        ],
+    )
+
+
+def most_active(known: Calibration) -> int:
+    """Limits that may bind together: never more than there are unknowns, forces and two slacks."""
+    return min(MOST_ACTIVE, FORCES * known.moves + 2)
+
+
+def calibration_header(known: Calibration) -> str:
+    """`ridelab_calibration.h`: the tables' name, and the channels with their ranges."""
+    lines = ['#include "ridelab_tables.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(known):08x}u", ""]
+    lines.append(f"/* Converters of {known.bits} bits: codes from -{highest_code(known.bits)} to the same above zero.")
+    for i, channel in enumerate(SENSORS):
+        lines.append(f"   code {i}: {channel.label.lower()}, +-{channel.reach:g} {channel.unit}")
+    for i, channel in enumerate(PREVIEW):
+        first = STATES + i * known.preview_length
+        last = first + known.preview_length - 1
+        lines.append(f"   codes {first} to {last}: {channel.label.lower()}, +-{channel.reach:g} {channel.unit}")
+    lines.append(f"   commands: force front and rear, +-{known.force_limit * 1000:g} N */")
+    lines.append("extern const ridelab_tables ridelab_calibration;")
+    return _guarded("RIDELAB_CALIBRATION_H", "The tables of one scenario.", lines)
+
+
+def tables_source(known: Calibration) -> str:
+    """`ridelab_tables.c`."""
+    single = {"input_steps": known.input_steps, "a": known.A, "b": known.B, "e": known.E, "bounds": known.bounds}
+    lines = ["/* Generated. */", '#include "ridelab_calibration.h"', ""]
+    for name, values in single.items():
+        lines += _array(name, values)
+    axles = ", ".join(map(str, known.axles))
+    lines += [f"static const int8_t axles[{len(known.axles)}] = {{{axles}}};", ""]
+    for stage, tables in zip(STAGES, known.stages, strict=True):
+        lines += [*_array(f"{stage}_effects", tables.rows), *_array(f"{stage}_gram", tables.gram)]
+    fields = {
+        "intervals": str(known.intervals),
+        "previewed": str(known.preview_length),
+        "rows": str(known.row_count),
+        "predicts": str(int(known.predicts)),
+        "iterations": str(known.iterations),
+        "highest": str(highest_code(known.bits)),
+        "command_step": _text(known.command_step),
+        "force_limit": _text(known.force_limit),
+        "slack_price": _text(known.slack_price),
+        "slack_yield": _text(known.slack_yield),
+        **{name: name for name in single},
+        "axles": "axles",
+        "effects": "{" + ", ".join(f"{stage}_effects" for stage in STAGES) + "}",
+        "gram": "{" + ", ".join(f"{stage}_gram" for stage in STAGES) + "}",
+    }
+    lines.append("const ridelab_tables ridelab_calibration = {")
+    lines += [f"    .{name} = {value}," for name, value in fields.items()]
+    return "\n".join([*lines, "};", ""])
+
+
+def _guarded(name: str, purpose: str, lines: Iterable[str]) -> str:
+    head = [f"/* Generated. {purpose} */", f"#ifndef {name}", f"#define {name}", ""]
+    return "\n".join([*head, *lines, "", "#endif", ""])
+
+
+def _array(name: str, values: FloatArray) -> Iterator[str]:
+    flat = np.asarray(values, dtype=np.float32).ravel()
+    yield f"static const float {name}[{len(flat)}] = {{"
+    for first in range(0, len(flat), _ACROSS):
+        yield "    " + " ".join(f"{_text(value)}," for value in flat[first : first + _ACROSS])
+    yield "};"
+    yield ""
+
+
+def _text(value: float) -> str:
+    """A float32 as C has it: nine digits give it back exactly (IEEE 754, table in 5.12.2)."""
+    text = f"{float(np.float32(value)):.9g}"
+    return f"{text}f" if any(mark in text for mark in ".en") else f"{text}.0f"
