@@ -6,6 +6,7 @@ import { ApiProblem, Unreachable, isAbort, readProblem } from "./problem";
 import type {
   Attribution,
   Batch,
+  BatchSummary,
   BatchTable,
   Catalogue,
   EncodedSeries,
@@ -19,6 +20,7 @@ import type {
   PaperFigure,
   Preset,
   ReadingEffects,
+  RobustnessDefaults,
   Run,
   Scenario,
   SeriesByStrategy,
@@ -132,6 +134,9 @@ export const api = {
   cancelBatch: (id: string) => post<Batch>(`/batches/${encodeURIComponent(id)}/cancel`, {}),
   batchTable: (id: string, figures: readonly string[], signal?: AbortSignal) =>
     get<BatchTable>(`/batches/${encodeURIComponent(id)}/table?${new URLSearchParams({ figures: figures.join(",") })}`, signal),
+  batchSummary: (id: string, figures: readonly string[], baseline: StrategyId | null, signal?: AbortSignal) =>
+    get<BatchSummary>(`/batches/${encodeURIComponent(id)}/summary?${new URLSearchParams({ figures: figures.join(","), ...(baseline === null ? {} : { baseline }) })}`, signal),
+  robustness: (signal?: AbortSignal) => get<RobustnessDefaults>("/robustness", signal),
   batchEventsAddress: (id: string, after: number) => `${BASE}/batches/${encodeURIComponent(id)}/events?after=${after}`,
   batchResultsAddress: (id: string, format: "json" | "csv" | "parquet") =>
     `${BASE}/batches/${encodeURIComponent(id)}/results?format=${format}`,

@@ -105,6 +105,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/batches/{id}/summary": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Batch Summary
+         * @description Each figure's quantiles and extremes under each strategy, paired margins, what they follow, and stability.
+         *
+         *     Over the runs that have finished. The worst place of a figure is its `highest`.
+         */
+        get: operations["getBatchSummary"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/batches/{id}/table": {
         parameters: {
             query?: never;
@@ -317,6 +339,26 @@ export interface paths {
          * @description Named scenarios; the paper's first.
          */
         get: operations["getPresets"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/robustness": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Robustness Defaults
+         * @description What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary.
+         */
+        get: operations["getRobustnessDefaults"];
         put?: never;
         post?: never;
         delete?: never;
@@ -821,7 +863,7 @@ export interface components {
              */
             scenario: components["schemas"]["Scenario"];
             /** Strategies */
-            strategies: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
             sweep: components["schemas"]["Sweep"];
         };
         /**
@@ -867,6 +909,36 @@ export interface components {
             status: "ok" | "failed" | "waiting" | "cancelled";
             /** Strategy */
             strategy: string;
+        };
+        /**
+         * BatchSummary
+         * @description What a batch's finished runs say as a whole.
+         */
+        BatchSummary: {
+            /** Baseline */
+            baseline: string;
+            /** Batch */
+            batch: string;
+            /** Points */
+            points: number;
+            /**
+             * Quantiles
+             * @description Percentages of every list of quantiles below
+             */
+            quantiles: number[];
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /** Strategies */
+            strategies: {
+                [key: string]: components["schemas"]["StrategySummary"];
+            };
+            /** Units */
+            units: {
+                [key: string]: string;
+            };
         };
         /**
          * BatchTable
@@ -1366,6 +1438,37 @@ export interface components {
             };
         };
         /**
+         * FigureSummary
+         * @description One figure under one strategy; lower is better.
+         */
+        FigureSummary: {
+            /**
+             * Above Zero
+             * @description Runs with more than 0, of figures such as travel exceeded
+             */
+            above_zero: number;
+            highest: components["schemas"]["Place"] | null;
+            lowest: components["schemas"]["Place"] | null;
+            /** @description None for the baseline itself */
+            margin: components["schemas"]["MarginSummary"] | null;
+            /** Mean */
+            mean: number | null;
+            /** N */
+            n: number;
+            /**
+             * Nominal
+             * @description Of the batch's own scenario, nothing swept
+             */
+            nominal: number | null;
+            /**
+             * Quantiles
+             * @description At the percentages in the answer's `quantiles`
+             */
+            quantiles: number[] | null;
+            /** Sensitivity */
+            sensitivity: components["schemas"]["Sensitivity"][];
+        };
+        /**
          * Health
          * @description Liveness.
          */
@@ -1402,13 +1505,13 @@ export interface components {
             iterations: number;
             /**
              * Jitter
-             * @description A command takes effect up to so much later still, evenly spread, in milliseconds.
+             * @description A command takes effect up to so much later still, evenly spread, in whole milliseconds.
              * @default 0
              */
             jitter: number;
             /**
              * Sensor noise
-             * @description Standard deviation as a share of the sensor's range, before the converter.
+             * @description Standard deviation as a share of each input's range, before the converter.
              * @default 0
              */
             noise: number;
@@ -1544,7 +1647,7 @@ export interface components {
              * Baseline
              * @description What changes in % are against.
              */
-            baseline?: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+            baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
             /**
              * Cursor
              * @description Place on the x axis, [m] or [s]; null is none.
@@ -1554,12 +1657,12 @@ export interface components {
              * Hidden
              * @description Of those shown, the ones switched off in the plots.
              */
-            hidden?: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
+            hidden?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
             /**
              * Strategies
              * @description Shown, in this order.
              */
-            strategies?: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
+            strategies?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
             /**
              * X
              * @description Of a batch only: the field on the x axis, dotted.
@@ -1730,7 +1833,7 @@ export interface components {
              */
             signals?: ("time" | "position" | "speed" | "front_road" | "rear_road" | "brake_pressure" | "brake_deceleration" | "body_acceleration" | "pitch_acceleration" | "front_tyre_load" | "rear_tyre_load" | "front_deflection" | "rear_deflection" | "front_force" | "rear_force")[] | null;
             /** Strategies */
-            strategies: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
         };
         /**
          * LiveResult
@@ -1856,6 +1959,45 @@ export interface components {
                 number,
                 number
             ];
+        };
+        /**
+         * MarginSummary
+         * @description Change against the baseline strategy at the same point [%], over the points where both have the figure.
+         */
+        MarginSummary: {
+            /**
+             * Better
+             * @description Share of the pairs with a lower value than the baseline's
+             */
+            better: number | null;
+            highest: components["schemas"]["Place"] | null;
+            lowest: components["schemas"]["Place"] | null;
+            /** Mean */
+            mean: number | null;
+            /** N */
+            n: number;
+            /**
+             * Nominal
+             * @description Of the batch's own scenario [%]
+             */
+            nominal: number | null;
+            /**
+             * Pairs
+             * @description Points compared; `n` of them have a change, the others' baseline is 0
+             */
+            pairs: number;
+            /**
+             * Quantiles
+             * @description At the percentages in the answer's `quantiles`
+             */
+            quantiles: number[] | null;
+            /** Sensitivity */
+            sensitivity: components["schemas"]["Sensitivity"][];
+            /**
+             * Worse
+             * @description Share of the pairs with a higher one
+             */
+            worse: number | null;
         };
         /**
          * Mismatch
@@ -2085,6 +2227,20 @@ export interface components {
             figures: components["schemas"]["PaperFigure"][];
         };
         /**
+         * Place
+         * @description A run, its value, and the swept fields' values there.
+         */
+        Place: {
+            /** At */
+            at: {
+                [key: string]: number | string | boolean | number[] | null;
+            };
+            /** Run */
+            run: number;
+            /** Value */
+            value: number;
+        };
+        /**
          * PresetAnswer
          * @description A named scenario.
          */
@@ -2287,6 +2443,22 @@ export interface components {
             ];
         };
         /**
+         * RobustnessDefaults
+         * @description What a robustness study varies unless told otherwise.
+         */
+        RobustnessDefaults: {
+            /** Baseline */
+            baseline: string;
+            /** Figures */
+            figures: string[];
+            /** Ranges */
+            ranges: components["schemas"]["UncertainRange"][];
+            /** Samples */
+            samples: number;
+            /** Strategies */
+            strategies: string[];
+        };
+        /**
          * Run
          * @description A stored run; it never changes.
          */
@@ -2444,7 +2616,7 @@ export interface components {
              */
             scenario: components["schemas"]["Scenario"];
             /** Strategies */
-            strategies: ("lv" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
         };
         /**
          * Scenario
@@ -2597,6 +2769,29 @@ export interface components {
             vehicle: components["schemas"]["Vehicle"];
         };
         /**
+         * Sensitivity
+         * @description How a value follows one swept field.
+         */
+        Sensitivity: {
+            /**
+             * Effect
+             * @description Share of the ranks' variance this field alone explains, whatever the shape: Kruskal-Wallis' H over up to ten groups of its values, (H - k + 1)/(n - k)
+             */
+            effect: number;
+            /** Field */
+            field: string;
+            /**
+             * P Value
+             * @description Two-sided probability of such a correlation without any effect
+             */
+            p_value: number;
+            /**
+             * Spearman
+             * @description Rank correlation: direction and strength of a monotone effect
+             */
+            spearman: number;
+        };
+        /**
          * Series
          * @description Time histories of one strategy.
          */
@@ -2685,6 +2880,34 @@ export interface components {
              * @default 22.5
              */
             target_speed_kmh: number;
+        };
+        /**
+         * StabilitySummary
+         * @description Least damping ratio of the closed loop's modes near rest [1]; below 0 the loop is unstable.
+         */
+        StabilitySummary: {
+            highest: components["schemas"]["Place"] | null;
+            /**
+             * Known
+             * @description Runs whose loop could be judged
+             */
+            known: number;
+            lowest: components["schemas"]["Place"] | null;
+            /** Mean */
+            mean: number | null;
+            /** N */
+            n: number;
+            /** Nominal */
+            nominal: number | null;
+            /**
+             * Quantiles
+             * @description At the percentages in the answer's `quantiles`
+             */
+            quantiles: number[] | null;
+            /** Sensitivity */
+            sensitivity: components["schemas"]["Sensitivity"][];
+            /** Unstable */
+            unstable: number;
         };
         /**
          * Stage
@@ -2867,6 +3090,33 @@ export interface components {
             travel_time: number;
         };
         /**
+         * StrategySummary
+         * @description One strategy over all points.
+         */
+        StrategySummary: {
+            /** Failed */
+            failed: number;
+            /** Figures */
+            figures: {
+                [key: string]: components["schemas"]["FigureSummary"];
+            };
+            /** Ok */
+            ok: number;
+            /**
+             * Reasons
+             * @description The commonest why runs failed
+             */
+            reasons: {
+                [key: string]: number;
+            };
+            stability: components["schemas"]["StabilitySummary"];
+            /**
+             * Unfinished
+             * @description Waiting or cancelled
+             */
+            unfinished: number;
+        };
+        /**
          * Sweep
          * @description Exactly one of its three forms.
          */
@@ -2911,6 +3161,24 @@ export interface components {
              * @constant
              */
             dtype: "f4";
+        };
+        /**
+         * UncertainRange
+         * @description A field nobody knows exactly and the range a study takes it from.
+         */
+        UncertainRange: {
+            /** Field */
+            field: string;
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Title */
+            title: string;
+            /** Unit */
+            unit: string;
+            /** Why */
+            why: string;
         };
         /**
          * Vehicle
@@ -3424,6 +3692,79 @@ export interface operations {
             };
             /** @description Unprocessable Entity */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getBatchSummary: {
+        parameters: {
+            query?: {
+                /** @description Strategy; without one LV, else the first */
+                baseline?: string | null;
+                /** @description Keys with commas; without any the paper's eight, travel exceeded and airborne */
+                figures?: string;
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BatchSummary"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -4101,6 +4442,62 @@ export interface operations {
             };
             /** @description Internal Server Error */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getRobustnessDefaults: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RobustnessDefaults"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

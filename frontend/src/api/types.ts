@@ -57,6 +57,8 @@ export type NewLink = Deep<Schemas["CreatedLink"]>;
 
 export type Batch = Deep<Omit<Schemas["Batch"], "scenario">> & { readonly scenario: Scenario };
 export type BatchTable = Deep<Schemas["BatchTable"]>;
+export type BatchSummary = Deep<Schemas["BatchSummary"]>;
+export type RobustnessDefaults = Deep<Schemas["RobustnessDefaults"]>;
 export type Estimate = Deep<Schemas["Estimate"]>;
 export type Sweep = Deep<Schemas["Sweep"]>;
 
