@@ -1,7 +1,10 @@
 """Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
 
+import asyncio
 from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from typing import Any, Literal
 
 from sqlalchemy.exc import SQLAlchemyError
@@ -10,6 +13,8 @@ from backend import digest, exports, figures, pins, series
 from backend.admission import Admission
 from backend.compute import Workers
 from backend.problems import ProblemError
+from backend.reports import run as run_report
+from backend.reports.page import Report
 from backend.results import Results
 from backend.store import Store, StoredBatch, StoredResult, StoredRun
 from backend.telemetry import CACHE
@@ -20,6 +25,9 @@ from sim_core.strategies import STRATEGIES
 from sim_core.versions import NewerScenarioError, restored
 
 FIGURE_POINTS = 2000
+
+# One thread: a report is mostly compressing, which leaves the event loop alone; the next one waits.
+_reporting = ThreadPoolExecutor(1, thread_name_prefix="report")
 
 
 class Runs:
@@ -144,29 +152,70 @@ class Runs:
         if name is not None and name not in figures.PANELS:
             raise ProblemError(404, f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self._stored(run_id)
-        keys = await self._with_histories(stored)
+        outcomes = await self._outcomes(stored, await self._with_histories(stored), client)
+        if name is not None:
+            return figures.filled(name, outcomes, axis)
+        return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
+
+    async def report(self, run_id: str, client: str, *, baseline: str | None, axis: str, compressed: bool) -> Report:
+        """A stored run as one HTML file; without figures where its time histories are gone.
+
+        Args:
+            run_id: The run.
+            client: Who asks.
+            baseline: Whose figures the changes refer to; None is passive, or the first where the run has it not.
+            axis: `position` or `time`, for x of the figures.
+            compressed: Whether whoever asked takes gzip.
+
+        Raises:
+            ProblemError: 404, 422, 429 or 503.
+        """
+        stored = await self._stored(run_id)
+        names = [item.strategy for item in stored.results]
+        if baseline is not None and baseline not in names:
+            message = f"This run has {', '.join(names)}; the baseline is one of them"
+            raise ProblemError(422, message, errors=[{"parameter": "baseline", "pointer": "", "message": message}])
+        outcomes: Mapping[str, Outcome] = {}
+        gone = False
+        try:
+            keys = await self._with_histories(stored)
+            outcomes = await self._outcomes(stored, keys, client) if keys else {}
+        except ProblemError as error:
+            if error.status_code != 410:
+                raise
+            gone = True
+        facts = run_report.RunFacts(
+            answer=run_answer(stored),
+            created_at=stored.created_at,
+            baseline=baseline or ("passive" if "passive" in names else names[0]),
+            outcomes=outcomes,
+            axis=axis,
+            gone=gone,
+        )
+        with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
+            make = partial(run_report.report, facts, compressed=compressed)
+            return await asyncio.get_running_loop().run_in_executor(_reporting, make)
+
+    async def _outcomes(self, stored: StoredRun, keys: Mapping[str, str], client: str) -> dict[str, Outcome]:
+        """Those strategies with time histories for figures, by result keys given."""
         pinned = await self._pinned(keys)
         scenario = Scenario.model_validate(stored.scenario)
         if pinned is None:
             found = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
-            outcomes = {strategy: item.outcome for strategy, item in found.items()}
-        else:
-            with self._admission.computing(client, scenario, ()):
-                arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
-            outcomes = {
-                item.strategy: Outcome(
-                    status=item.status,
-                    summary=item.summary,
-                    compute_ms=item.compute_ms,
-                    points=FIGURE_POINTS,
-                    series=arrays[item.strategy],
-                )
-                for item in stored.results
-                if item.strategy in arrays
-            }
-        if name is not None:
-            return figures.filled(name, outcomes, axis)
-        return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
+            return {strategy: item.outcome for strategy, item in found.items()}
+        with self._admission.computing(client, scenario, ()):
+            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
+        return {
+            item.strategy: Outcome(
+                status=item.status,
+                summary=item.summary,
+                compute_ms=item.compute_ms,
+                points=FIGURE_POINTS,
+                series=arrays[item.strategy],
+            )
+            for item in stored.results
+            if item.strategy in arrays
+        }
 
     async def _stored(self, run_id: str) -> StoredRun:
         stored = await self._store.call(self._store.runs.load, run_id)

@@ -6,9 +6,11 @@ from typing import Annotated, Any, TypeVar
 
 import orjson
 from fastapi import Depends, Request, Response
+from fastapi.responses import HTMLResponse
 from starlette.requests import ClientDisconnect
 
 from backend.links.service import Links
+from backend.reports.page import Report
 from backend.runs import Runs
 
 T = TypeVar("T")
@@ -38,6 +40,17 @@ Client = Annotated[str, Depends(_client)]
 def json_answer(content: Any, headers: dict[str, str] | None = None) -> Response:
     """JSON as orjson writes it; its shape is the route's `response_model`."""
     return Response(orjson.dumps(content), headers=headers, media_type="application/json")
+
+
+def takes_gzip(request: Request) -> bool:
+    """Whether whoever asks takes a compressed answer, as the service's other answers see it."""
+    return "gzip" in request.headers.get("accept-encoding", "")
+
+
+def html_answer(report: Report, name: str) -> Response:
+    """A report under its own content security policy, to be read or kept under that file name."""
+    headers = {**report.headers, "Cache-Control": "no-cache", "Content-Disposition": f'inline; filename="{name}"'}
+    return HTMLResponse(report.content, headers=headers)
 
 
 def unless_known(request: Request, tag: str, content: Any, cache_control: str) -> Response:

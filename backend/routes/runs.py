@@ -3,12 +3,22 @@
 from typing import Annotated, Any, Literal
 
 from fastapi import Path, Query, Request, Response
+from fastapi.responses import HTMLResponse
 
 from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.problems import ProblemError
 from backend.routes import ScenarioRoute, router
-from backend.routes.deps import IMMUTABLE, Client, RunsService, json_answer, unless_gone, unless_known
+from backend.routes.deps import (
+    IMMUTABLE,
+    Client,
+    RunsService,
+    html_answer,
+    json_answer,
+    takes_gzip,
+    unless_gone,
+    unless_known,
+)
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -114,6 +124,27 @@ async def get_run_figure(
 ) -> Response:
     """One figure with this run's data."""
     return json_answer(await service.figures(run_id, name, x, client))
+
+
+@runs.get(
+    "/runs/{id}/report.html",
+    operation_id="getRunReport",
+    response_class=HTMLResponse,
+    responses={200: {"content": {"text/html": {}}}, 429: {"model": models.Problem}},
+)
+async def get_run_report(
+    run_id: RunId,
+    request: Request,
+    service: RunsService,
+    client: Client,
+    baseline: Annotated[str | None, Query(description="Whose figures the changes refer to; omitted is passive")] = None,
+    x: Axis = "position",
+) -> Response:
+    """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
+    if baseline is not None:
+        _names("baseline", baseline, STRATEGIES)
+    report = await service.report(run_id, client, baseline=baseline, axis=x, compressed=takes_gzip(request))
+    return html_answer(report, f"ridelab-{run_id}.html")
 
 
 def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str] | None:

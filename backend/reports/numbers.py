@@ -1,0 +1,95 @@
+"""Numbers and units as a person reads them; frontend/src/units/format.ts says the same for the browser."""
+
+from math import floor, isfinite, log10
+from typing import Any
+
+NO_VALUE = "–"
+NOTHING = 1e-9  # far below what any unit a result is shown in resolves: what rounding leaves of a zero
+SAME = 0.05  # smaller changes would print as zero [%]
+_RAISED = str.maketrans("0123456789-−.", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁻·")
+_THIN, _NARROW = "\u2009", "\u202f"
+
+
+def pretty_unit(unit: str) -> str:
+    """`kg·m^2` → `kg·m²`; the unit of a plain number, `1`, is nothing."""
+    if unit == "1":
+        return ""
+    head, *powers = unit.split("^")
+    for power in powers:
+        digits = len(power) - len(power.lstrip("-0123456789."))
+        head += power[:digits].translate(_RAISED) + power[digits:]
+    return head
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """That many significant digits, without an exponent while that stays readable."""
+    if not isfinite(value):
+        return NO_VALUE
+    if abs(value) < NOTHING:
+        return "0"
+    size = floor(log10(abs(float(f"{value:.{digits - 1}e}"))))
+    if not -4 <= size <= 7:
+        return _power(value, f"{digits}")
+    text = _minus(f"{value:.{max(0, digits - 1 - size)}f}")
+    return _grouped(text) if size >= 4 else text
+
+
+def exact(value: float) -> str:
+    """Every digit a value has, up to ten."""
+    if value == 0:
+        return "0"
+    if not 1e-4 <= abs(value) < 1e9:
+        return _power(value, "10")
+    text = _minus(f"{value:.10g}")
+    return _grouped(text) if abs(value) >= 10_000 and value == int(value) else text
+
+
+def with_unit(text: str, unit: str) -> str:
+    """A number and its unit, which stay on one line."""
+    shown = pretty_unit(unit)
+    return f"{text}\u00a0{shown}" if shown else text
+
+
+def percent(change: float) -> str:
+    """`−43.7 %`: a sign always, one decimal up to 100 %, none beyond."""
+    if not isfinite(change):
+        return NO_VALUE
+    size = abs(change)
+    if size < SAME:
+        return f"±0.0{_THIN}%"
+    digits = f"{size:.1f}" if size < 99.95 else f"{size:.0f}" if size < 9999.5 else ">9999"
+    return f"{'−' if change < 0 else '+'}{digits}{_THIN}%"
+
+
+def told(value: Any) -> str:
+    """A figure of a result: yes, no, a count with every digit, or three digits of a measure."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if not isinstance(value, int | float):
+        return NO_VALUE
+    if float(value).is_integer() and abs(value) < 1e15:
+        text = _minus(str(int(value)))
+        return _grouped(text) if abs(value) >= 10_000 else text
+    return significant(value)
+
+
+def amount(value: float, unit: str) -> str:
+    """For a sentence: two digits below ten, whole from there on."""
+    return with_unit(exact(float(f"{value:.2g}")) if value < 10 else exact(float(round(value))), unit)
+
+
+def _power(value: float, digits: str) -> str:
+    mantissa, _, exponent = f"{value:.{int(digits) - 1}e}".partition("e")
+    short = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    return _minus(f"{short}×10{str(int(exponent)).translate(_RAISED)}")
+
+
+def _minus(text: str) -> str:
+    """A real minus sign, which is as wide as a plus."""
+    return f"−{text[1:]}" if text.startswith("-") else text
+
+
+def _grouped(text: str) -> str:
+    sign, digits = ("−", text[1:]) if text.startswith("−") else ("", text)
+    whole, point, rest = digits.partition(".")
+    return sign + f"{int(whole):,}".replace(",", _NARROW) + point + rest

@@ -1,0 +1,192 @@
+"""The report of a run."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any
+
+from backend import figures
+from backend.reports import inputs
+from backend.reports.doubts import doubts
+from backend.reports.drawings import caption, framed
+from backend.reports.keys import key_of, label
+from backend.reports.numbers import NO_VALUE, NOTHING, SAME, exact, percent, pretty_unit, significant, told, with_unit
+from backend.reports.page import Report, render
+from backend.worker import Outcome
+from sim_core import __version__ as CORE_VERSION
+from sim_core.signals import (
+    COMFORT,
+    EVENTS,
+    METRIC_SIGNALS,
+    PAPER_SIGNALS,
+    RUN_FIGURES,
+    SIGNALS,
+    STATISTICS,
+    WINDOWS,
+    Quantity,
+)
+
+VIEWS = (("rough_road", "rms"), ("bump", "peak"))  # the paper's two views of a run
+JUDGED = (*COMFORT, "travel_time")  # of the figures of a whole run, those of which less is better
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunFacts:
+    """What a report is made of.
+
+    Attributes:
+        answer: The run as `Run`.
+        created_at: When it was stored, UTC.
+        baseline: Whose figures the changes refer to.
+        outcomes: By strategy, with the time histories there are.
+        axis: `position` or `time`, for x of the figures.
+        gone: Whether time histories there were cannot be had any more.
+    """
+
+    answer: Mapping[str, Any]
+    created_at: datetime
+    baseline: str
+    outcomes: Mapping[str, Outcome]
+    axis: str
+    gone: bool
+
+
+def report(facts: RunFacts, *, compressed: bool) -> Report:
+    """The run's report.
+
+    Args:
+        facts: What it is made of.
+        compressed: Whether whoever asked takes gzip.
+    """
+    entries: Mapping[str, Any] = facts.answer["strategies"]
+    ran = {name: entry for name, entry in entries.items() if entry["status"] == "ok"}
+    drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
+    with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
+    values = {
+        "run_id": facts.answer["id"],
+        "core_version": facts.answer["core_version"],
+        "current_version": CORE_VERSION,
+        "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
+        "strategies": [key_of(name) for name in entries],
+        "baseline": label(facts.baseline),
+        "drive": drive(facts.answer["scenario"]),
+        "parts": inputs.parts(facts.answer["scenario"]),
+        "command": inputs.command(facts.answer["scenario"], list(entries)),
+        "doubts": [(label(name), found) for name, entry in entries.items() if (found := doubts(entry))],
+        "comparisons": [
+            comparison(ran, facts.baseline, PAPER_SIGNALS, "RMS on the rough road and peak on the bump"),
+            comparison(ran, facts.baseline, METRIC_SIGNALS[len(PAPER_SIGNALS) :], "Suspension travel and forces"),
+        ],
+        "whole": whole(ran, facts.baseline),
+        "gone": facts.gone,
+        "figures": [caption(name, figure) for name, figure in with_data.items()],
+        "without_history": [label(name) for name in ran if with_data and name not in facts.outcomes],
+    }
+    return render("run.html", values, with_data, compressed=compressed)
+
+
+def drive(scenario: Mapping[str, Any]) -> list[str]:
+    """What is driven over, and how fast, in a few words."""
+    road, speed = scenario["road"], scenario["speed"]
+    bump = road["bump"]
+    obstacle = "no bump"
+    if bump["height"]:
+        kind = f"{bump['shape'].replace('_', ' ')} {'bump' if bump['height'] > 0 else 'pothole'}"
+        height, width = exact(round(1000 * abs(bump["height"]), 6)), exact(bump["width"])
+        obstacle = f"{kind}, {with_unit(height, 'mm')} over {with_unit(width, 'm')}"
+    rough = f"roughness {with_unit(exact(road['roughness']), 'm^3')}, seed {road['seed']}"
+    return [
+        obstacle,
+        rough if road["roughness"] else "smooth road",
+        f"{exact(speed['initial_speed_kmh'])} → {with_unit(exact(speed['target_speed_kmh']), 'km/h')}",
+    ]
+
+
+def comparison(ran: Mapping[str, Any], baseline: str, signals: Sequence[str], caption_text: str) -> dict[str, Any]:
+    """RMS on the rough road and peak on the bump side by side: a row for each strategy."""
+    shown = {signal: _shown_unit(signal) for signal in signals}
+    return {
+        "caption": caption_text,
+        "groups": [f"{STATISTICS[statistic].label}, {WINDOWS[window].label.lower()}" for window, statistic in VIEWS],
+        "heads": [{"label": SIGNALS[signal].label, "unit": unit} for signal, (unit, _) in shown.items()],
+        "rows": [
+            {
+                "key": key_of(name),
+                "baseline": name == baseline,
+                "cells": [
+                    _cell(
+                        f"{window}.{signal}.{statistic}",
+                        _metric(entry, window, signal, statistic),
+                        None if name == baseline else _metric(ran.get(baseline), window, signal, statistic),
+                        scale,
+                    )
+                    for window, statistic in VIEWS
+                    for signal, (_, scale) in shown.items()
+                ],
+            }
+            for name, entry in ran.items()
+        ],
+    }
+
+
+def whole(ran: Mapping[str, Any], baseline: str) -> dict[str, Any]:
+    """Comfort, time and events: a row for each figure, a column for each strategy."""
+    listed = [*_listed("comfort", COMFORT.values()), *_listed(None, RUN_FIGURES.values())]
+    listed += _listed("events", EVENTS.values())
+    rows = []
+    for place, quantity in listed:
+        values = {name: _whole_figure(entry, place, quantity.key) for name, entry in ran.items()}
+        judged = quantity.key in JUDGED
+        rows.append(
+            {
+                "quantity": quantity,
+                "cells": [
+                    _cell(quantity.key, value, values.get(baseline) if judged and name != baseline else None, None)
+                    for name, value in values.items()
+                ],
+            }
+        )
+    return {"columns": [key_of(name) for name in ran], "rows": rows}
+
+
+def _cell(name: str, value: Any, base: Any, scale: float | None) -> dict[str, Any]:
+    """One value, and its change where there is something to compare it with.
+
+    Args:
+        name: What it is.
+        value: In SI.
+        base: What it is compared with; None for nothing.
+        scale: From SI to the unit shown; None for a value that may be a count, true or false.
+    """
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    change = None
+    if number and isinstance(base, int | float) and abs(base) > NOTHING:
+        change = 100 * (value - base) / abs(base)
+    return {
+        "name": name,
+        "raw": value,
+        "shown": told(value) if scale is None else significant(value * scale) if number else NO_VALUE,
+        "change": None if change is None else percent(change),
+        "verdict": "" if change is None or abs(change) < SAME else "better" if change < 0 else "worse",
+    }
+
+
+def _shown_unit(signal: str) -> tuple[str, float]:
+    """The unit a signal is shown in and the factor to it: the figures say it, the tables follow."""
+    panels = (panel.shown for panel in figures.PANELS.values() if panel.signal == signal)
+    return next(panels, (pretty_unit(SIGNALS[signal].unit), 1.0))
+
+
+def _metric(entry: Mapping[str, Any] | None, window: str, signal: str, statistic: str) -> Any:
+    """From a summary that an older core may have written with other names; None where it has it not."""
+    if entry is None:
+        return None
+    return entry["metrics"].get(window, {}).get(signal, {}).get(statistic)
+
+
+def _listed(place: str | None, quantities: Iterable[Quantity]) -> list[tuple[str | None, Quantity]]:
+    return [(place, quantity) for quantity in quantities]
+
+
+def _whole_figure(entry: Mapping[str, Any], place: str | None, key: str) -> Any:
+    return (entry if place is None else entry[place]).get(key)

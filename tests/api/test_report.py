@@ -1,0 +1,202 @@
+"""The standalone report of a run, as it is served."""
+
+import base64
+import gzip
+import hashlib
+import json
+import re
+from typing import Any
+
+import httpx
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+
+from backend.figures import PANELS
+from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS
+from tests.html import Element, check, read
+
+WINDOWS = {"rough_road": "rms", "bump": "peak"}
+SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
+
+
+@pytest.fixture(scope="module")
+def answer(client: httpx.Client, run: dict[str, Any]) -> httpx.Response:
+    response = client.get(f"/api/v1/runs/{run['id']}/report.html")
+    assert response.status_code == 200, response.text[:300]
+    return response
+
+
+@pytest.fixture(scope="module")
+def page(answer: httpx.Response) -> Element:
+    return read(answer.text)
+
+
+def test_it_is_one_sound_page_that_loads_nothing(answer: httpx.Response, page: Element, run: dict[str, Any]) -> None:
+    assert answer.headers["content-type"] == "text/html; charset=utf-8"
+    assert answer.headers["content-disposition"] == f'inline; filename="ridelab-{run["id"]}.html"'
+    check(page)
+    for word in (run["id"], run["core_version"]):
+        assert word in next(page.all("header")).text
+    assert re.search(r"\d{4}-\d\d-\d\d \d\d:\d\d UTC", next(page.all("header")).text)
+    own = SCRIPT.sub("", answer.text)
+    assert str(answer.url.host) not in own, "where it was made stays there"
+    assert not list(page.all("link"))
+
+
+def directives(policy: str) -> dict[str, str]:
+    return dict(part.partition(" ")[::2] for part in policy.split("; "))
+
+
+def test_its_policy_names_its_scripts_and_nothing_else(answer: httpx.Response, page: Element) -> None:
+    policy = directives(answer.headers["content-security-policy"])
+    hashes = {
+        f"'sha256-{base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()}'"
+        for script in SCRIPT.findall(answer.text)
+    }
+    assert len(hashes) == 2
+    assert set(policy["script-src"].split()) == hashes
+    assert policy["default-src"] == policy["base-uri"] == policy["form-action"] == policy["frame-ancestors"] == "'none'"
+    saved = directives(str(next(page.all("meta", http_equiv="Content-Security-Policy")).attributes["content"]))
+    assert saved == {name: value for name, value in policy.items() if name != "frame-ancestors"}
+    assert answer.headers["x-frame-options"] == "DENY"
+    assert answer.headers["x-content-type-options"] == "nosniff"
+
+
+def test_its_numbers_are_the_runs(client: httpx.Client, page: Element, run: dict[str, Any]) -> None:
+    stored = client.get(f"/api/v1/runs/{run['id']}").json()["strategies"]
+    shown = {
+        (row.attributes["data-strategy"], cell.attributes["data-cell"]): float(str(cell.attributes["data-value"]))
+        for row in page.all("tr")
+        if "data-strategy" in row.attributes
+        for cell in row.all("td")
+    }
+    assert shown == {
+        (name, f"{window}.{signal}.{statistic}"): entry["metrics"][window][signal][statistic]
+        for name, entry in stored.items()
+        for window, statistic in WINDOWS.items()
+        for signal in METRIC_SIGNALS
+    }
+    for name, entry in stored.items():
+        rest = {**entry["comfort"], **entry["events"]}
+        rest |= {key: entry[key] for key in ("travel_time", "arrival_speed_kmh")}
+        assert set(rest) == {*COMFORT, *EVENTS, "travel_time", "arrival_speed_kmh"}
+        for key, value in rest.items():
+            [cell] = page.all("td", data_cell=key, data_strategy=name)
+            assert cell.attributes["data-value"] == ("" if value is None else str(value)), (name, key)
+
+
+def test_changes_refer_to_the_baseline_asked_for(client: httpx.Client, page: Element, run: dict[str, Any]) -> None:
+    def change(root: Element, strategy: str) -> str:
+        [row] = (row for row in root.all("tr", data_strategy=strategy) if list(row.all("td", data_cell=CELL)))
+        [cell] = row.all("td", data_cell=CELL)
+        return cell.text
+
+    peaks = {name: entry["metrics"]["bump"]["body_acceleration"]["peak"] for name, entry in run["strategies"].items()}
+    against = f"{100 * (peaks['lv'] / peaks['passive'] - 1):.1f}".replace("-", "−")
+    assert f"{against}\u2009%" in change(page, "lv")
+    assert "better" in change(page, "lv")
+    assert "%" not in change(page, "passive")
+    other = read(client.get(f"/api/v1/runs/{run['id']}/report.html", params={"baseline": "lv"}).text)
+    worse = f"+{100 * (peaks['passive'] / peaks['lv'] - 1):.0f}\u2009%"
+    assert worse in change(other, "passive")
+    assert "worse" in change(other, "passive")
+
+
+CELL = "bump.body_acceleration.peak"
+
+
+def test_its_figures_are_the_runs(client: httpx.Client, page: Element, run: dict[str, Any]) -> None:
+    figures = json.loads(next(page.all("script", id="figures")).text)
+    assert list(figures) == list(PANELS) == [each.attributes["data-figure"] for each in page.all("div", role="img")]
+    served = client.get(f"/api/v1/runs/{run['id']}/figures").json()["figures"]
+    for name, figure in figures.items():
+        go.Figure(figure)
+        assert figure["data"] == served[name]["data"]
+        low, high = figure["layout"]["yaxis"]["range"]
+        for trace in figure["data"]:
+            values = np.frombuffer(base64.b64decode(trace["y"]["bdata"]), dtype="<f4")
+            assert low <= values.min()
+            assert high >= values.max()
+    over_time = client.get(f"/api/v1/runs/{run['id']}/report.html", params={"x": "time"})
+    figures = json.loads(next(read(over_time.text).all("script", id="figures")).text)
+    assert "Time" in figures["speed"]["layout"]["xaxis"]["title"]["text"]
+
+
+@pytest.mark.parametrize(
+    ("query", "status"),
+    [({"baseline": "speed_only"}, 422), ({"baseline": "<script>"}, 422), ({"x": "sideways"}, 422), ({}, 404)],
+)
+def test_what_cannot_be_shown_is_a_problem(
+    client: httpx.Client, run: dict[str, Any], query: dict[str, str], status: int
+) -> None:
+    run_id = run["id"] if query else "n" * 22
+    response = client.get(f"/api/v1/runs/{run_id}/report.html", params=query)
+    assert response.status_code == status
+    assert response.headers["content-type"] == "application/problem+json"
+    assert "<script>" not in response.text
+
+
+def test_it_is_compressed_where_that_is_taken(
+    client: httpx.Client, run: dict[str, Any], answer: httpx.Response
+) -> None:
+    path = f"/api/v1/runs/{run['id']}/report.html"
+    assert answer.headers["content-encoding"] == "gzip"
+    assert answer.headers["vary"] == "Accept-Encoding"
+    plain = client.get(path, headers={"Accept-Encoding": "identity"})
+    assert "content-encoding" not in plain.headers
+    assert plain.content == answer.content
+    with client.stream("GET", path) as response:
+        raw = b"".join(response.iter_raw())
+    assert gzip.decompress(raw) == answer.content
+
+
+def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:
+    from dataclasses import replace
+
+    store = service.app.state.runs._store
+    stored = store.runs.load(run["id"])
+    store.runs.save(
+        run_id="report-of-an-older-one",
+        core_version="0.0.2",
+        schema_version=1,
+        scenario=stored.scenario,
+        outcomes=[replace(item, key=f"older-{item.key}"[:43]) for item in stored.results],
+    )
+    answer = service.client.get("/api/v1/runs/report-of-an-older-one/report.html")
+    assert answer.status_code == 200
+    assert "script-src 'none'" in answer.headers["content-security-policy"]
+    root = read(answer.text)
+    check(root)
+    assert "They are gone: core 0.0.2" in root.text
+    assert not list(root.all("script"))
+    peak = run["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
+    assert next(root.all("td", data_cell=CELL)).attributes["data-value"] == str(peak)
+
+
+def test_a_strategy_that_failed_is_told(service: Any, monkeypatch: pytest.MonkeyPatch, run: dict[str, Any]) -> None:
+    from dataclasses import replace
+
+    store = service.app.state.runs._store
+    stored = store.runs.load(run["id"])
+    failed = [
+        replace(item, key=f"fail-{item.key}"[:43], status="failed", summary={"reason": "no controller <b>"})
+        for item in stored.results
+    ]
+    for name, members in (
+        ("report-some-have-failed", [failed[0], *stored.results[1:]]),
+        ("report-all-have-failed", failed),
+    ):
+        store.runs.save(
+            run_id=name[:22],
+            core_version=stored.core_version,
+            schema_version=1,
+            scenario=stored.scenario,
+            outcomes=members,
+        )
+        answer = service.client.get(f"/api/v1/runs/{name[:22]}/report.html")
+        assert answer.status_code == 200, answer.text
+        root = read(answer.text)
+        check(root)
+        assert "It could not run: no controller <b>" in root.text
+        assert bool(list(root.all("td", data_cell=CELL))) == (name == "report-some-have-failed")

@@ -1,0 +1,182 @@
+"""Reports without a service: numbers in words, the scenario's tables, doubts, and text that wants to be markup."""
+
+from dataclasses import replace
+from datetime import UTC, datetime
+from typing import Any
+
+import pytest
+
+from backend.reports import inputs, numbers
+from backend.reports.doubts import doubts
+from backend.reports.run import RunFacts, report
+from backend.worker import Outcome, run
+from sim_core import dotted
+from sim_core.scenario import Scenario
+from tests.html import check, read
+
+HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&{{7*7}}"
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (0.0, "0"),
+        (1e-12, "0"),
+        (0.8982, "0.898"),
+        (9.996, "10.0"),
+        (-43.72, "−43.7"),
+        (10543.0, "10\u202f543"),
+        (6.4e-5, "6.4×10⁻⁵"),
+        (2.5e9, "2.5×10⁹"),
+        (float("nan"), "–"),
+    ],
+)
+def test_three_significant_digits(value: float, shown: str) -> None:
+    assert numbers.significant(value) == shown
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (1536.7, "1536.7"),
+        (27000, "27\u202f000"),
+        (64e-6, "6.4×10⁻⁵"),
+        (1e-9, "1×10⁻⁹"),
+        (0, "0"),
+        (0.1, "0.1"),
+        (-0.06, "−0.06"),
+    ],
+)
+def test_inputs_keep_every_digit(value: float, shown: str) -> None:
+    assert numbers.exact(value) == shown
+
+
+@pytest.mark.parametrize(
+    ("change", "shown"),
+    [
+        (-43.72, "−43.7\u2009%"),
+        (0.04, "±0.0\u2009%"),
+        (-0.04, "±0.0\u2009%"),
+        (741.2, "+741\u2009%"),
+        (1e6, "+>9999\u2009%"),
+    ],
+)
+def test_changes_always_have_a_sign(change: float, shown: str) -> None:
+    assert numbers.percent(change) == shown
+
+
+def test_units_are_raised() -> None:
+    assert numbers.pretty_unit("kg·m^2") == "kg·m²"
+    assert numbers.pretty_unit("m/s^1.75") == "m/s¹·⁷⁵"
+    assert numbers.pretty_unit("1") == ""
+
+
+def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
+    changed = {"road.bump.height": 0.12, "mpc.stage_weights.cruise": [5, 1, 1], "actuator.bandwidth": 12}
+    scenario = dotted.with_changes(Scenario().model_dump(mode="json"), changed)
+    fields = [field for part in inputs.parts(scenario) for field in part.fields]
+    whole = {name for name, field in dotted.fields().items() if not name.rpartition(".")[2].isdigit()}
+    assert {field.name for field in fields} == whole
+    marked = {field.name: (field.shown, field.paper) for field in fields if field.paper is not None}
+    assert marked == {
+        "road.bump.height": ("0.12\u00a0m", "0.1\u00a0m"),
+        "mpc.stage_weights.cruise": ("5, 1, 1", "8, 1, 1"),
+        "actuator.bandwidth": ("12\u00a0Hz", "none"),
+    }
+    titles = {part.name: part.title for part in inputs.parts(scenario)}
+    assert titles["road.bump"] == "Road: Bump"
+    assert inputs.command(scenario, ["lv"]) == (
+        "ridelab run --set road.bump.height=0.12 --set actuator.bandwidth=12 --set mpc.stage_weights.cruise=5,1,1 "
+        "--strategy lv"
+    )
+
+
+def test_the_command_gives_the_same_scenario() -> None:
+    from backend.cli.fields import changed as typed
+
+    changes = {"road.roughness": 256e-6, "road.seed": 7, "road.bump.shape": "flat_top", "lqr.weights": [1, 2.5, 3]}
+    scenario = Scenario.model_validate(dotted.with_changes(Scenario().model_dump(mode="json"), changes))
+    words = inputs.command(scenario.model_dump(mode="json"), ["lv"]).split()
+    sets = [words[index + 1] for index, word in enumerate(words) if word == "--set"]
+    assert Scenario.model_validate(typed({}, sets)) == scenario
+
+
+@pytest.fixture(scope="module")
+def outcomes() -> dict[str, Outcome]:
+    """A smooth road with a bump a car jumps over: short, and full of doubts."""
+    scenario = Scenario.model_validate({"road": {"length": 60, "bump": {"start": 40, "height": 0.15}}})
+    return run(scenario, ["lv", "passive"], 200)
+
+
+def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
+    entries = {name: {"status": "ok", "compute_ms": 1.0, **outcome.summary} for name, outcome in outcomes.items()}
+    answer = {
+        "id": "a-run",
+        "core_version": "1.2.3",
+        "scenario": Scenario().model_dump(mode="json"),
+        "strategies": entries,
+        **more,
+    }
+    when = datetime(2026, 1, 2, 3, 4, tzinfo=UTC)
+    return RunFacts(answer=answer, created_at=when, baseline="passive", outcomes=outcomes, axis="position", gone=False)
+
+
+def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[str, Outcome]) -> None:
+    entry = {"status": "ok", "arrival_speed_kmh": 41.26, "events": {}}
+    assert doubts({**entry, "events": {"airborne_ms": 0.0, "travel_exceeded_mm": 0.0, "target_reached": None}}) == []
+    events = {
+        "airborne_ms": 94.0,
+        "travel_exceeded_mm": 1.57,
+        "target_reached": False,
+        "bump_complete": False,
+        "qp_solves": 79,
+        "qp_fallbacks": 3,
+        "qp_failures": 1,
+    }
+    told = doubts({**entry, "events": events})
+    assert [text.partition(":")[0] for text in told] == [
+        "Airborne",
+        "Over travel",
+        "Target speed not reached",
+        "The road ends before the rear axle has left the bump",
+        "Solver failures",
+        "Solver fallbacks",
+    ]
+    assert "94\u00a0ms" in told[0]
+    assert "1.6\u00a0mm" in told[1]
+    assert "41.3\u00a0km/h" in told[2]
+    assert "1 of 79" in told[4]
+    assert doubts({"status": "failed", "reason": "no controller"}) == ["It could not run: no controller"]
+    page = report(facts(outcomes), compressed=False).content.decode()
+    airborne = outcomes["passive"].summary["events"]["airborne_ms"]
+    assert airborne > 0
+    assert f"for {airborne:.0f}\u00a0ms a tyre" in page
+
+
+def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
+    scenario = Scenario().model_dump(mode="json")
+    scenario["road"]["bump"]["shape"] = HOSTILE
+    scenario["mpc"]["preview"] = HOSTILE
+    summary = outcomes["lv"].summary
+    entries = {
+        HOSTILE: {"status": "failed", "compute_ms": 1.0, "reason": HOSTILE},
+        "lv": {"status": "ok", "compute_ms": 1.0, **summary},
+    }
+    told = facts(outcomes, id=HOSTILE, core_version=HOSTILE, scenario=scenario, strategies=entries)
+    plain = report(replace(told, baseline=HOSTILE), compressed=False).content.decode()
+    root = read(plain)
+    check(root)
+    assert len(list(root.all("script"))) == 3, "figures, plotly, and what draws them"
+    assert not list(root.all("img"))
+    assert root.text.count("alert(1)") >= 10, "it is there, as text"
+    assert "{{7*7}}" in next(root.all("h1")).text
+
+
+def test_without_histories_there_is_no_script_at_all(outcomes: dict[str, Outcome]) -> None:
+    made = report(replace(facts(outcomes), outcomes={}, gone=True), compressed=False)
+    root = read(made.content.decode())
+    check(root)
+    assert not list(root.all("script"))
+    assert "script-src 'none'" in made.policy
+    assert "They are gone: core 1.2.3 computed this run" in root.text
+    assert len(made.content) < 200_000
