@@ -19,12 +19,14 @@ from backend.links.service import Links
 from backend.memory import Memory
 from backend.paper.service import Paper
 from backend.results import Results
-from backend.routes import batches, health, links, paper, runs, schema, site
+from backend.routes import batches, health, links, paper, runs, schema, site, tunings
 from backend.runs import Runs
 from backend.security import GuardMiddleware
 from backend.settings import Settings
 from backend.store import Store
 from backend.telemetry import TelemetryMiddleware, service_registry
+from backend.tuner.driver import TuningDriver
+from backend.tuner.service import Tunings
 from sim_core import __version__
 
 DESCRIPTION = """A what-if laboratory for active suspension over bumps.
@@ -58,6 +60,8 @@ def create_app(settings: Settings) -> FastAPI:
         runs.runs,
         batches.submitting,
         batches.batches,
+        tunings.beginning,
+        tunings.tunings,
         links.sharing,
         links.links,
         paper.paper,
@@ -77,6 +81,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     workers = Workers(settings.workers, timeout=settings.run_timeout)
     workers.start()
     driver = Driver(store=store, settings=settings)
+    tuner: TuningDriver | None = None
     try:
         await store.call(store.migrate)
         await asyncio.to_thread(schema.warm)
@@ -96,9 +101,21 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.paper = Paper(store=store, workers=workers, results=results, admission=admission)
         app.state.links = Links(store=store, workers=workers, admission=admission)
         app.state.batches = Batches(store=store, workers=workers, admission=admission, driver=driver, settings=settings)
+        tuner = TuningDriver(store=store, batches=app.state.batches, driver=driver)
+        app.state.tunings = Tunings(
+            store=store,
+            workers=workers,
+            admission=admission,
+            batches=app.state.batches,
+            driver=tuner,
+            settings=settings,
+        )
         driver.start()
+        tuner.start()
         yield
     finally:
+        if tuner is not None:
+            await tuner.close()
         await driver.close()
         await workers.close()
         store.close()

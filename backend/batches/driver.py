@@ -97,6 +97,7 @@ class Driver:
         self._chunks: set[asyncio.Task[None]] = set()
         self._reported = -REPORT
         self.leads = False
+        self.ended = asyncio.Event()  # set when the next batch is done, and another one takes its place
 
     def start(self) -> None:
         """Begin, in the background."""
@@ -211,6 +212,8 @@ class Driver:
     async def _finish(self, progress: Progress) -> None:
         if await self._store.call(self._store.batches.finish, progress.batch.id):
             self._driven.pop(progress.batch.id, None)
+            told, self.ended = self.ended, asyncio.Event()
+            told.set()
         else:
             progress.position = -1  # something waits after all: from the start
 

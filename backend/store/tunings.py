@@ -190,11 +190,12 @@ class TuningStore:
             _change_state(connection, tuning.id, UNFINISHED, "done", comparison=text, finished_at=datetime.now(UTC))
         return True
 
-    def fail(self, tuning_id: str, reason: str) -> None:
-        """It cannot go on."""
+    def fail(self, tuning: StoredTuning, reason: str) -> None:
+        """It cannot go on; nothing happens where it has ended or was begun anew meanwhile."""
         with self._database.writing() as connection:
-            now = datetime.now(UTC)
-            _change_state(connection, tuning_id, UNFINISHED, "failed", reason=reason, finished_at=now)
+            if _lock(connection, tuning):
+                now = datetime.now(UTC)
+                _change_state(connection, tuning.id, UNFINISHED, "failed", reason=reason, finished_at=now)
 
     def cancel(self, tuning_id: str) -> None:
         """It becomes cancelled; one that has ended stays as it is."""
@@ -292,7 +293,8 @@ def _tell(connection: Connection, tuning_id: str, kind: str, more: Mapping[str, 
     last = connection.execute(
         select(func.coalesce(func.max(tuning_events.c.number), 0)).where(tuning_events.c.tuning_id == tuning_id)
     ).scalar_one()
-    data = orjson.dumps({**tuning._asdict(), **(more or {})}).decode()
+    told = {name: getattr(tuning, name) for name in TOLD}
+    data = orjson.dumps({**told, **(more or {})}).decode()
     connection.execute(insert(tuning_events), {"tuning_id": tuning_id, "number": last + 1, "kind": kind, "data": data})
 
 

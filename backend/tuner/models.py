@@ -85,6 +85,11 @@ class Objective(RequestModel):
             raise _at("q", "At least one coefficient must be greater than 0")
         return self
 
+    def stored(self) -> dict[str, Any]:
+        """Written out, as it is kept; a figure is as it is and its `q` is not used."""
+        window = self.window or NORMALISED_WINDOW.get(self.kind)
+        return {"kind": self.kind, "q": list(self.q), "window": window, "figure": self.figure}
+
 
 class Limit(RequestModel):
     """A figure that may not be exceeded on any training road."""
@@ -127,7 +132,7 @@ class TuningRequest(RequestModel):
         max_length=16,
         description="Weight -> [lowest, highest], searched on a logarithmic scale; what is not named keeps the "
         "scenario's value. Without it every weight of the strategy, 0.05 to 50.",
-        json_schema_extra={"propertyNames": {"enum": WEIGHTS}},
+        json_schema_extra={"propertyNames": {"enum": [*WEIGHTS]}},
     )
     seeds: Seeds = Field([1, 2, 3, 4], min_length=1, max_length=MOST_SEEDS, description="Roads trained on")
     fresh_seeds: Seeds = Field(
@@ -144,7 +149,8 @@ class TuningRequest(RequestModel):
     def _consistent(self) -> Self:
         if set(self.seeds) & set(self.fresh_seeds):
             raise _at("fresh_seeds", "A fresh road is none that was trained on")
-        if len({_identity(objective) for objective in self.objectives}) < len(self.objectives):
+        written = [objective.stored() for objective in self.objectives]
+        if any(each in written[:index] for index, each in enumerate(written)):
             raise _at("objectives", "Each objective may be there once")
         known = searchable(self.strategy)
         if self.search is not None and not set(self.search) <= set(known):
@@ -156,11 +162,6 @@ class TuningRequest(RequestModel):
         """What is searched, the default written out, in the strategy's order."""
         wanted = default_search(self.strategy) if self.search is None else self.search
         return {name: wanted[name] for name in searchable(self.strategy) if name in wanted}
-
-
-def _identity(objective: Objective) -> tuple[Any, ...]:
-    window = objective.window or NORMALISED_WINDOW.get(objective.kind)
-    return (objective.kind, objective.q, window, objective.figure)
 
 
 class ObjectiveAnswer(Answer):
@@ -247,6 +248,7 @@ class ComparedPoint(Answer):
         description="An objective each, on the fresh roads against the paper's weights: whether the interval of the "
         "change lies below zero, above it, or holds it; null for the paper's own"
     )
+    failures: list[str] = Field(description="Roads it could not be run on; the figures leave them out")
 
 
 class Comparison(Answer):

@@ -50,6 +50,12 @@ def paper_weights(strategy: str, searched: Iterable[str]) -> Weights:
     return weights_at(_paper(), strategy, searched)
 
 
+def first_weights(scenario: Mapping[str, Any], strategy: str, searched: Iterable[str]) -> list[Weights]:
+    """What every search begins with: the paper's weights, and the scenario's own where they are others."""
+    papers, own = paper_weights(strategy, searched), weights_at(scenario, strategy, searched)
+    return [papers] if own == papers else [papers, own]
+
+
 def point_of(weights: Weights, search: Mapping[str, Any], scenario: Mapping[str, Any]) -> dict[str, float] | None:
     """Those weights as a point of the searched space; None where they do not lie in it."""
     flat = _flat(weights)
