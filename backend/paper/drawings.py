@@ -36,7 +36,7 @@ def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[dict[str,
     drawn.append(_speed_curve(outcomes))
     for first, (title, names) in GROUPS.items():
         for index, signal in enumerate(PAPER_SIGNALS):
-            drawn.append(_histories(first + index, signal, title, {name: outcomes[name] for name in names if name in outcomes}))
+            drawn.append(_histories(first + index, signal, title, {name: outcomes[name] for name in names}))
     return drawn
 
 

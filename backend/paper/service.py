@@ -8,7 +8,9 @@ from typing import Any
 from backend import digest
 from backend.admission import Admission
 from backend.compute import Workers
+from backend.hil.drive import EcuUnavailableError
 from backend.paper import answers, drawings, work
+from backend.problems import ProblemError
 from backend.results import Results
 from backend.store import Store, StoredResult
 from sim_core import __version__ as CORE_VERSION
@@ -18,6 +20,7 @@ from sim_core.scenario import Scenario
 
 AT_ONCE = 4  # roads one worker task drives
 HISTORY_POINTS = 1200
+RETRY_AFTER = 30
 PATIENCE = 20.0  # an answer in rows waits so long for more of them [s]
 
 
@@ -111,7 +114,11 @@ class Paper:
         for first in range(1, seeds + 1, AT_ONCE):
             roads = list(range(first, min(first + AT_ONCE, seeds + 1)))
             async with self._turn:
-                rows += await self._workers.call(function, *given, roads)
+                try:
+                    rows += await self._workers.call(function, *given, roads)
+                except EcuUnavailableError as error:
+                    detail = f"Hardware in the loop cannot run here: {error.message}"
+                    raise ProblemError(503, detail, kind="no-ecu", retry_after=RETRY_AFTER) from None
         took = 1000 * (time.perf_counter() - begin)
         item = StoredResult(key=key, strategy=name, status="ok", summary={"rows": rows}, compute_ms=took)
         await self._store.call(self._store.runs.save_result, item, CORE_VERSION)

@@ -3,11 +3,13 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from backend.hil.drive import simulate
 from sim_core.attribution import COMFORT_FIGURES, VARIANTS
 from sim_core.paper import STRATEGIES, figures_of, scenario_for
 from sim_core.scenario import Bump, Road, Scenario, Speed
 from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import simulate
+from sim_core.simulation import simulate as simulate_core
+from sim_core.strategies import Strategy
 
 SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
 
@@ -22,8 +24,8 @@ def combinations(seeds: Sequence[int]) -> list[dict[str, dict[str, Any]]]:
     return [{variant.id: _one(variant.scenario(seed), variant.strategy) for variant in VARIANTS} for seed in seeds]
 
 
-def _one(scenario: Scenario, strategy: Any) -> dict[str, Any]:
-    result = simulate(scenario, strategy)
+def _one(scenario: Scenario, strategy: Strategy) -> dict[str, Any]:
+    result = simulate_core(scenario, strategy)
     comfort = {key: result.comfort[key] for key in COMFORT_FIGURES}
     return {"figures": figures_of(result), "travel_time": result.travel_time, **comfort}
 
