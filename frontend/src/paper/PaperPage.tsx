@@ -1,14 +1,142 @@
 /** The paper, checked: what it prints beside what comes out here. */
 
+import { Anchor, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
+import { useQuery } from "@tanstack/react-query";
+import { IconFileDescription } from "@tabler/icons-react";
+import { useEffect, type ReactNode } from "react";
+import { api } from "../api/client";
+import type { Paper } from "../api/types";
+import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
 import shell from "../shell/shell.module.css";
+import { Errata, Rules } from "./Appendix";
+import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
+import { Contents, SECTIONS, type SectionId } from "./Contents";
+import { Contributions } from "./Contributions";
+import { CountSection } from "./CountSection";
+import { Figures } from "./Figures";
+import classes from "./paper.module.css";
+import { paperQuery } from "./queries";
+import { SwitchEffects } from "./SwitchEffects";
+import { Switches } from "./Switches";
+import { Tables } from "./Tables";
+import { Fault, Waiting } from "./Waiting";
+import { useWords, type Words } from "./words";
+
+const DOI = "10.3390/wevj16040232";
 
 export function PaperPage() {
   useDocumentTitle("The paper, checked · Ridelab");
+  const [choices, choose] = useChoices();
+  const { data: paper, error, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
+  const { words, error: wordless } = useWords();
+  const ready = paper !== undefined && words !== null;
+  useArrival(ready);
+  const fault = error ?? (words === null ? wordless : null);
+
   return (
     <div className={shell.shell}>
-      <PageHeader />
+      <PageHeader>
+        <Button
+          component="a"
+          href={api.paperReportAddress(choices)}
+          size="xs"
+          variant="default"
+          aria-label="Report"
+          leftSection={<IconFileDescription size={15} aria-hidden />}
+          classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+        >
+          Report
+        </Button>
+      </PageHeader>
+      <div className={classes.page}>
+        <Contents paper={paper} />
+        <main className={classes.main} aria-busy={waiting}>
+          <header className={classes.intro}>
+            <h1 className={classes.title}>The paper, checked</h1>
+            <Text className={classes.text}>
+              Meng, Kong, Ding, Liu and Wang,{" "}
+              <Anchor href={`https://doi.org/${DOI}`} size="sm">
+                World Electric Vehicle Journal 16 (2025) 232
+              </Anchor>
+              : every change it prints, run here again.
+            </Text>
+          </header>
+          {fault && <PageFault message={fault.message} choices={choices} onReset={() => choose(NONE_CHOSEN)} onRetry={() => void refetch()} />}
+          {ready ? (
+            <Sections {...{ paper, words, choices, waiting, choose }} />
+          ) : (
+            !fault && <Waiting what="Driving every strategy over every road, with preview and without" height={600} />
+          )}
+        </main>
+      </div>
+      <div className={shell.notices} style={{ left: 0 }}>
+        <ConnectionBanner />
+      </div>
     </div>
   );
+}
+
+interface SectionsProps {
+  readonly paper: Paper;
+  readonly words: Words;
+  readonly choices: Choices;
+  readonly waiting: boolean;
+  readonly choose: (choices: Choices) => void;
+}
+
+function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
+  const parts: Readonly<Record<SectionId, ReactNode>> = {
+    count: <CountSection paper={paper} words={words} />,
+    switches: (
+      <>
+        <Switches {...{ paper, choices, waiting }} onChoose={choose} />
+        <h3 className={classes.subtitle}>What each switch does</h3>
+        <SwitchEffects {...{ paper, choices }} onChoose={choose} />
+      </>
+    ),
+    tables: <Tables paper={paper} words={words} />,
+    parts: <Contributions choices={choices} words={words} />,
+    figures: <Figures choices={choices} />,
+    errata: <Errata errata={paper.errata} />,
+    rules: <Rules rules={paper.rules} />,
+  };
+  const follows: readonly SectionId[] = ["count", "tables"];
+  return SECTIONS.map(({ id, title }) => (
+    <section key={id} id={id} className={classes.section} aria-labelledby={`${id}-title`} data-section data-stale={(waiting && follows.includes(id)) || undefined}>
+      <h2 id={`${id}-title`} className={classes.heading}>
+        {title}
+      </h2>
+      {parts[id]}
+    </section>
+  ));
+}
+
+interface PageFaultProps {
+  readonly message: string;
+  readonly choices: Choices;
+  readonly onReset: () => void;
+  readonly onRetry: () => void;
+}
+
+function PageFault({ message, choices, onReset, onRetry }: PageFaultProps) {
+  return (
+    <>
+      <Fault message={message} onRetry={onRetry} />
+      {Object.keys(choices).length > 0 && (
+        <Button size="xs" variant="default" className={classes.reset ?? ""} onClick={onReset}>
+          Show it as Ridelab reads it
+        </Button>
+      )}
+    </>
+  );
+}
+
+/** The place the address names is there only once the answer is. */
+function useArrival(ready: boolean) {
+  useEffect(() => {
+    const { hash } = window.location;
+    if (ready && hash.length > 1) document.getElementById(decodeURIComponent(hash.slice(1)))?.scrollIntoView();
+  }, [ready]);
 }

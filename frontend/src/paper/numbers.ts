@@ -18,6 +18,13 @@ export function printedChange(percent: number): string {
   return `${percent < 0 ? "−" : percent > 0 ? "+" : "±"}${digits}\u2009%`;
 }
 
+/** The server's plain text with a real minus, apostrophe and spaces that do not break before a unit. */
+export const typeset = (text: string) =>
+  text
+    .replace(/(^|[\s([])-(?=\d)/g, "$1−")
+    .replace(/(\d) %/g, "$1\u00a0%")
+    .replace(/(\w)'(?=\w)/g, "$1’");
+
 type Ends = readonly number[];
 
 /** `± 2.1`, in percent points, or both ends where they are not as far away. */

@@ -1,0 +1,43 @@
+/** The page's sections: beside them where there is room, else above them. */
+
+import type { Paper } from "../api/types";
+import classes from "./contents.module.css";
+import { useSection } from "./useSection";
+import { VerdictBar } from "./Verdict";
+
+export const SECTIONS = [
+  { id: "count", title: "The count" },
+  { id: "switches", title: "Switches" },
+  { id: "tables", title: "Tables 4–10" },
+  { id: "parts", title: "What each part contributes" },
+  { id: "figures", title: "Figures" },
+  { id: "errata", title: "Errata" },
+  { id: "rules", title: "Rules" },
+] as const;
+
+export type SectionId = (typeof SECTIONS)[number]["id"];
+
+const IDS = SECTIONS.map(({ id }) => id);
+
+export function Contents({ paper }: { readonly paper: Paper | undefined }) {
+  const active = useSection(IDS);
+  return (
+    <nav className={classes.contents} aria-label="On this page">
+      <ol className={classes.list}>
+        {SECTIONS.map(({ id, title }, index) => (
+          <li key={id}>
+            <a href={`#${id}`} className={classes.link} aria-current={index === active ? "location" : undefined}>
+              {title}
+            </a>
+          </li>
+        ))}
+      </ol>
+      {paper && (
+        <div className={classes.count}>
+          <b>{paper.reached}</b> of {paper.total} reached
+          <VerdictBar counts={paper.counts} />
+        </div>
+      )}
+    </nav>
+  );
+}

@@ -1,0 +1,107 @@
+/** How many of the paper's printed changes come out here, and what that hinges on. */
+
+import { Anchor, Button, Text } from "@mantine/core";
+import { useMutation, useQueryClient } from "@tanstack/react-query";
+import { IconArrowRight, IconEyeOff } from "@tabler/icons-react";
+import { api } from "../api/client";
+import type { Paper, PaperCell } from "../api/types";
+import { runKey } from "../state/queries";
+import { count } from "../units/format";
+import classes from "./paper.module.css";
+import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
+import { cellId, previewSentence, totalOf, uncertain } from "./verdicts";
+import type { Words } from "./words";
+
+interface Props {
+  readonly paper: Paper;
+  readonly words: Words;
+}
+
+export function CountSection({ paper, words }: Props) {
+  const { without_preview: without } = paper;
+  return (
+    <>
+      <div className={classes.counts}>
+        <div className={classes.count} data-testid="count">
+          <p className={classes.countLine}>
+            <strong className={classes.countNumber}>{paper.reached}</strong> of {paper.total} cells reached
+          </p>
+          <VerdictBar counts={paper.counts} large />
+          <VerdictCountList counts={paper.counts} />
+        </div>
+        <div className={classes.count} data-testid="count-without" data-aside>
+          <p className={classes.countLine}>
+            <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
+            <span>
+              Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of {totalOf(without.counts)}
+            </span>
+          </p>
+          <VerdictBar counts={without.counts} large />
+          <VerdictCountList counts={without.counts} />
+        </div>
+      </div>
+      <Text className={classes.claim}>{previewSentence(paper)}</Text>
+      <Text className={classes.text}>
+        A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over {count(paper.seeds, "road")} of class B, the same
+        for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
+        {uncertain(paper) > 0 && `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
+        <Anchor href="#rules" size="sm">
+          The rules
+        </Anchor>{" "}
+        were fixed before any number.
+      </Text>
+      <OpenScenario paper={paper} words={words} />
+      <Missed paper={paper} words={words} />
+    </>
+  );
+}
+
+/** Runs the page's scenario as the lab would and goes there. */
+function OpenScenario({ paper, words }: Props) {
+  const queries = useQueryClient();
+  const strategies = words.strategies.map(({ id }) => id);
+  const opening = useMutation({
+    mutationFn: () => api.createRun(paper.scenario, strategies),
+    onSuccess: (run) => {
+      queries.setQueryData(runKey(run.id), run);
+      window.location.assign(`/r/${encodeURIComponent(run.id)}`);
+    },
+  });
+  return (
+    <div className={classes.actions}>
+      <Button size="xs" variant="default" rightSection={<IconArrowRight size={15} aria-hidden />} loading={opening.isPending} onClick={() => opening.mutate()}>
+        Open this scenario in the lab
+      </Button>
+      {opening.error && (
+        <Text size="sm" role="alert" className={classes.fault}>
+          {opening.error.message}
+        </Text>
+      )}
+    </div>
+  );
+}
+
+function Missed({ paper, words }: Props) {
+  const missed = paper.cells.filter(({ verdict }) => verdict !== "reached");
+  if (missed.length === 0) return null;
+  return (
+    <details className={classes.details}>
+      <summary>
+        {missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached
+      </summary>
+      <ul className={classes.missed}>
+        {[...missed].sort((a, b) => a.verdict.localeCompare(b.verdict) || a.table - b.table).map((cell) => (
+          <li key={cellId(cell)}>
+            <VerdictMark verdict={cell.verdict} certain={cell.certain} />
+            <Anchor href={`#${cellId(cell)}`} size="sm">
+              {placeOf(cell, words)}
+            </Anchor>
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}
+
+const placeOf = ({ table, strategy, against, signal }: PaperCell, words: Words) =>
+  `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;

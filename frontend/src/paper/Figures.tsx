@@ -1,0 +1,91 @@
+/** The paper's figures, made by us: each is drawn when it comes near the window. */
+
+import { SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { useIntersection } from "@mantine/hooks";
+import { useQuery } from "@tanstack/react-query";
+import { memo, useMemo, useState } from "react";
+import type { PaperFigure } from "../api/types";
+import { Chart } from "../plots/Chart";
+import { PALETTES } from "../plots/palettes";
+import { printing } from "../state/printing";
+import { useStore } from "../state/store";
+import { StrategyKey } from "../tables/StrategyKey";
+import type { Choices } from "./choices";
+import classes from "./figures.module.css";
+import { drawn, legendOf, type Scheme } from "./made";
+import { typeset } from "./numbers";
+import paper from "./paper.module.css";
+import { paperFiguresQuery } from "./queries";
+import { Fault, Waiting } from "./Waiting";
+
+const HEIGHT = 250;
+const NEAR = "300px 0px";
+
+export function Figures({ choices }: { readonly choices: Choices }) {
+  const { data, error, refetch } = useQuery(paperFiguresQuery(choices));
+  const scheme = useComputedColorScheme("light");
+  const [range, setRange] = useState<"whole" | "bump">("whole");
+  if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
+  if (!data) return <Waiting what="Drawing the paper’s figures from our own runs" height={17 * 190} />;
+  return (
+    <>
+      <Text className={paper.text}>
+        Numbered as in the paper, with Ridelab’s readings; the paper’s Figures 1, 2, 7, 9 and 18 are sketches. Drag over a figure to look closer, double click
+        for all of it.
+      </Text>
+      <SegmentedControl
+        size="xs"
+        aria-label="Figures 8 to 22 over"
+        className={classes.range ?? ""}
+        value={range}
+        data={[
+          { value: "whole", label: "Whole road" },
+          { value: "bump", label: "Bump only" },
+        ]}
+        onChange={setRange}
+      />
+      <div className={classes.grid}>
+        {data.map((figure) => (
+          <Panel key={figure.number} figure={figure} scheme={scheme} bumpOnly={range === "bump"} />
+        ))}
+      </div>
+    </>
+  );
+}
+
+interface PanelProps {
+  readonly figure: PaperFigure;
+  readonly scheme: Scheme;
+  readonly bumpOnly: boolean;
+}
+
+const Panel = memo(function Panel({ figure: { number, title, caption, figure }, scheme, bumpOnly }: PanelProps) {
+  const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
+  const printed = useStore(printing);
+  // What was drawn once stays: scrolling back meets no blank panel.
+  const [seen, setSeen] = useState(false);
+  if (!seen && (printed || entry?.isIntersecting === true)) setSeen(true);
+  const shown = useMemo(() => (seen ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null), [seen, figure, scheme, bumpOnly]);
+  const legend = useMemo(() => legendOf(figure), [figure]);
+  return (
+    <figure ref={ref} className={classes.panel} id={`figure-${number}`} data-drawn={seen || undefined}>
+      <figcaption className={classes.head}>
+        <h3 className={classes.title}>
+          <span className={classes.ordinal}>Figure {number}</span> {title}
+        </h3>
+        <ul className={classes.legend}>
+          {legend.map(({ name, colour, dash, fill }) => (
+            <li key={name}>
+              {fill === null ? <StrategyKey strategy={{ colour, dash }} /> : <span className={classes.fill} style={{ background: fill }} aria-hidden />}
+              {name}
+            </li>
+          ))}
+        </ul>
+      </figcaption>
+      <div style={{ height: HEIGHT }}>
+        {shown && <Chart figure={shown} height={HEIGHT} label={`Figure ${number}: ${title}; ${legend.map(({ name }) => name).join(", ")}`} />}
+      </div>
+      <p className={classes.caption}>{typeset(caption)}</p>
+    </figure>
+  );
+});

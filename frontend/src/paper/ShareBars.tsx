@@ -1,0 +1,97 @@
+/** How much of LV's gain each of its parts is, figure by figure: a bar and its numbers. */
+
+import { formatPercent } from "../tables/change";
+import { formatFixed } from "../units/format";
+import classes from "./parts.module.css";
+import paper from "./paper.module.css";
+import { PARTS, scaleOf, segmentsOf, type Share } from "./shares";
+import type { Words } from "./words";
+
+interface Props {
+  readonly shares: readonly Share[];
+  readonly words: Words;
+}
+
+export function ShareBars({ shares, words }: Props) {
+  const scale = scaleOf(shares);
+  return (
+    <div className={paper.scroll} tabIndex={0} role="region" aria-label="Shares of LV’s gain">
+      <table className={paper.table} data-testid="shares">
+        <thead>
+          <tr>
+            <th scope="col" className={paper.sticky}>
+              Figure
+            </th>
+            <th scope="col" className={paper.number}>
+              Whole change
+            </th>
+            {PARTS.map(({ part, label }) => (
+              <th key={part} scope="col" className={paper.number}>
+                <span className={classes.partName}>
+                  <span className={classes.swatch} data-part={part} aria-hidden />
+                  {label}
+                </span>
+              </th>
+            ))}
+            <th scope="col" className={classes.track}>
+              <Ends scale={scale} />
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {shares.map((share) => (
+            <tr key={`${share.window} ${share.signal}`}>
+              <th scope="row" className={paper.sticky} data-line>
+                {words.signal(share.signal)} <span className={paper.unit}>{words.view(share)}</span>
+              </th>
+              <td className={paper.number}>
+                <b>{formatPercent(share.total_change)}</b>
+              </td>
+              {PARTS.map(({ part }) => (
+                <td key={part} className={paper.number}>
+                  {formatFixed(share[part], 0)} %
+                </td>
+              ))}
+              <td className={classes.track}>
+                <Bar share={share} scale={scale} />
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+interface Scaled {
+  readonly scale: readonly [number, number];
+}
+
+const placeOf = (value: number, [low, high]: Scaled["scale"]) => `${((value - low) / (high - low)) * 100}%`;
+
+function Ends({ scale }: Scaled) {
+  return (
+    <span className={classes.ends}>
+      <span className="visually-hidden">Bar, from </span>
+      {[0, 100].map((value) => (
+        <span key={value} style={{ left: placeOf(value, scale) }}>
+          {value} %
+        </span>
+      ))}
+    </span>
+  );
+}
+
+function Bar({ share, scale }: Scaled & { readonly share: Share }) {
+  const told = PARTS.map(({ part, label }) => `${label} ${formatFixed(share[part], 0)} %`).join(", ");
+  return (
+    <div className={classes.bar} role="img" aria-label={told}>
+      {segmentsOf(share).map(({ part, from, to }) => (
+        <span key={part} className={classes.segment} data-part={part} style={{ left: placeOf(from, scale), width: `calc(${placeOf(to, scale)} - ${placeOf(from, scale)})` }} />
+      ))}
+      {[0, 100].map((value) => (
+        <span key={value} className={classes.line} style={{ left: placeOf(value, scale) }} />
+      ))}
+    </div>
+  );
+}

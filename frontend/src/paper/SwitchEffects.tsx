@@ -1,0 +1,89 @@
+/** What each switch does by itself: the count with it alone turned from Ridelab's reading. */
+
+import { Button, Text } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import type { Paper, PaperReading, ReadingEffects } from "../api/types";
+import { count } from "../units/format";
+import { withChoice, withoutChoices, type Choices } from "./choices";
+import { typeset } from "./numbers";
+import classes from "./paper.module.css";
+import { effectsQuery } from "./queries";
+import { VerdictBar } from "./Verdict";
+import { countsInWords } from "./verdicts";
+import { Fault, Waiting } from "./Waiting";
+
+interface Props {
+  readonly paper: Paper;
+  readonly choices: Choices;
+  readonly onChoose: (choices: Choices) => void;
+}
+
+type Row = ReadingEffects["rows"][number];
+
+export function SwitchEffects({ paper: { readings }, choices, onChoose }: Props) {
+  const { data, error, refetch } = useQuery(effectsQuery(choices));
+  const expected = readings.reduce((sum, { choices: offered }) => sum + offered.length - 1, 0);
+  if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
+  if (!data) return <Waiting what="Turning each switch by itself" height={24 + 40 * expected} />;
+  return (
+    <>
+      <div className={classes.scroll} tabIndex={0} role="region" aria-label="What each switch does">
+        <table className={`${classes.table ?? ""} ${classes.effects ?? ""}`} data-testid="effects">
+          <thead>
+            <tr>
+              <th scope="col">Switch, alone</th>
+              <th scope="col" className={classes.number}>
+                Cells reached
+              </th>
+              <th scope="col" className={classes.barColumn}>
+                Reached, smaller, contradicts
+              </th>
+              <th scope="col" className={classes.number}>
+                Other verdict
+              </th>
+              <th scope="col" className={classes.unprinted}>
+                <span className="visually-hidden">Try it</span>
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {data.rows.map((row) => {
+              const reading = readings.find(({ id }) => id === row.reading);
+              if (!reading) return null;
+              return <EffectRow key={`${row.reading} ${row.choice}`} row={row} reading={reading} onTry={() => onChoose(withChoice(withoutChoices(choices, readings), reading, row.choice))} />;
+            })}
+          </tbody>
+        </table>
+      </div>
+      {!data.complete && (
+        <Text size="xs" c="dimmed" role="status">
+          {count(expected - data.rows.length, "row")} to come …
+        </Text>
+      )}
+    </>
+  );
+}
+
+function EffectRow({ row, reading, onTry }: { readonly row: Row; readonly reading: PaperReading; readonly onTry: () => void }) {
+  const label = reading.choices.find(({ id }) => id === row.choice)?.label ?? row.choice;
+  const [title, choice] = [typeset(reading.title), typeset(label)];
+  return (
+    <tr>
+      <th scope="row" className={classes.rowName}>
+        {title}: <b>{choice}</b>
+      </th>
+      <td className={classes.number}>
+        <b>{row.reached}</b> of {row.total}
+      </td>
+      <td className={classes.barColumn} title={countsInWords(row.counts)}>
+        <VerdictBar counts={row.counts} />
+      </td>
+      <td className={classes.number}>{row.changed === 0 ? "none" : count(row.changed, "cell")}</td>
+      <td className={classes.unprinted}>
+        <Button size="compact-xs" variant="default" aria-label={`Try ${title}: ${choice}`} onClick={onTry}>
+          Try
+        </Button>
+      </td>
+    </tr>
+  );
+}

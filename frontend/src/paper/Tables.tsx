@@ -1,0 +1,184 @@
+/** The paper's comparing tables, each with ours beside it: what it prints, what comes out here, the verdict. */
+
+import { Anchor, Text } from "@mantine/core";
+import { IconAlertTriangle, IconEyeOff } from "@tabler/icons-react";
+import type { Paper, PaperCell, PaperTable } from "../api/types";
+import { formatPercent } from "../tables/change";
+import { formatResult } from "../units/format";
+import { printedChange, printedValue, spreadOf } from "./numbers";
+import classes from "./paper.module.css";
+import { VerdictMark } from "./Verdict";
+import { cellId } from "./verdicts";
+import type { Words } from "./words";
+
+interface Props {
+  readonly paper: Paper;
+  readonly words: Words;
+}
+
+export function Tables({ paper, words }: Props) {
+  return (
+    <>
+      <Text className={classes.text}>
+        The paper’s columns are as printed; ours are means over {paper.seeds} roads, changes with their 95 % interval in percentage points. A{" "}
+        <span className={classes.misprintWord}>misprint</span> is a printed change that does not follow from the absolutes printed beside it; the verdict is taken
+        against the one that does. The absolutes are not the measure: the parameters the paper prints do not give its own passive car (
+        <Anchor href="#errata" size="sm">
+          errata
+        </Anchor>
+        ). Tables 1–3 and 6 are inputs: the fuzzy rules, the vehicle and the weights are in the{" "}
+        <Anchor href="#count" size="sm">
+          scenario
+        </Anchor>
+        .
+      </Text>
+      {paper.tables.map((table) => (
+        <Table key={table.number} table={table} cells={paper.cells.filter((cell) => cell.table === table.number)} words={words} />
+      ))}
+    </>
+  );
+}
+
+interface TableProps {
+  readonly table: PaperTable;
+  readonly cells: readonly PaperCell[];
+  readonly words: Words;
+}
+
+function Table({ table, cells, words }: TableProps) {
+  const [first] = cells;
+  return (
+    <div className={classes.tableBlock} id={`table-${table.number}`}>
+      <h3 className={classes.subtitle}>
+        Table {table.number} <span className={classes.subtitleRest}>{table.title}</span>
+      </h3>
+      <div className={classes.scroll} tabIndex={0} role="region" aria-label={`Table ${table.number}`}>
+        <table className={`${classes.table ?? ""} ${classes.comparison ?? ""}`} data-table={table.number}>
+          <caption className="visually-hidden">{table.title}</caption>
+          <thead>
+            <tr>
+              <th scope="col" className={classes.sticky}>
+                {first ? words.view(first) : ""}
+              </th>
+              <th scope="colgroup" colSpan={3} className={classes.group}>
+                Paper
+              </th>
+              <th scope="colgroup" colSpan={3} className={classes.group}>
+                Here
+              </th>
+              <th scope="col" className={classes.group}>
+                Verdict
+              </th>
+              <th scope="col" className={classes.group}>
+                <IconEyeOff size={13} stroke={2} aria-hidden className={classes.inlineIcon} /> Without preview
+              </th>
+            </tr>
+          </thead>
+          {table.columns.map(({ strategy, against }) => (
+            <Pair
+              key={`${strategy} ${against}`}
+              strategy={words.strategy(strategy)}
+              against={words.strategy(against)}
+              cells={cells.filter((cell) => cell.strategy === strategy && cell.against === against)}
+              words={words}
+            />
+          ))}
+        </table>
+      </div>
+    </div>
+  );
+}
+
+interface PairProps {
+  readonly strategy: string;
+  readonly against: string;
+  readonly cells: readonly PaperCell[];
+  readonly words: Words;
+}
+
+function Pair({ strategy, against, cells, words }: PairProps) {
+  const columns = [strategy, against, "Change"];
+  return (
+    <tbody>
+      <tr className={classes.pair}>
+        <th scope="rowgroup" className={classes.sticky}>
+          {strategy}
+          <span className={classes.against}>against {against}</span>
+        </th>
+        {["paper", "here"].map((side) =>
+          columns.map((name, index) => (
+            <th key={`${side} ${name}`} scope="col" className={classes.number} data-first={index === 0 || undefined}>
+              {name}
+            </th>
+          )),
+        )}
+        <td className={classes.verdictCell} />
+        <td className={classes.verdictCell} />
+      </tr>
+      {cells.length === 0 ? <NotHere /> : cells.map((cell) => <Row key={cell.signal} cell={cell} words={words} />)}
+    </tbody>
+  );
+}
+
+function NotHere() {
+  return (
+    <tr>
+      <td className={classes.notHere} colSpan={9}>
+        This server cannot run this comparison.
+      </td>
+    </tr>
+  );
+}
+
+function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words }) {
+  const { unit, scale } = words.unit(cell.signal);
+  const without = cell.without_preview;
+  return (
+    <tr id={cellId(cell)} data-verdict={cell.verdict}>
+      <th scope="row" className={classes.sticky}>
+        {words.signal(cell.signal)} <span className={classes.unit}>{unit}</span>
+      </th>
+      <td className={classes.number} data-first>
+        {printedValue(cell.paper_value, scale)}
+      </td>
+      <td className={classes.number}>{printedValue(cell.paper_base, scale)}</td>
+      <td className={classes.number}>
+        <PrintedChange cell={cell} />
+      </td>
+      <td className={classes.number} data-first>
+        {formatResult(cell.our_value * scale)}
+      </td>
+      <td className={classes.number}>{formatResult(cell.our_base * scale)}</td>
+      <td className={classes.number}>
+        <b>{formatPercent(cell.our_change)}</b> <span className={classes.spread}>{spreadOf(cell.our_change, cell.ci)}</span>
+      </td>
+      <td className={classes.verdictCell}>
+        <VerdictMark verdict={cell.verdict} certain={cell.certain} />
+      </td>
+      <td className={classes.verdictCell} data-without>
+        {without ? (
+          <span className={classes.without}>
+            <VerdictMark verdict={without.verdict} certain={without.certain} />
+            <span className={classes.spread}>
+              {formatPercent(without.our_change)} {spreadOf(without.our_change, without.ci)}
+            </span>
+          </span>
+        ) : (
+          <span className={classes.spread}>no preview in it</span>
+        )}
+      </td>
+    </tr>
+  );
+}
+
+function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly cell: PaperCell }) {
+  if (!misprint) return <>{printedChange(printed)}</>;
+  return (
+    <span className={classes.misprint}>
+      <s>{printedChange(misprint.printed)}</s>
+      <span className={classes.misprintMark}>
+        <IconAlertTriangle size={12} stroke={2} aria-hidden className={classes.inlineIcon} /> misprint: {printedChange(misprint.follows)} follows
+      </span>
+    </span>
+  );
+}

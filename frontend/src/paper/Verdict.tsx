@@ -1,0 +1,55 @@
+/** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
+
+import { IconArrowDownRight, IconCheck, IconX } from "@tabler/icons-react";
+import type { PaperVerdict, VerdictCounts } from "../api/types";
+import classes from "./verdict.module.css";
+import { countsInWords, totalOf, VERDICTS, wordOf } from "./verdicts";
+
+const ICONS = { reached: IconCheck, smaller: IconArrowDownRight, contradicts: IconX } as const;
+
+interface MarkProps {
+  readonly verdict: PaperVerdict;
+  /** The whole interval would get it. */
+  readonly certain?: boolean;
+}
+
+export function VerdictMark({ verdict, certain = true }: MarkProps) {
+  const Icon = ICONS[verdict];
+  return (
+    <span className={classes.mark} data-verdict={verdict}>
+      <Icon size={14} stroke={2.6} aria-hidden />
+      <span>
+        {wordOf(verdict)}
+        {!certain && <span className={classes.uncertain} title="A part of the 95 % interval would get another verdict"> uncertain</span>}
+      </span>
+    </span>
+  );
+}
+
+export function VerdictBar({ counts, large = false }: { readonly counts: VerdictCounts; readonly large?: boolean }) {
+  return (
+    <div className={classes.bar} data-large={large || undefined} role="img" aria-label={countsInWords(counts)}>
+      {VERDICTS.filter(({ verdict }) => counts[verdict] > 0).map(({ verdict }) => (
+        <span key={verdict} data-verdict={verdict} style={{ flexGrow: counts[verdict] / Math.max(1, totalOf(counts)) }} />
+      ))}
+    </div>
+  );
+}
+
+export function VerdictCountList({ counts }: { readonly counts: VerdictCounts }) {
+  return (
+    <ul className={classes.counts}>
+      {VERDICTS.map(({ verdict, word }) => {
+        const Icon = ICONS[verdict];
+        return (
+          <li key={verdict} className={classes.mark} data-verdict={verdict}>
+            <Icon size={14} stroke={2.6} aria-hidden />
+            <span>
+              <b>{counts[verdict]}</b> {word}
+            </span>
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
