@@ -14,6 +14,7 @@ from backend.cli.robustness import robustness
 from backend.cli.run import run as run_
 from backend.cli.serve import serve
 from backend.cli.sweep import sweep
+from backend.cli.tune import tune
 from sim_core import __version__
 
 HELP = """Ridelab: what-ifs of active suspension over bumps.
@@ -39,6 +40,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "run": run_,
     "sweep": sweep,
     "robustness": robustness,
+    "tune": tune,
     "compare": compare,
     "open": open_,
     "export": export,

@@ -7,6 +7,7 @@ from backend.client.answers import LinkedResult, Outcome, RunResult, Stage, Stat
 from backend.client.batch import Batch
 from backend.client.errors import ErrorPlace, RidelabAPIError, RidelabClientError, RidelabConnectionError
 from backend.client.ridelab import Link, Ridelab
+from backend.client.tuning import Tuning
 
 __all__ = [
     "Batch",
@@ -21,4 +22,5 @@ __all__ = [
     "RunResult",
     "Stage",
     "Statistics",
+    "Tuning",
 ]

@@ -16,6 +16,7 @@ from backend.client.batch import Batch
 from backend.client.errors import RidelabConnectionError
 from backend.client.files import format_of, save
 from backend.client.http import Http
+from backend.client.tuning import Tuning
 
 if TYPE_CHECKING:
     import numpy as np
@@ -229,6 +230,40 @@ class Ridelab:
             RidelabConnectionError: No answer, or not Ridelab's.
         """
         return Batch(self._http, self.get(f"/batches/{quote(batch_id, safe='')}"))
+
+    def tune(self, request: Mapping[str, Any], idempotency_key: str | None = None) -> Tuning:
+        """Begin to look for better weights; it is committed when this returns.
+
+        Args:
+            request: `{"scenario", "strategy", "objectives", "limits", "search", "seeds", "fresh_seeds", "trials",
+                "population", "seed"}`, each of which may be left out (docs/api.md).
+            idempotency_key: The same key never begins a second one; None is a key of this call's own.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        headers = {"Idempotency-Key": idempotency_key or uuid.uuid4().hex}
+        return Tuning(self._http, self._http.json("POST", f"{API}/tunings", body=request, headers=headers))
+
+    def estimate_tuning(self, request: Mapping[str, Any]) -> dict[str, Any]:
+        """What a tuning would be: `runs`, `generations`, `estimated_cost` [s of one core], `estimated_seconds`.
+
+        Raises:
+            RidelabAPIError: The service would refuse it.
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        found: dict[str, Any] = self._http.json("POST", f"{API}/tunings", body={**request, "dry_run": True})
+        return found
+
+    def get_tuning(self, tuning_id: str) -> Tuning:
+        """A tuning as it stands.
+
+        Raises:
+            RidelabAPIError: There is none of that id (404).
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        return Tuning(self._http, self.get(f"/tunings/{quote(tuning_id, safe='')}"))
 
     def link(self, result: RunResult | Batch, view: Mapping[str, Any] | None = None) -> Link:
         """A new link that shares a run or a batch and how it is looked at.
