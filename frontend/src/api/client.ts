@@ -28,6 +28,10 @@ import type {
   Strategy,
   StrategyId,
   Sweep,
+  Trial,
+  Tuning,
+  TuningEstimate,
+  TuningSummary,
 } from "./types";
 
 const BASE = "/api/v1";
@@ -103,6 +107,23 @@ export interface SweepWish {
   readonly sweep: Sweep;
 }
 
+/** What of a tuning is chosen beside its scenario. */
+export interface TuningChoice {
+  readonly strategy: StrategyId;
+  readonly objectives: readonly Readonly<Record<string, unknown>>[];
+  readonly limits: readonly { readonly figure: string; readonly at_most: number }[];
+  readonly search: Readonly<Record<string, readonly [number, number]>>;
+  readonly seeds: readonly number[];
+  readonly fresh_seeds: readonly number[];
+  readonly trials: number;
+  readonly population: number;
+  readonly seed: number;
+}
+
+export interface TuningWish extends TuningChoice {
+  readonly scenario: Scenario;
+}
+
 export interface LiveWish {
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
@@ -141,6 +162,15 @@ export const api = {
   batchResultsAddress: (id: string, format: "json" | "csv" | "parquet") =>
     `${BASE}/batches/${encodeURIComponent(id)}/results?format=${format}`,
 
+  estimateTuning: (wish: TuningWish, signal?: AbortSignal) => post<TuningEstimate>("/tunings", { ...wish, dry_run: true }, { signal }),
+  createTuning: (wish: TuningWish, key: string) => post<Tuning>("/tunings", wish, { headers: { "idempotency-key": key } }),
+  tunings: (signal?: AbortSignal) => get<{ readonly tunings: readonly TuningSummary[] }>("/tunings?limit=50", signal),
+  tuning: (id: string, signal?: AbortSignal) => get<Tuning>(`/tunings/${encodeURIComponent(id)}`, signal),
+  tuningTrials: (id: string, signal?: AbortSignal) => get<{ readonly trials: readonly Trial[] }>(`/tunings/${encodeURIComponent(id)}/trials`, signal),
+  cancelTuning: (id: string) => post<Tuning>(`/tunings/${encodeURIComponent(id)}/cancel`, {}),
+  resumeTuning: (id: string, trials: number) => post<Tuning>(`/tunings/${encodeURIComponent(id)}/resume?${new URLSearchParams({ trials: String(trials) })}`, {}),
+  tuningEventsAddress: (id: string, after: number) => `${BASE}/tunings/${encodeURIComponent(id)}/events?after=${after}`,
+
   shareBatch: (batchId: string, view: SharedView) => post<NewLink>("/links", { batch_id: batchId, view }),
   share: (runId: string, view: SharedView) => post<NewLink>("/links", { run_id: runId, view }),
   link: (slug: string, signal?: AbortSignal) => get<Link>(`/links/${encodeURIComponent(slug)}`, signal),
@@ -168,6 +198,9 @@ export const api = {
 
   seriesAddress: (id: string, strategy: StrategyId, format: "csv" | "parquet") =>
     `${BASE}/runs/${encodeURIComponent(id)}/series?${new URLSearchParams({ strategy, format })}`,
+
+  reportAddress: (id: string, baseline: StrategyId | null, x: "position" | "time") =>
+    `${BASE}/runs/${encodeURIComponent(id)}/report.html?${new URLSearchParams({ x, ...(baseline === null ? {} : { baseline }) })}`,
 };
 
 export type Readiness = "ready" | "starting" | "down";

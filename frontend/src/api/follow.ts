@@ -1,4 +1,4 @@
-/** Follows a batch by server-sent events until it has ended. */
+/** Follows what the server works on by server-sent events. */
 
 import { api } from "./client";
 import type { Batch } from "./types";
@@ -23,34 +23,42 @@ function read(text: string): Progress | null {
   }
 }
 
-interface Handlers {
-  readonly onProgress: (progress: Progress) => void;
+interface Handlers<News> {
+  readonly onProgress: (progress: News) => void;
   /** Whether news arrive at the moment. */
   readonly onConnected: (connected: boolean) => void;
+}
+
+interface Stream<News> {
+  readonly address: (after: number) => string;
+  readonly events: readonly string[];
+  /** `null` for what cannot be read. */
+  readonly read: (text: string) => News | null;
+  /** Nothing comes after this. */
+  readonly isLast: (news: News) => boolean;
 }
 
 /**
  * The browser itself asks again from where a connection broke; only where the server refuses it has to be asked
  * anew, from the last number seen.
  */
-export function followBatch(id: string, { onProgress, onConnected }: Handlers): () => void {
+export function follow<News>({ address, events, read, isLast }: Stream<News>, { onProgress, onConnected }: Handlers<News>): () => void {
   let source: EventSource | null = null;
   let retry: ReturnType<typeof setTimeout> | undefined;
   let seen = 0;
 
   const receive = (event: MessageEvent<string>) => {
     seen = Number(event.lastEventId) || seen;
-    const progress = read(event.data);
-    if (progress === null) return;
-    onProgress(progress);
-    if (isFinal(progress)) source?.close();
+    const news = read(event.data);
+    if (news === null) return;
+    onProgress(news);
+    if (isLast(news)) source?.close();
   };
   const connect = () => {
-    const made = new EventSource(api.batchEventsAddress(id, seen));
+    const made = new EventSource(address(seen));
     source = made;
     made.addEventListener("open", () => onConnected(true));
-    made.addEventListener("state", receive);
-    made.addEventListener("progress", receive);
+    for (const name of events) made.addEventListener(name, receive);
     made.addEventListener("error", () => {
       onConnected(false);
       if (made.readyState === EventSource.CLOSED) retry = setTimeout(connect, RETRY_MS);
@@ -62,3 +70,6 @@ export function followBatch(id: string, { onProgress, onConnected }: Handlers): 
     source?.close();
   };
 }
+
+export const followBatch = (id: string, handlers: Handlers<Progress>) =>
+  follow({ address: (after) => api.batchEventsAddress(id, after), events: ["state", "progress"], read, isLast: isFinal }, handlers);

@@ -447,6 +447,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/runs/{id}/report.html": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Run Report
+         * @description The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none.
+         */
+        get: operations["getRunReport"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/runs/{id}/series": {
         parameters: {
             query?: never;
@@ -499,6 +519,130 @@ export interface paths {
          * @description Every strategy: what it does, what it reads, how it is drawn.
          */
         get: operations["getStrategies"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tunings": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Tunings
+         * @description The newest tunings first, without their scenarios and results.
+         */
+        get: operations["listTunings"];
+        put?: never;
+        /**
+         * Create Tuning
+         * @description Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes.
+         */
+        post: operations["createTuning"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tunings/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Tuning
+         * @description A tuning as it stands: the best weights so far, the front, how it got there, in the end the comparison.
+         */
+        get: operations["getTuning"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tunings/{id}/cancel": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Cancel Tuning
+         * @description It stops; what its complete generations found stays. One that has ended is answered as it is.
+         */
+        post: operations["cancelTuning"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tunings/{id}/events": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Tuning Events
+         * @description Server-sent events `state`, `progress` (a generation) and `restart`; the last is the final state.
+         */
+        get: operations["getTuningEvents"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tunings/{id}/resume": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Resume Tuning
+         * @description One that has ended goes on where it stopped, perhaps with more trials; one under way is answered as it is.
+         */
+        post: operations["resumeTuning"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/tunings/{id}/trials": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Tuning Trials
+         * @description Every trial of the complete generations, in order.
+         */
+        get: operations["getTuningTrials"];
         put?: never;
         post?: never;
         delete?: never;
@@ -609,6 +753,93 @@ export interface components {
             sentences: string[];
             /** Shares */
             shares: components["schemas"]["Share"][];
+        };
+        /**
+         * Figures
+         * @description Plotly figures by name, in the order of display.
+         */
+        backend__models__Figures: {
+            /** Figures */
+            figures: {
+                [key: string]: {
+                    [key: string]: unknown;
+                };
+            };
+        };
+        /**
+         * Change
+         * @description Change of one combination against another [%].
+         */
+        backend__paper__models__Change: {
+            /**
+             * Ci
+             * @description 95 % interval [%]
+             */
+            ci: number[];
+            /** Our Change */
+            our_change: number;
+            /** Signal */
+            signal: string;
+            /** Statistic */
+            statistic: string;
+            /** Window */
+            window: string;
+        };
+        /**
+         * Counts
+         * @description How many cells got each verdict.
+         */
+        backend__paper__models__Counts: {
+            /** Contradicts */
+            contradicts: number;
+            /** Reached */
+            reached: number;
+            /** Smaller */
+            smaller: number;
+        };
+        /**
+         * Change
+         * @description Change of a mean against the paper's weights, paired by road, with its 95 % interval [%].
+         */
+        backend__tuner__models__Change: {
+            /** High */
+            high: number | null;
+            /**
+             * Low
+             * @description Null on one road
+             */
+            low: number | null;
+            /** Value */
+            value: number;
+        };
+        /**
+         * Counts
+         * @description Trials.
+         */
+        backend__tuner__models__Counts: {
+            /** Done */
+            done: number;
+            /** Failed */
+            failed: number;
+            /** Feasible */
+            feasible: number;
+            /** Total */
+            total: number;
+        };
+        /**
+         * Figures
+         * @description One figure of one set of weights over some roads.
+         */
+        backend__tuner__models__Figures: {
+            /** @description Null for the paper's weights themselves and against zero */
+            change: components["schemas"]["backend__tuner__models__Change"] | null;
+            /** Mean */
+            mean: number;
+            /**
+             * Worst
+             * @description The largest over the roads
+             */
+            worst: number;
         };
         /**
          * Batch
@@ -1217,25 +1448,6 @@ export interface components {
             without_preview: components["schemas"]["Judgement"] | null;
         };
         /**
-         * Change
-         * @description Change of one combination against another [%].
-         */
-        Change: {
-            /**
-             * Ci
-             * @description 95 % interval [%]
-             */
-            ci: number[];
-            /** Our Change */
-            our_change: number;
-            /** Signal */
-            signal: string;
-            /** Statistic */
-            statistic: string;
-            /** Window */
-            window: string;
-        };
-        /**
          * Column
          * @description Who is compared with whom.
          */
@@ -1298,16 +1510,78 @@ export interface components {
             value: number;
         };
         /**
-         * Counts
-         * @description How many cells got each verdict.
+         * ComparedFigure
+         * @description A column of the comparison.
          */
-        Counts: {
-            /** Contradicts */
-            contradicts: number;
-            /** Reached */
-            reached: number;
-            /** Smaller */
-            smaller: number;
+        ComparedFigure: {
+            /**
+             * Key
+             * @description objectives.0, limits.0, or a figure's name
+             */
+            key: string;
+            /** Label */
+            label: string;
+            /** Unit */
+            unit: string;
+        };
+        /**
+         * ComparedPoint
+         * @description One set of weights beside the paper's.
+         */
+        ComparedPoint: {
+            /**
+             * Failures
+             * @description Roads it could not be run on; the figures leave them out
+             */
+            failures: string[];
+            /**
+             * Fresh
+             * @description The same over the fresh roads
+             */
+            fresh: {
+                [key: string]: components["schemas"]["backend__tuner__models__Figures"];
+            };
+            /**
+             * Roles
+             * @description paper, scenario, best.0 (of the first objective), knee
+             */
+            roles: string[];
+            /**
+             * Training
+             * @description By the figures' keys, over the training roads
+             */
+            training: {
+                [key: string]: components["schemas"]["backend__tuner__models__Figures"];
+            };
+            /** Trial */
+            trial: number;
+            /**
+             * Verdict
+             * @description An objective each, on the fresh roads against the paper's weights: whether the interval of the change lies below zero, above it, or holds it; null for the paper's own
+             */
+            verdict: ("better" | "worse" | "unclear")[] | null;
+            /** Weights */
+            weights: {
+                [key: string]: number | number[];
+            };
+        };
+        /**
+         * Comparison
+         * @description The paper's weights and the tuned ones over the training roads and over fresh ones.
+         */
+        Comparison: {
+            /**
+             * Batch
+             * @description Whose rows these figures are made of
+             */
+            batch: string;
+            /** Figures */
+            figures: components["schemas"]["ComparedFigure"][];
+            /**
+             * Points
+             * @description The paper's weights first
+             */
+            points: components["schemas"]["ComparedPoint"][];
         };
         /**
          * CreatedLink
@@ -1356,7 +1630,7 @@ export interface components {
             /** Against */
             against: string;
             /** Cells */
-            cells: components["schemas"]["Change"][];
+            cells: components["schemas"]["backend__paper__models__Change"][];
             /** Label */
             label: string;
             /** Strategy */
@@ -1426,18 +1700,6 @@ export interface components {
             window: string;
         };
         /**
-         * Figures
-         * @description Plotly figures by name, in the order of display.
-         */
-        Figures: {
-            /** Figures */
-            figures: {
-                [key: string]: {
-                    [key: string]: unknown;
-                };
-            };
-        };
-        /**
          * FigureSummary
          * @description One figure under one strategy; lower is better.
          */
@@ -1467,6 +1729,34 @@ export interface components {
             quantiles: number[] | null;
             /** Sensitivity */
             sensitivity: components["schemas"]["Sensitivity"][];
+        };
+        /**
+         * Generation
+         * @description How far the search was after a generation.
+         */
+        Generation: {
+            /**
+             * Best
+             * @description Smallest feasible value of each objective so far
+             */
+            best: (number | null)[];
+            /**
+             * Feasible
+             * @description So far
+             */
+            feasible: number;
+            /** Generation */
+            generation: number;
+            /**
+             * Hypervolume
+             * @description Share of the box between zero and the paper's weights' values that the front dominates: with one objective how much smaller it got; null where the paper's value of an objective is zero or missing
+             */
+            hypervolume: number | null;
+            /**
+             * Trials
+             * @description So far
+             */
+            trials: number;
         };
         /**
          * Health
@@ -1571,6 +1861,33 @@ export interface components {
              * @default 0
              */
             seed: number;
+        };
+        /**
+         * Limit
+         * @description A figure that may not be exceeded on any training road.
+         */
+        Limit: {
+            /** At Most */
+            at_most: number;
+            /**
+             * Figure
+             * @enum {string}
+             */
+            figure: "rough_road.body_acceleration.rms" | "rough_road.body_acceleration.peak" | "rough_road.pitch_acceleration.rms" | "rough_road.pitch_acceleration.peak" | "rough_road.front_tyre_load.rms" | "rough_road.front_tyre_load.peak" | "rough_road.rear_tyre_load.rms" | "rough_road.rear_tyre_load.peak" | "rough_road.front_deflection.rms" | "rough_road.front_deflection.peak" | "rough_road.rear_deflection.rms" | "rough_road.rear_deflection.peak" | "rough_road.front_force.rms" | "rough_road.front_force.peak" | "rough_road.rear_force.rms" | "rough_road.rear_force.peak" | "bump.body_acceleration.rms" | "bump.body_acceleration.peak" | "bump.pitch_acceleration.rms" | "bump.pitch_acceleration.peak" | "bump.front_tyre_load.rms" | "bump.front_tyre_load.peak" | "bump.rear_tyre_load.rms" | "bump.rear_tyre_load.peak" | "bump.front_deflection.rms" | "bump.front_deflection.peak" | "bump.rear_deflection.rms" | "bump.rear_deflection.peak" | "bump.front_force.rms" | "bump.front_force.peak" | "bump.rear_force.rms" | "bump.rear_force.peak" | "whole.body_acceleration.rms" | "whole.body_acceleration.peak" | "whole.pitch_acceleration.rms" | "whole.pitch_acceleration.peak" | "whole.front_tyre_load.rms" | "whole.front_tyre_load.peak" | "whole.rear_tyre_load.rms" | "whole.rear_tyre_load.peak" | "whole.front_deflection.rms" | "whole.front_deflection.peak" | "whole.rear_deflection.rms" | "whole.rear_deflection.peak" | "whole.front_force.rms" | "whole.front_force.peak" | "whole.rear_force.rms" | "whole.rear_force.peak" | "comfort.weighted_rms" | "comfort.vibration_dose" | "comfort.front_dynamic_load_coefficient" | "comfort.rear_dynamic_load_coefficient" | "comfort.actuator_mean_power" | "comfort.actuator_peak_power" | "events.airborne_ms" | "events.front_airborne_ms" | "events.rear_airborne_ms" | "events.travel_exceeded_mm" | "events.limited_steps" | "events.qp_solves" | "events.qp_fallbacks" | "events.qp_failures" | "events.max_slack_mm" | "events.ecu_most_iterations" | "events.ecu_clipped_values" | "events.ecu_held_commands" | "travel_time" | "arrival_speed_kmh";
+        };
+        /**
+         * LimitAnswer
+         * @description A limit with its name.
+         */
+        LimitAnswer: {
+            /** At Most */
+            at_most: number;
+            /** Figure */
+            figure: string;
+            /** Label */
+            label: string;
+            /** Unit */
+            unit: string;
         };
         /**
          * Link
@@ -2171,6 +2488,66 @@ export interface components {
             stage_weights: components["schemas"]["StageWeights"];
         };
         /**
+         * Objective
+         * @description What to make small, as its mean over the training roads.
+         *
+         *     `paper` is Eq. 16: q1 (a/a_p)² + q2 (r/r_p)² + q3 (F/F_p)² of the RMS of body and pitch acceleration and tyre load
+         *     (both tyres) over the passive car's on the same road; `peaks` the same with peaks; `figure` one figure of a run.
+         */
+        Objective: {
+            /**
+             * Figure
+             * @description Of figure: a name of a batch's columns
+             */
+            figure?: ("rough_road.body_acceleration.rms" | "rough_road.body_acceleration.peak" | "rough_road.pitch_acceleration.rms" | "rough_road.pitch_acceleration.peak" | "rough_road.front_tyre_load.rms" | "rough_road.front_tyre_load.peak" | "rough_road.rear_tyre_load.rms" | "rough_road.rear_tyre_load.peak" | "rough_road.front_deflection.rms" | "rough_road.front_deflection.peak" | "rough_road.rear_deflection.rms" | "rough_road.rear_deflection.peak" | "rough_road.front_force.rms" | "rough_road.front_force.peak" | "rough_road.rear_force.rms" | "rough_road.rear_force.peak" | "bump.body_acceleration.rms" | "bump.body_acceleration.peak" | "bump.pitch_acceleration.rms" | "bump.pitch_acceleration.peak" | "bump.front_tyre_load.rms" | "bump.front_tyre_load.peak" | "bump.rear_tyre_load.rms" | "bump.rear_tyre_load.peak" | "bump.front_deflection.rms" | "bump.front_deflection.peak" | "bump.rear_deflection.rms" | "bump.rear_deflection.peak" | "bump.front_force.rms" | "bump.front_force.peak" | "bump.rear_force.rms" | "bump.rear_force.peak" | "whole.body_acceleration.rms" | "whole.body_acceleration.peak" | "whole.pitch_acceleration.rms" | "whole.pitch_acceleration.peak" | "whole.front_tyre_load.rms" | "whole.front_tyre_load.peak" | "whole.rear_tyre_load.rms" | "whole.rear_tyre_load.peak" | "whole.front_deflection.rms" | "whole.front_deflection.peak" | "whole.rear_deflection.rms" | "whole.rear_deflection.peak" | "whole.front_force.rms" | "whole.front_force.peak" | "whole.rear_force.rms" | "whole.rear_force.peak" | "comfort.weighted_rms" | "comfort.vibration_dose" | "comfort.front_dynamic_load_coefficient" | "comfort.rear_dynamic_load_coefficient" | "comfort.actuator_mean_power" | "comfort.actuator_peak_power" | "events.airborne_ms" | "events.front_airborne_ms" | "events.rear_airborne_ms" | "events.travel_exceeded_mm" | "events.limited_steps" | "events.qp_solves" | "events.qp_fallbacks" | "events.qp_failures" | "events.max_slack_mm" | "events.ecu_most_iterations" | "events.ecu_clipped_values" | "events.ecu_held_commands" | "travel_time" | "arrival_speed_kmh") | null;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "paper" | "peaks" | "figure";
+            /**
+             * Q
+             * @description Of paper and peaks: q1 body acceleration, q2 pitch acceleration, q3 tyre load
+             * @default [
+             *       1,
+             *       1,
+             *       1
+             *     ]
+             */
+            q: [
+                number,
+                number,
+                number
+            ];
+            /**
+             * Window
+             * @description Of paper (without one whole) and peaks (bump)
+             * @enum {unknown}
+             */
+            window?: "rough_road" | "bump" | "whole" | null;
+        };
+        /**
+         * ObjectiveAnswer
+         * @description An objective with its name; `window` is never null for `paper` and `peaks`.
+         */
+        ObjectiveAnswer: {
+            /** Figure */
+            figure: string | null;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "paper" | "peaks" | "figure";
+            /** Label */
+            label: string;
+            /** Q */
+            q: number[];
+            /** Unit */
+            unit: string;
+            /** Window */
+            window: string | null;
+        };
+        /**
          * PaperAnswer
          * @description The reproduction.
          */
@@ -2179,7 +2556,7 @@ export interface components {
             cells: components["schemas"]["Cell"][];
             /** Core Version */
             core_version: string;
-            counts: components["schemas"]["Counts"];
+            counts: components["schemas"]["backend__paper__models__Counts"];
             /** Errata */
             errata: components["schemas"]["Erratum"][];
             /** Reached */
@@ -2357,7 +2734,7 @@ export interface components {
             changed: number;
             /** Choice */
             choice: string;
-            counts: components["schemas"]["Counts"];
+            counts: components["schemas"]["backend__paper__models__Counts"];
             /** Reached */
             reached: number;
             /** Reading */
@@ -3150,6 +3527,503 @@ export interface components {
             title: string;
         };
         /**
+         * Trial
+         * @description A set of weights and what it gave on the training roads.
+         */
+        Trial: {
+            /**
+             * Feasible
+             * @description Within every limit on every training road; failed ones are not
+             */
+            feasible: boolean;
+            /** Generation */
+            generation: number;
+            /**
+             * Limits
+             * @description A limit each: the largest over the training roads
+             */
+            limits: number[] | null;
+            /** Number */
+            number: number;
+            /**
+             * Reason
+             * @description Of a failed one
+             */
+            reason: string | null;
+            /**
+             * Status
+             * @enum {string}
+             */
+            status: "ok" | "failed";
+            /**
+             * Values
+             * @description An objective each: means over the training roads
+             */
+            values: number[] | null;
+            /**
+             * Weights
+             * @description The strategy's weights by dotted name, to be put into the scenario as they are
+             */
+            weights: {
+                [key: string]: number | number[];
+            };
+        };
+        /**
+         * Trials
+         * @description Every trial, in order.
+         */
+        Trials: {
+            /** Trials */
+            trials: components["schemas"]["Trial"][];
+            /** Tuning */
+            tuning: string;
+        };
+        /**
+         * Tuning
+         * @description A tuning as it stands.
+         */
+        Tuning: {
+            /**
+             * Batch
+             * @description The batch it waits for, or waited for last
+             */
+            batch: string | null;
+            /**
+             * Best
+             * @description An objective each: the feasible trial with its smallest value
+             */
+            best: (components["schemas"]["Trial"] | null)[];
+            comparison: components["schemas"]["Comparison"] | null;
+            /** Core Version */
+            core_version: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Estimated Cost
+             * @description Upper estimate [s of one core]
+             */
+            estimated_cost: number;
+            /** Finished At */
+            finished_at: string | null;
+            /** Fresh Seeds */
+            fresh_seeds: number[];
+            /**
+             * Front
+             * @description Feasible trials that no other one betters, by the first objective
+             */
+            front: components["schemas"]["Trial"][];
+            /**
+             * Generation
+             * @description Generations that are complete
+             */
+            generation: number;
+            /** History */
+            history: components["schemas"]["Generation"][];
+            /** Id */
+            id: string;
+            /** @description Of several objectives: the point of the front nearest to its ideal corner */
+            knee: components["schemas"]["Trial"] | null;
+            /** Limits */
+            limits: components["schemas"]["LimitAnswer"][];
+            /** Objectives */
+            objectives: components["schemas"]["ObjectiveAnswer"][];
+            /** @description The scenario's own weights where they are not the paper's */
+            own: components["schemas"]["Trial"] | null;
+            /** @description The paper's weights; null until the first generation is complete */
+            paper: components["schemas"]["Trial"] | null;
+            /** Population */
+            population: number;
+            /**
+             * Reason
+             * @description Why it failed
+             */
+            reason: string | null;
+            /** Scenario */
+            scenario: {
+                [key: string]: unknown;
+            };
+            /** Search */
+            search: {
+                [key: string]: number[];
+            };
+            /** Seed */
+            seed: number;
+            /** Seeds */
+            seeds: number[];
+            /** Started At */
+            started_at: string | null;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /**
+             * Step
+             * @description What it does, or did last
+             * @enum {string}
+             */
+            step: "search" | "comparison";
+            /** Strategy */
+            strategy: string;
+            trials: components["schemas"]["backend__tuner__models__Counts"];
+        };
+        /**
+         * TuningEstimate
+         * @description What a tuning would be.
+         */
+        TuningEstimate: {
+            /**
+             * Estimated Cost
+             * @description Upper estimate, which the limit is held against [s of one core]
+             */
+            estimated_cost: number;
+            /**
+             * Estimated Seconds
+             * @description By some runs tried just now [s]; none where trying takes long
+             */
+            estimated_seconds: number | null;
+            /** Generations */
+            generations: number;
+            /**
+             * Runs
+             * @description Of the search and the comparison, the passive car's included
+             */
+            runs: number;
+        };
+        /**
+         * TuningRequest
+         * @description What to tune, for what, on which roads.
+         * @example {
+         *       "limits": [
+         *         {
+         *           "at_most": 0,
+         *           "figure": "events.travel_exceeded_mm"
+         *         }
+         *       ],
+         *       "objectives": [
+         *         {
+         *           "kind": "paper"
+         *         }
+         *       ],
+         *       "strategy": "lv",
+         *       "trials": 32
+         *     }
+         * @example {
+         *       "dry_run": true,
+         *       "objectives": [
+         *         {
+         *           "kind": "paper"
+         *         },
+         *         {
+         *           "figure": "bump.body_acceleration.peak",
+         *           "kind": "figure"
+         *         }
+         *       ],
+         *       "population": 4,
+         *       "search": {
+         *         "lqr.weights.0": [
+         *           0.1,
+         *           10
+         *         ],
+         *         "lqr.weights.2": [
+         *           0.1,
+         *           10
+         *         ]
+         *       },
+         *       "strategy": "lqr",
+         *       "trials": 8
+         *     }
+         */
+        TuningRequest: {
+            /**
+             * Dry Run
+             * @description Only check and estimate: nothing is stored or computed
+             * @default false
+             */
+            dry_run: boolean;
+            /**
+             * Fresh Seeds
+             * @description Roads compared on, none trained on
+             * @default [
+             *       101,
+             *       102,
+             *       103,
+             *       104,
+             *       105,
+             *       106,
+             *       107,
+             *       108,
+             *       109,
+             *       110
+             *     ]
+             */
+            fresh_seeds: number[];
+            /**
+             * Limits
+             * @default []
+             */
+            limits: components["schemas"]["Limit"][];
+            /**
+             * Objectives
+             * @default [
+             *       {
+             *         "kind": "paper",
+             *         "q": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       }
+             *     ]
+             */
+            objectives: components["schemas"]["Objective"][];
+            /**
+             * Population
+             * @description Sets of weights tried at once: a generation
+             * @default 16
+             */
+            population: number;
+            /**
+             * @default {
+             *       "vehicle": {
+             *         "body_mass": 1270,
+             *         "cg_height": 0.54,
+             *         "cg_to_front": 1.015,
+             *         "cg_to_rear": 1.895,
+             *         "front_damping": 6000,
+             *         "front_spring": 27000,
+             *         "front_tyre_stiffness": 268000,
+             *         "front_wheel_mass": 66.3,
+             *         "pitch_inertia": 1536.7,
+             *         "rear_damping": 6000,
+             *         "rear_spring": 30000,
+             *         "rear_tyre_stiffness": 268000,
+             *         "rear_wheel_mass": 66.3
+             *       },
+             *       "road": {
+             *         "bump": {
+             *           "height": 0.1,
+             *           "shape": "cosine",
+             *           "start": 100,
+             *           "width": 4
+             *         },
+             *         "length": 150,
+             *         "roughness": 0.000064,
+             *         "seed": 1
+             *       },
+             *       "speed": {
+             *         "controller": "guarded",
+             *         "detection_distance": 80,
+             *         "initial_speed_kmh": 50,
+             *         "target_speed_kmh": 22.5
+             *       },
+             *       "brake": {
+             *         "brakes": 2,
+             *         "drag_area": 0.65,
+             *         "effective_radius": 0.13,
+             *         "friction_coefficient": 0.38,
+             *         "maximum_deceleration": 4,
+             *         "piston_area": 0.0025,
+             *         "pressure_lag": 0.1,
+             *         "rolling_resistance": 0.012,
+             *         "threshold_speed": 0.1,
+             *         "wheel_radius": 0.3
+             *       },
+             *       "actuator": {},
+             *       "mismatch": {
+             *         "body_mass": 1,
+             *         "damping": 1,
+             *         "preview_delay": 0,
+             *         "preview_gain": 1,
+             *         "preview_noise": 0,
+             *         "preview_offset": 0,
+             *         "springs": 1,
+             *         "tyres": 1
+             *       },
+             *       "mpc": {
+             *         "control_horizon": 20,
+             *         "deflection_limit": 0.08,
+             *         "deflection_weight": 3,
+             *         "force_change_weight": 1e-10,
+             *         "force_limit": 5000,
+             *         "force_weight": 1e-9,
+             *         "prediction_horizon": 30,
+             *         "preview": "lookahead",
+             *         "road_weights": {
+             *           "bump": [
+             *             3,
+             *             1,
+             *             6
+             *           ],
+             *           "rough": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         },
+             *         "sample_time": 0.01,
+             *         "solver": "daqp",
+             *         "stage_weights": {
+             *           "brake": [
+             *             2,
+             *             6,
+             *             1
+             *           ],
+             *           "bump": [
+             *             1,
+             *             1,
+             *             6
+             *           ],
+             *           "cruise": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         }
+             *       },
+             *       "lqr": {
+             *         "deflection_weight": 3,
+             *         "preview": "none",
+             *         "preview_horizon": 30,
+             *         "weights": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       },
+             *       "hil": {
+             *         "bits": 12,
+             *         "compensation": "predict",
+             *         "iterations": 30,
+             *         "jitter": 0,
+             *         "noise": 0,
+             *         "packet_loss": 0,
+             *         "seed": 1
+             *       }
+             *     }
+             */
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Search
+             * @description Weight -> [lowest, highest], searched on a logarithmic scale; what is not named keeps the scenario's value. Without it every weight of the strategy, 0.05 to 50.
+             */
+            search?: {
+                [key: string]: [
+                    number,
+                    number
+                ];
+            } | null;
+            /**
+             * Seed
+             * @description Of the search: same request, same trials
+             * @default 0
+             */
+            seed: number;
+            /**
+             * Seeds
+             * @description Roads trained on
+             * @default [
+             *       1,
+             *       2,
+             *       3,
+             *       4
+             *     ]
+             */
+            seeds: number[];
+            /**
+             * Strategy
+             * @default lv
+             * @enum {string}
+             */
+            strategy: "lv" | "suspension_only" | "lqr";
+            /**
+             * Trials
+             * @description Sets of weights, the paper's and the scenario's included
+             * @default 200
+             */
+            trials: number;
+        };
+        /**
+         * Tunings
+         * @description The newest first.
+         */
+        Tunings: {
+            /** Tunings */
+            tunings: components["schemas"]["TuningSummary"][];
+        };
+        /**
+         * TuningSummary
+         * @description A tuning in a list.
+         */
+        TuningSummary: {
+            /**
+             * Batch
+             * @description The batch it waits for, or waited for last
+             */
+            batch: string | null;
+            /** Core Version */
+            core_version: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Estimated Cost
+             * @description Upper estimate [s of one core]
+             */
+            estimated_cost: number;
+            /** Finished At */
+            finished_at: string | null;
+            /** Fresh Seeds */
+            fresh_seeds: number[];
+            /**
+             * Generation
+             * @description Generations that are complete
+             */
+            generation: number;
+            /** Id */
+            id: string;
+            /** Limits */
+            limits: components["schemas"]["LimitAnswer"][];
+            /** Objectives */
+            objectives: components["schemas"]["ObjectiveAnswer"][];
+            /** Population */
+            population: number;
+            /**
+             * Reason
+             * @description Why it failed
+             */
+            reason: string | null;
+            /** Search */
+            search: {
+                [key: string]: number[];
+            };
+            /** Seed */
+            seed: number;
+            /** Seeds */
+            seeds: number[];
+            /** Started At */
+            started_at: string | null;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /**
+             * Step
+             * @description What it does, or did last
+             * @enum {string}
+             */
+            step: "search" | "comparison";
+            /** Strategy */
+            strategy: string;
+            trials: components["schemas"]["backend__tuner__models__Counts"];
+        };
+        /**
          * TypedArray
          * @description Little-endian float32 in base64: plotly's typed-array form.
          */
@@ -3269,7 +4143,7 @@ export interface components {
          * @description The same count without the road ahead.
          */
         WithoutPreview: {
-            counts: components["schemas"]["Counts"];
+            counts: components["schemas"]["backend__paper__models__Counts"];
             /** Reached */
             reached: number;
         };
@@ -3898,7 +4772,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Figures"];
+                    "application/json": components["schemas"]["backend__models__Figures"];
                 };
             };
             /** @description Internal Server Error */
@@ -4690,7 +5564,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Figures"];
+                    "application/json": components["schemas"]["backend__models__Figures"];
                 };
             };
             /** @description Not Found */
@@ -4810,6 +5684,79 @@ export interface operations {
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getRunReport: {
+        parameters: {
+            query?: {
+                /** @description Whose figures the changes refer to; omitted is passive */
+                baseline?: string | null;
+                /** @description What is on the x axis */
+                x?: "position" | "time";
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": string;
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": components["schemas"]["Problem"];
                 };
             };
         };
@@ -4945,6 +5892,510 @@ export interface operations {
             };
             /** @description Internal Server Error */
             500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    listTunings: {
+        parameters: {
+            query?: {
+                /** @description At most so many */
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Tunings"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    createTuning: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description The same key and body again answer the same batch, so that a lost answer can be asked for again */
+                "idempotency-key"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["TuningRequest"];
+            };
+        };
+        responses: {
+            /** @description Of a dry run */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["TuningEstimate"];
+                };
+            };
+            /** @description Successful Response */
+            202: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Tuning"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getTuning: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Tuning"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    cancelTuning: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Tuning"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getTuningEvents: {
+        parameters: {
+            query?: {
+                /** @description The same, in the address */
+                after?: number | null;
+            };
+            header?: {
+                /** @description The last number seen: a browser sends it */
+                "last-event-id"?: string | null;
+            };
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/event-stream": {
+                        /** @description JSON: state, step, generation, total, done, failed, feasible; progress also best and hypervolume */
+                        data: string;
+                        /** @enum {unknown} */
+                        event: "state" | "progress" | "restart";
+                        id: string;
+                    };
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    resumeTuning: {
+        parameters: {
+            query?: {
+                /** @description In all; without it as many as were asked for before */
+                trials?: number | null;
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Tuning"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getTuningTrials: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Trials"];
+                };
+            };
+            /** @description Not Found */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };

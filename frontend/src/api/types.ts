@@ -62,6 +62,19 @@ export type RobustnessDefaults = Deep<Schemas["RobustnessDefaults"]>;
 export type Estimate = Deep<Schemas["Estimate"]>;
 export type Sweep = Deep<Schemas["Sweep"]>;
 
+export type Tuning = Deep<Omit<Schemas["Tuning"], "scenario">> & { readonly scenario: Scenario };
+export type TuningSummary = Deep<Schemas["TuningSummary"]>;
+export type TuningEstimate = Deep<Schemas["TuningEstimate"]>;
+export type Objective = Deep<Schemas["ObjectiveAnswer"]>;
+export type Limit = Deep<Schemas["LimitAnswer"]>;
+/** A set of weights that was tried, and what it gave. */
+export type Trial = Deep<Schemas["Trial"]>;
+export type Weights = Trial["weights"];
+export type Generation = Deep<Schemas["Generation"]>;
+export type Comparison = Deep<Schemas["Comparison"]>;
+export type ComparedPoint = Deep<Schemas["ComparedPoint"]>;
+export type TunedFigure = ComparedPoint["training"][string];
+
 export type Link = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "view">> & {
   readonly view: SharedView;
   readonly scenario: Scenario;

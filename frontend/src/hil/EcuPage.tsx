@@ -1,6 +1,113 @@
+/** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
+
+import { Alert, Button, Skeleton, Text } from "@mantine/core";
+import { useDocumentTitle } from "@mantine/hooks";
+import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useMemo } from "react";
+import { ApiProblem, isTransient } from "../api/problem";
+import type { Summary } from "../api/types";
+import { useCarried } from "../carried/carried";
+import { CarriedScenario } from "../carried/CarriedScenario";
+import { placeErrors } from "../editor/errors";
+import { Blank } from "../shell/Blank";
+import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
 import shell from "../shell/shell.module.css";
+import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
+import { EcuFigures } from "./EcuFigures";
+import { EcuTable } from "./EcuTable";
+import classes from "./hil.module.css";
+import { HilForm } from "./HilForm";
+import { STRATEGIES, useEcuRun } from "./useEcuRun";
+
+const NO_ERRORS = { fields: {}, general: [] };
 
 export function EcuPage() {
-  return <div className={shell.shell}><PageHeader /></div>;
+  const queries = useQueryClient();
+  const carried = useCarried();
+  const { scenario, run, stale, error, change, choose } = useEcuRun(carried);
+  const schema = useQuery(schemaQuery);
+  const strategies = useQuery(strategiesQuery);
+  const catalogue = useQuery(catalogueQuery);
+  const figures = useQuery(figuresQuery);
+  useDocumentTitle("ECU · Ridelab");
+
+  const refused = useMemo(() => {
+    if (!error || isTransient(error) || !schema.data) return NO_ERRORS;
+    return error instanceof ApiProblem ? placeErrors(schema.data, error.errors, error.message) : { fields: {}, general: [error.message] };
+  }, [error, schema.data]);
+  const shown = useMemo(() => STRATEGIES.flatMap((id) => strategies.data?.find((each) => each.id === id) ?? []), [strategies.data]);
+  const { summaries, failures } = useMemo(() => split(run?.strategies ?? {}), [run]);
+  const fault = [schema, strategies, catalogue, figures].find((query) => query.error !== null && !isTransient(query.error))?.error;
+
+  return (
+    <div className={shell.shell}>
+      <PageHeader run={carried.origin.run} />
+      <main className={classes.main}>
+        <h1 className={classes.heading}>The controller as an ECU’s program</h1>
+        <Text className={classes.lead ?? ""}>
+          LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), runs as a process of its own and meets the simulated car over TCP: sensors and
+          commands through converters, every command a step late. <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes part.
+        </Text>
+        {fault ? (
+          <Blank title="This page could not be shown" text={fault.message}>
+            <Button onClick={() => void queries.refetchQueries()}>Try again</Button>
+          </Blank>
+        ) : (
+          <>
+            <section className={`${classes.card ?? ""} ${classes.setup ?? ""}`} aria-label="Scenario and loop">
+              <CarriedScenario carried={{ ...carried, choose }} form={schema.data} />
+              {schema.data && scenario ? <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} /> : <Skeleton height={58} />}
+              {[...refused.general, ...elsewhere(refused.fields)].map((message) => (
+                <Alert key={message} color="red" variant="light" p="xs" role="alert">
+                  {message}
+                </Alert>
+              ))}
+            </section>
+            {failures.map(({ id, reason }) => (
+              <Alert key={id} color="red" variant="light" p="xs" role="alert">
+                {shown.find((each) => each.id === id)?.label ?? id} could not be driven: {reason}
+              </Alert>
+            ))}
+            {run && catalogue.data && figures.data && shown.length > 0 ? (
+              <>
+                <EcuTable {...{ summaries, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
+                <EcuFigures {...{ run, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
+              </>
+            ) : (
+              refused === NO_ERRORS && <EcuLoading />
+            )}
+          </>
+        )}
+      </main>
+      <div className={shell.notices} style={{ left: 0 }}>
+        <ConnectionBanner />
+      </div>
+    </div>
+  );
+}
+
+/** Errors at fields this page has no entry for. */
+const elsewhere = (fields: Readonly<Record<string, string>>) =>
+  Object.entries(fields).flatMap(([pointer, message]) => (pointer.startsWith("/hil/") ? [] : [`The scenario’s ${pointer.slice(1).replace(/\//g, ".")}: ${message}`]));
+
+function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies"]) {
+  const summaries: Record<string, Summary> = {};
+  const failures: { readonly id: string; readonly reason: string }[] = [];
+  for (const [id, answer] of Object.entries(all)) {
+    if (answer.status === "ok") summaries[id] = answer;
+    else failures.push({ id, reason: answer.reason });
+  }
+  return { summaries, failures };
+}
+
+function EcuLoading() {
+  return (
+    <div className={classes.part} aria-busy aria-label="Driving">
+      <Text size="sm" c="dimmed">
+        The program is built and driven over the road; the first time that takes some seconds.
+      </Text>
+      <Skeleton height={420} radius={8} />
+    </div>
+  );
 }

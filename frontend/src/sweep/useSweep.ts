@@ -21,7 +21,7 @@ interface SweepState {
 }
 
 /** 128 random bits; `crypto.randomUUID` is missing where the page is not a secure context. */
-function randomKey(): string {
+export function randomKey(): string {
   return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 

@@ -1,0 +1,82 @@
+/** Figures 19 to 22 for this scenario: the paper's four signals, in the ECU, in the simulation and under the LQR. */
+
+import { SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useMemo, useState } from "react";
+import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
+import { PALETTES } from "../plots/palettes";
+import { PlotPanel } from "../plots/PlotPanel";
+import plots from "../plots/plots.module.css";
+import { usePlotly } from "../plots/usePlotly";
+import { DEFAULT_VIEW, type Axis, type Zoom } from "../state/address";
+import { DETAIL_POINTS, seriesQuery } from "../state/queries";
+import { makeScene } from "../state/scene";
+import { fromRun } from "../state/shown";
+import { cursor } from "../state/cursor";
+import { StrategyKey } from "../tables/StrategyKey";
+import classes from "./hil.module.css";
+
+interface Props {
+  readonly run: Run;
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue;
+  readonly figures: Readonly<Record<string, FigureTemplate>>;
+  readonly stale: boolean;
+}
+
+export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props) {
+  const plotly = usePlotly();
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const [axis, setAxis] = useState<Axis>("time");
+  const [zoom, setZoom] = useState<Zoom | null>(null);
+  const ids = useMemo(() => Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : [])), [run]);
+  const series = useQuery(seriesQuery(run.id, ids, DETAIL_POINTS));
+  const scene = useMemo(() => {
+    if (!series.data) return null;
+    const shown = fromRun(run, { series: series.data, missing: null }, 0, true);
+    return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom });
+  }, [run, series.data, strategies, ids, axis, zoom]);
+  const templates = catalogue.paper_signals.flatMap((signal) => Object.values(figures).find(({ layout }) => layout.meta.signal === signal) ?? []);
+  return (
+    <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
+      <header className={classes.head}>
+        <h2 className={classes.title}>Figures 19 to 22, for this scenario</h2>
+        <span className={classes.keys}>
+          {strategies.map((strategy) => (
+            <span key={strategy.id} className={classes.columnHead}>
+              <StrategyKey strategy={strategy} /> {strategy.label}
+            </span>
+          ))}
+        </span>
+        <SegmentedControl
+          size="xs"
+          aria-label="Plots over"
+          value={axis}
+          data={[
+            { value: "distance", label: "Distance" },
+            { value: "time", label: "Time" },
+          ]}
+          onChange={(next) => {
+            setAxis(next);
+            setZoom(null);
+            cursor.set(null);
+          }}
+        />
+      </header>
+      {series.isError && (
+        <Text size="sm" role="alert" className={classes.error ?? ""}>
+          The time histories could not be read: {series.error.message}
+        </Text>
+      )}
+      <div className={plots.grid}>
+        {scene ? (
+          templates.map((template) => (
+            <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, scene, palette }} series={scene.series} onZoom={setZoom} />
+          ))
+        ) : (
+          templates.map(({ layout }) => <div key={layout.meta.signal} className={`${plots.panel ?? ""} ${classes.panelLoading ?? ""}`} />)
+        )}
+      </div>
+    </section>
+  );
+}

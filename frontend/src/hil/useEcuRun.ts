@@ -1,0 +1,58 @@
+/** The run this page shows: LV in the simulation, LV in the ECU and the LQR over one scenario. */
+
+import { keepPreviousData, queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { api } from "../api/client";
+import type { Run, Scenario } from "../api/types";
+import type { Carried } from "../carried/carried";
+import { runKey } from "../state/queries";
+
+export const STRATEGIES = ["lv", "lv_hil", "lqr"] as const;
+
+const ecuRunQuery = (scenario: Scenario | undefined) =>
+  queryOptions({
+    queryKey: ["ecu run", scenario ?? null],
+    queryFn: ({ signal }) => api.createRun(scenario ?? {}, STRATEGIES, signal),
+    enabled: scenario !== undefined,
+    staleTime: Infinity,
+  });
+
+export interface EcuRun {
+  readonly scenario: Scenario | undefined;
+  readonly run: Run | undefined;
+  /** What is shown is older than what was asked for. */
+  readonly stale: boolean;
+  readonly busy: boolean;
+  readonly error: Error | null;
+  /** Runs the changed scenario; the page's address follows. */
+  readonly change: (scenario: Scenario) => void;
+  /** Another scenario altogether. */
+  readonly choose: Carried["choose"];
+}
+
+export function useEcuRun({ scenario: carried, choose }: Carried): EcuRun {
+  const queries = useQueryClient();
+  const changed = useMutation({
+    mutationFn: (scenario: Scenario) => api.createRun(scenario, STRATEGIES),
+    networkMode: "always",
+    onSuccess: (run) => {
+      queries.setQueryData(runKey(run.id), run);
+      queries.setQueryData(ecuRunQuery(run.scenario).queryKey, run);
+      choose({ run: run.id, preset: null });
+    },
+  });
+  // Until the server has taken an edit, the form shows it over what is carried.
+  const edited = changed.isPending || changed.isError ? changed.variables : undefined;
+  const shown = useQuery({ ...ecuRunQuery(carried), placeholderData: keepPreviousData });
+  return {
+    scenario: edited ?? carried,
+    run: shown.data,
+    stale: shown.isPlaceholderData || changed.isPending,
+    busy: shown.isFetching || changed.isPending,
+    error: changed.error ?? shown.error,
+    change: (scenario) => changed.mutate(scenario),
+    choose: (origin) => {
+      changed.reset();
+      choose(origin);
+    },
+  };
+}

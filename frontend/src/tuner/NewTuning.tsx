@@ -1,0 +1,131 @@
+/** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
+
+import { Alert, Button, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { useState } from "react";
+import type { Catalogue, Strategy } from "../api/types";
+import type { Figure } from "../batch/figures";
+import type { Carried } from "../carried/carried";
+import { CarriedScenario } from "../carried/CarriedScenario";
+import type { Group } from "../editor/schema";
+import { formatDuration } from "../units/dates";
+import { count } from "../units/format";
+import { firstDraft, rangesFor, type TuningDraft } from "./draft";
+import { LimitRows } from "./LimitRows";
+import { ObjectiveRows } from "./ObjectiveRows";
+import { RangesTable } from "./RangesTable";
+import { TUNABLE, tunableOf } from "./space";
+import classes from "./tuner.module.css";
+import { useNewTuning } from "./useNewTuning";
+
+interface Props {
+  readonly form: Group;
+  readonly catalogue: Catalogue;
+  readonly strategies: readonly Strategy[];
+  /** Those that are numbers. */
+  readonly figures: readonly Figure[];
+  readonly carried: Carried;
+}
+
+export function NewTuning({ form, catalogue, strategies, figures, carried }: Props) {
+  const [draft, setDraft] = useState<TuningDraft>(() => firstDraft(form));
+  const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
+  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, figures, carried.scenario);
+  const entry = (key: "seeds" | "freshSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
+    <TextInput
+      size="xs"
+      label={label}
+      description={description}
+      value={draft[key]}
+      error={errors[field]}
+      onChange={(event) => patch({ [key]: event.currentTarget.value })}
+    />
+  );
+  return (
+    <form
+      className={classes.card}
+      aria-label="New tuning"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (estimate && !starting) start();
+      }}
+    >
+      <Part title="What is tuned">
+        <CarriedScenario carried={carried} form={form} />
+        <div className={classes.field}>
+          <span className={classes.label}>Strategy</span>
+          <SegmentedControl
+            size="xs"
+            className={classes.segments ?? ""}
+            aria-label="Strategy"
+            value={draft.strategy}
+            data={TUNABLE.map((id) => ({ value: id, label: strategies.find((each) => each.id === id)?.label ?? id }))}
+            onChange={(strategy) => patch({ strategy, ranges: rangesFor(form, strategy) })}
+          />
+        </div>
+      </Part>
+      <Part title="Made small">
+        <ObjectiveRows objectives={draft.objectives} windows={catalogue.windows} {...{ figures, errors }} onChange={(objectives) => patch({ objectives })} />
+      </Part>
+      <Part title="Within limits" detail="on every road trained on">
+        <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
+      </Part>
+      <Part title="Weights" detail="searched between these ends, by ratio">
+        <RangesTable
+          tunable={tunableOf(form, draft.strategy)}
+          scenario={carried.scenario}
+          ranges={draft.ranges}
+          errors={errors}
+          onChange={(name, change) => {
+            const range = draft.ranges[name];
+            if (range) patch({ ranges: { ...draft.ranges, [name]: { ...range, ...change } } });
+          }}
+        />
+      </Part>
+      <Part title="Roads and effort">
+        <div className={classes.entries}>
+          {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
+          {entry("freshSeeds", "Fresh roads", "Compared on, none trained on", "fresh_seeds")}
+          {entry("trials", "Trials", "Sets of weights tried")}
+          {entry("population", "At once", "Sets in a generation")}
+          {entry("seed", "Search seed", "Same seed, same trials")}
+        </div>
+      </Part>
+      {[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])].map((message) => (
+        <Alert key={message} color="red" variant="light" p="xs" m="0 0.9rem 0.6rem" role="alert">
+          {message}
+        </Alert>
+      ))}
+      <footer className={classes.foot}>
+        <Text size="sm" role="status" data-testid="tuning-estimate" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
+          {estimate
+            ? describe(estimate)
+            : Object.keys(errors).length > 0
+              ? "What has to be changed is marked."
+              : pending
+                ? "Counting…"
+                : "\u00a0"}
+        </Text>
+        <Button type="submit" disabled={estimate === undefined} loading={starting}>
+          Start
+        </Button>
+      </footer>
+    </form>
+  );
+}
+
+function describe({ runs, generations, estimated_cost: cost, estimated_seconds: seconds }: NonNullable<ReturnType<typeof useNewTuning>["estimate"]>): string {
+  const time = seconds === null ? `at most ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
+  return `${count(runs, "run")} in ${count(generations, "generation")}, ${time}`;
+}
+
+function Part({ title, detail, children }: { readonly title: string; readonly detail?: string; readonly children: React.ReactNode }) {
+  return (
+    <section className={classes.formPart} aria-label={title}>
+      <h3 className={classes.partTitle}>
+        {title}
+        {detail !== undefined && <span className={classes.dim}> {detail}</span>}
+      </h3>
+      {children}
+    </section>
+  );
+}

@@ -1,0 +1,95 @@
+/** What is made small: up to three objectives. */
+
+import { ActionIcon, NativeSelect, Text, TextInput } from "@mantine/core";
+import { IconX } from "@tabler/icons-react";
+import type { Catalogue } from "../api/types";
+import { fullName, type Figure } from "../batch/figures";
+import { prettyUnit } from "../units/format";
+import { MOST_OBJECTIVES, objectiveOf, type DraftErrors, type Kind, type ObjectiveDraft } from "./draft";
+import { FigureSelect } from "./FigureSelect";
+import classes from "./tuner.module.css";
+
+interface Props {
+  readonly objectives: readonly ObjectiveDraft[];
+  readonly figures: readonly Figure[];
+  readonly windows: Catalogue["windows"];
+  readonly errors: DraftErrors;
+  readonly onChange: (objectives: readonly ObjectiveDraft[]) => void;
+}
+
+const SUMS: readonly { readonly value: Kind; readonly label: string; readonly text: string }[] = [
+  { value: "paper", label: "The paper’s sum (Eq. 16): RMS", text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², RMS over the passive car’s" },
+  { value: "peaks", label: "The same sum of peaks", text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², peaks over the passive car’s" },
+];
+const Q = ["q1, body acceleration", "q2, pitch acceleration", "q3, tyre load"] as const;
+
+export function ObjectiveRows({ objectives, figures, windows, errors, onChange }: Props) {
+  const patch = (key: number, change: Partial<ObjectiveDraft>) => onChange(objectives.map((each) => (each.key === key ? { ...each, ...change } : each)));
+  const add = (value: string) => {
+    const key = 1 + Math.max(-1, ...objectives.map((each) => each.key));
+    const kind = SUMS.find((sum) => sum.value === value)?.value;
+    onChange([...objectives, kind ? objectiveOf(key, kind) : objectiveOf(key, "figure", value)]);
+  };
+  const taken = objectives.map(({ figure }) => figure);
+  return (
+    <div className={classes.rows}>
+      {objectives.map((objective, index) => {
+        const { key, kind, q, window, figure: name } = objective;
+        const figure = figures.find((each) => each.key === name);
+        const title = kind === "figure" ? (figure ? fullName(figure) : (name ?? "")) : (SUMS.find(({ value }) => value === kind)?.label ?? "");
+        const error = errors[`objectives.${index}`];
+        return (
+          <div key={key} className={classes.row} role="group" aria-label={title} data-error={error !== undefined || undefined}>
+            <div className={classes.rowHead}>
+              <span className={classes.rowTitle}>{title}</span>
+              <span className={classes.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>
+              <ActionIcon className={classes.remove ?? ""} size={24} variant="subtle" color="gray" aria-label={`Remove ${title}`} onClick={() => onChange(objectives.filter((each) => each.key !== key))}>
+                <IconX size={15} />
+              </ActionIcon>
+            </div>
+            {kind !== "figure" && (
+              <div className={classes.rowValues}>
+                {Q.map((label, part) => (
+                  <TextInput
+                    key={label}
+                    size="xs"
+                    className={classes.short ?? ""}
+                    label={label}
+                    inputMode="decimal"
+                    value={q[part] ?? ""}
+                    onChange={(event) => {
+                      const typed = event.currentTarget.value;
+                      const [q1, q2, q3] = q.map((text, at) => (at === part ? typed : text));
+                      patch(key, { q: [q1 ?? "", q2 ?? "", q3 ?? ""] });
+                    }}
+                  />
+                ))}
+                <NativeSelect
+                  size="xs"
+                  label="Over"
+                  value={window}
+                  data={windows.map((each) => ({ value: each.key, label: each.label }))}
+                  onChange={(event) => patch(key, { window: event.currentTarget.value })}
+                />
+              </div>
+            )}
+            {error !== undefined && (
+              <Text className={classes.error ?? ""} role="alert">
+                {error}
+              </Text>
+            )}
+          </div>
+        );
+      })}
+      {objectives.length < MOST_OBJECTIVES && (
+        <FigureSelect
+          label={objectives.length === 0 ? "Add an objective" : "Add another objective: the answer is then a Pareto front"}
+          figures={figures.filter(({ key }) => !taken.includes(key))}
+          first={SUMS}
+          error={errors.objectives}
+          onPick={add}
+        />
+      )}
+    </div>
+  );
+}

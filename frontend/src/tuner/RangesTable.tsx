@@ -1,0 +1,105 @@
+/** Which weights are searched, and from where to where; the others stay as the scenario has them. */
+
+import { Checkbox, Text, TextInput } from "@mantine/core";
+import type { Scenario } from "../api/types";
+import { formatInput } from "../units/format";
+import type { DraftErrors, RangeDraft } from "./draft";
+import { ownWeight, weightFields, type Tunable } from "./space";
+import classes from "./tuner.module.css";
+
+interface Props {
+  readonly tunable: Tunable;
+  readonly scenario: Scenario | undefined;
+  readonly ranges: Readonly<Record<string, RangeDraft>>;
+  readonly errors: DraftErrors;
+  readonly onChange: (name: string, change: Partial<RangeDraft>) => void;
+}
+
+export function RangesTable({ tunable, scenario, ranges, errors, onChange }: Props) {
+  const fields = weightFields(tunable);
+  const rows = [...new Set(fields.map(({ row }) => row))];
+  const titles = tunable.triples[0]?.items.map(({ title }) => title) ?? [];
+  const wrong = fields.find(({ name }) => errors[`search.${name}`] !== undefined);
+  const message = wrong ? `${wrong.row}${wrong.travel ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}` : errors.search;
+  return (
+    <>
+      <div className={classes.ranges}>
+        <span />
+        {titles.map((title) => (
+          <span key={title} className={classes.rangeTitle} aria-hidden>
+            {title}
+          </span>
+        ))}
+        {rows.map((row) => (
+          <div key={row} className={classes.rangeRow} role="group" aria-label={row}>
+            <span className={classes.rangeName}>{row}</span>
+            {fields
+              .filter((each) => each.row === row)
+              .map(({ name, field, travel }) => (
+                <Range
+                  key={name}
+                  label={travel ? row : `${row}, ${field.title}`}
+                  range={ranges[name]}
+                  own={scenario && ownWeight(scenario, name)}
+                  wrong={errors[`search.${name}`] !== undefined}
+                  title={travel ? "" : field.title}
+                  onChange={(change) => onChange(name, change)}
+                />
+              ))}
+          </div>
+        ))}
+      </div>
+      {message !== undefined && (
+        <Text className={classes.error ?? ""} role="alert">
+          {message}
+        </Text>
+      )}
+    </>
+  );
+}
+
+interface RangeProps {
+  readonly label: string;
+  /** Stands above it where there is no room for columns. */
+  readonly title: string;
+  readonly range: RangeDraft | undefined;
+  readonly own: number | undefined;
+  readonly wrong: boolean;
+  readonly onChange: (change: Partial<RangeDraft>) => void;
+}
+
+function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
+  if (!range) return null;
+  const end = (key: "from" | "to") => (
+    <TextInput
+      size="xs"
+      className={classes.rangeEnd ?? ""}
+      aria-label={`${label}, ${key}`}
+      inputMode="decimal"
+      value={range[key]}
+      error={wrong}
+      onChange={(event) => onChange({ [key]: event.currentTarget.value })}
+    />
+  );
+  return (
+    <div className={classes.range}>
+      <span className={classes.rangeNarrow} aria-hidden>
+        {title}
+      </span>
+      <span className={classes.rangeValues}>
+        <Checkbox size="xs" aria-label={`Tune ${label}`} checked={range.on} onChange={(event) => onChange({ on: event.currentTarget.checked })} />
+        {range.on ? (
+          <>
+            {end("from")}
+            <span className={classes.dim} aria-hidden>
+              –
+            </span>
+            {end("to")}
+          </>
+        ) : (
+          <span className={classes.dim}>stays {own === undefined ? "as it is" : formatInput(own)}</span>
+        )}
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,101 @@
+/** Trials in the plane of two objectives with their front, or one objective over the trials. */
+
+import { NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
+import { useMemo, useState } from "react";
+import type { Trial, Tuning } from "../api/types";
+import { Chart } from "../plots/Chart";
+import { PALETTES } from "../plots/palettes";
+import { formatResult } from "../units/format";
+import { frontFigure, historyFigure, volumeFigure } from "./charts";
+import type { Shown } from "./figures";
+import type { Point } from "./points";
+import classes from "./tuner.module.css";
+
+interface Props {
+  readonly tuning: Tuning;
+  readonly objectives: readonly Shown[];
+  readonly points: readonly Point[];
+  readonly trials: readonly Trial[];
+  /** Why the single trials are not there. */
+  readonly fault: Error | null;
+  readonly colour: string;
+  readonly picked: number | null;
+  readonly onPick: (trial: number) => void;
+}
+
+const HEIGHT = 360;
+
+/** Those with a name of their own in the plot: the best of single objectives are the front's ends. */
+const namedOf = (points: readonly Point[]) =>
+  points.flatMap(({ trial, names }) => {
+    const name = names.find((each) => !each.startsWith("Best"));
+    return name !== undefined && trial.values !== null ? [{ trial, name }] : [];
+  });
+
+export function SearchCard({ tuning, objectives, points, trials, fault, colour, picked, onPick }: Props) {
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const several = objectives.length > 1;
+  const [[x, y], setAxes] = useState<readonly [number, number]>([0, 1]);
+  const figure = useMemo(() => {
+    const look = { palette, colour, trials, picked };
+    const [shown] = objectives;
+    if (!several && shown) return historyFigure({ ...look, history: tuning.history, paper: tuning.paper, shown });
+    return frontFigure({ ...look, front: tuning.front, named: namedOf(points), x, y, objectives });
+  }, [palette, colour, trials, picked, objectives, several, tuning, points, x, y]);
+  const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
+  const axis = (which: "x" | "y") => (
+    <NativeSelect
+      size="xs"
+      label={which === "x" ? "Across" : "Up"}
+      value={String(which === "x" ? x : y)}
+      data={objectives.map(({ label }, index) => ({ value: String(index), label, disabled: index === (which === "x" ? y : x) }))}
+      onChange={(event) => setAxes(which === "x" ? [Number(event.currentTarget.value), y] : [x, Number(event.currentTarget.value)])}
+    />
+  );
+  return (
+    <section className={classes.card} aria-label={several ? "Pareto front" : "History"} data-trials={trials.length} data-front={tuning.front.length}>
+      <header className={classes.cardHead}>
+        <h2 className={classes.cardTitle}>{several ? "Pareto front" : "The best so far"}</h2>
+        {objectives.length > 2 && (
+          <div className={classes.axes}>
+            {axis("x")}
+            {axis("y")}
+          </div>
+        )}
+      </header>
+      {tuning.paper === null ? (
+        <Text size="sm" c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
+          The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
+        </Text>
+      ) : (
+        <Chart figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
+      )}
+      {fault && (
+        <Text className={`${classes.error ?? ""} ${classes.note ?? ""}`} role="alert">
+          The single trials could not be read: {fault.message}
+        </Text>
+      )}
+      <Text size="xs" c="dimmed" className={classes.note ?? ""}>
+        {several ? "Large: the front, which no other trial betters. Small: the other trials. " : "Points: the trials. Line: the best so far. "}
+        {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
+      </Text>
+      {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
+        <details className={classes.more}>
+          <summary>How the front grew</summary>
+          <Chart figure={volume} height={180} label="Share of the box under the paper’s weights that the front dominates, over the trials" />
+          <Text size="xs" c="dimmed" className={classes.note ?? ""}>
+            The part of the box between zero and the paper’s weights that the front dominates: it flattens when more trials find little more.
+          </Text>
+        </details>
+      )}
+    </section>
+  );
+}
+
+function describe({ front, paper, history }: Tuning, objectives: readonly Shown[]): string {
+  const names = objectives.map(({ label }) => label).join(" against ");
+  if (objectives.length > 1) return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of”.`;
+  const best = history.at(-1)?.best[0];
+  const scale = objectives[0]?.scale ?? 1;
+  return `${names} over the trials: the paper’s weights ${formatResult((paper?.values?.[0] ?? NaN) * scale, 4)}, best ${typeof best === "number" ? formatResult(best * scale, 4) : "none yet"}`;
+}

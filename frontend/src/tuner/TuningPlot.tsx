@@ -1,0 +1,100 @@
+/** The search as a plot, and beside it the weights of the point somebody looks at. */
+
+import { Button, NativeSelect } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useState } from "react";
+import type { Trial, Tuning } from "../api/types";
+import { ChangeMark } from "../tables/ChangeMark";
+import { formatInput, formatResult, prettyUnit } from "../units/format";
+import type { Shown } from "./figures";
+import type { Point } from "./points";
+import { SearchCard } from "./SearchCard";
+import type { Tunable } from "./space";
+import classes from "./tuner.module.css";
+import type { Load } from "./useLoad";
+import { trialsQuery } from "./useTuning";
+import { WeightsOf } from "./WeightsOf";
+
+interface Props {
+  readonly tuning: Tuning;
+  readonly objectives: readonly Shown[];
+  readonly limits: readonly Shown[];
+  readonly tunable: Tunable;
+  readonly points: readonly Point[];
+  /** The tuned strategy's. */
+  readonly colour: string;
+  readonly load: Load;
+}
+
+const NO_TRIALS: readonly Trial[] = [];
+
+export function TuningPlot({ tuning, objectives, limits, tunable, points, colour, load }: Props) {
+  const [chosen, setChosen] = useState<number | null>(null);
+  const trials = useQuery({ ...trialsQuery(tuning), enabled: tuning.paper !== null });
+  const all = trials.data?.trials ?? NO_TRIALS;
+  const opening = points.find(({ names }) => names.includes("Balanced")) ?? points.at(-1);
+  const picked = all.find(({ number }) => number === chosen) ?? points.find(({ trial }) => trial.number === chosen)?.trial ?? opening?.trial ?? null;
+  return (
+    <div className={classes.plotRow}>
+      <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setChosen} />
+      {picked && (
+        <section className={classes.card} aria-label="Point looked at" data-trial={picked.number}>
+          <div className={classes.picked}>
+            <NativeSelect
+              size="xs"
+              label="Weights of"
+              value={String(picked.number)}
+              data={options(points, tuning.front, picked)}
+              onChange={(event) => setChosen(Number(event.currentTarget.value))}
+            />
+            <Values {...{ tuning, objectives, limits }} trial={picked} />
+            <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
+            <Button size="xs" loading={load.loading === picked.number} onClick={() => load.load(picked)}>
+              Load in lab
+            </Button>
+          </div>
+        </section>
+      )}
+    </div>
+  );
+}
+
+function options(points: readonly Point[], front: readonly Trial[], picked: Trial) {
+  const named = points.map(({ trial, names }) => ({ value: String(trial.number), label: `${names.join(", ")} (trial ${trial.number})` }));
+  const others = [...front, picked].filter(({ number }, index, all) => !points.some(({ trial }) => trial.number === number) && all.findIndex((each) => each.number === number) === index);
+  return [...named, ...others.map(({ number }) => ({ value: String(number), label: `Trial ${number}` }))];
+}
+
+function Values({ tuning, objectives, limits, trial }: Pick<Props, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
+  return (
+    <dl className={classes.values}>
+      {objectives.map(({ label, unit, scale }, index) => (
+        <div key={label}>
+          <dt>{label}</dt>
+          <dd>
+            {trial.values ? `${formatResult((trial.values[index] ?? NaN) * scale, 4)} ${prettyUnit(unit)}` : "–"}{" "}
+            {trial.number !== tuning.paper?.number && <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
+          </dd>
+        </div>
+      ))}
+      {limits.map(({ label, unit, scale }, index) => {
+        const [value, most] = [trial.limits?.[index], tuning.limits[index]?.at_most ?? Infinity];
+        return (
+          <div key={label}>
+            <dt>{label}, largest</dt>
+            <dd className={value !== undefined && value > most ? classes.failed : undefined}>
+              {value === undefined ? "–" : `${formatResult(value * scale)} ${prettyUnit(unit)}`}
+              {value !== undefined && value > most && ` (limit ${formatInput(Number((most * scale).toPrecision(6)))})`}
+            </dd>
+          </div>
+        );
+      })}
+      {trial.status === "failed" && (
+        <div>
+          <dt className={classes.failed}>Failed</dt>
+          <dd>{trial.reason}</dd>
+        </div>
+      )}
+    </dl>
+  );
+}

@@ -1,0 +1,177 @@
+/** How far a tuning is, what it is about, and the ways to stop it and to go on. */
+
+import { Button, Progress, Text, TextInput } from "@mantine/core";
+import { useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { useState } from "react";
+import { api } from "../api/client";
+import { isFinal } from "../api/follow";
+import type { Strategy, Tuning } from "../api/types";
+import { batchQuery } from "../batch/useBatch";
+import type { Figure } from "../batch/figures";
+import { otherThanPaper } from "../carried/otherThanPaper";
+import type { Group } from "../editor/schema";
+import { formatDuration, formatMinute } from "../units/dates";
+import { count, formatExact, formatWhole, parseInput } from "../units/format";
+import { ofLimit, ofObjective } from "./figures";
+import { formatSeeds } from "./seeds";
+import classes from "./tuner.module.css";
+import { tuningQuery } from "./useTuning";
+
+interface Props {
+  readonly tuning: Tuning;
+  readonly form: Group;
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Figure[];
+  readonly connected: boolean;
+  readonly left: number | null;
+}
+
+const STATE: Readonly<Record<Tuning["state"], string>> = {
+  queued: "Waiting for its turn",
+  running: "Searching",
+  done: "Done",
+  cancelled: "Cancelled: what its complete generations found stays",
+  failed: "Failed",
+};
+
+export function TuningState({ tuning, form, strategies, figures, connected, left }: Props) {
+  const queries = useQueryClient();
+  const cancel = useMutation({
+    mutationFn: () => api.cancelTuning(tuning.id),
+    networkMode: "always",
+    onSuccess: (now) => queries.setQueryData(tuningQuery(tuning.id).queryKey, now),
+  });
+  const ended = isFinal(tuning);
+  const { total, done, failed, feasible } = tuning.trials;
+  const comparing = tuning.state === "running" && tuning.step === "comparison";
+  return (
+    <section className={classes.card} aria-label="Progress" data-state={tuning.state} data-step={tuning.step}>
+      <div className={classes.stateBody}>
+        <div className={classes.stateLine}>
+          <Text size="sm" fw={650} role="status" data-testid="tuning-state">
+            {comparing ? "Comparing on the roads" : STATE[tuning.state]}
+            {tuning.reason !== null && `: ${tuning.reason}`}
+          </Text>
+          <Text size="sm" className={classes.counts} data-testid="tuning-counts">
+            {formatWhole(done + failed)} of {count(total, "trial")}
+            {failed > 0 && <span className={classes.failed}>, {formatWhole(failed)} failed</span>}
+            {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
+            {left !== null && ` · about ${formatDuration(left)} left`}
+          </Text>
+          {ended ? (
+            <Resume key={tuning.state} tuning={tuning} />
+          ) : (
+            <Button size="xs" variant="default" loading={cancel.isPending} onClick={() => cancel.mutate()}>
+              Cancel
+            </Button>
+          )}
+        </div>
+        <Progress.Root size={8} transitionDuration={200}>
+          <Progress.Section
+            value={total === 0 ? 0 : (100 * (done + failed)) / total}
+            color={tuning.state === "failed" ? "red" : tuning.state === "cancelled" ? "var(--faint)" : "var(--accent)"}
+            aria-label="Finished trials"
+          />
+        </Progress.Root>
+        {!ended && <Within tuning={tuning} comparing={comparing} />}
+        {!connected && !ended && (
+          <Text size="xs" c="dimmed" role="status">
+            The connection is interrupted; the numbers go on by themselves when it is back.
+          </Text>
+        )}
+        {cancel.isError && (
+          <Text className={classes.error ?? ""} role="alert">
+            It could not be cancelled: {cancel.error.message}
+          </Text>
+        )}
+        <Facts {...{ tuning, form, strategies, figures }} />
+      </div>
+    </section>
+  );
+}
+
+const WITHIN_MS = 1000;
+
+/** How far the present generation is. */
+function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly comparing: boolean }) {
+  const { data } = useQuery({ ...batchQuery(tuning.batch ?? ""), enabled: tuning.batch !== null, refetchInterval: WITHIN_MS });
+  const finished = data ? data.done + data.failed : 0;
+  return (
+    <Text size="xs" c="dimmed" data-testid="tuning-within">
+      {data ? `${comparing ? "Comparison" : `Generation ${tuning.generation + 1}`}: ${formatWhole(finished)} of ${count(data.total, "run")}` : "\u00a0"}
+    </Text>
+  );
+}
+
+function Resume({ tuning }: { readonly tuning: Tuning }) {
+  const queries = useQueryClient();
+  const { total } = tuning.trials;
+  const least = tuning.state === "done" ? total + 1 : total;
+  const [trials, setTrials] = useState(String(tuning.state === "done" ? 2 * total : total));
+  const wanted = parseInput(trials);
+  const wrong = wanted === null || !Number.isInteger(wanted) || wanted < least;
+  const resume = useMutation({
+    mutationFn: (number: number) => api.resumeTuning(tuning.id, number),
+    networkMode: "always",
+    onSuccess: (now) => queries.setQueryData(tuningQuery(tuning.id).queryKey, now),
+  });
+  return (
+    <form
+      className={classes.resume}
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (!wrong) resume.mutate(wanted);
+      }}
+    >
+      <TextInput
+        size="xs"
+        className={classes.short ?? ""}
+        aria-label="Trials in all"
+        inputMode="numeric"
+        value={trials}
+        error={wrong}
+        rightSection={<span className={classes.unit}>trials</span>}
+        rightSectionWidth={42}
+        rightSectionPointerEvents="none"
+        onChange={(event) => setTrials(event.currentTarget.value)}
+      />
+      <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
+        {tuning.state === "done" ? "Search on" : "Resume"}
+      </Button>
+      {wrong && <span className={classes.error}>{formatWhole(least)} or more</span>}
+      {resume.isError && (
+        <span className={classes.error} role="alert">
+          {resume.error.message}
+        </span>
+      )}
+    </form>
+  );
+}
+
+function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "form" | "strategies" | "figures">) {
+  const { scenario, search, seeds, fresh_seeds: fresh, limits, objectives, started_at: started, finished_at: finished } = tuning;
+  const own = (name: string) => name.replace(/\.\d+$/, "");
+  const limit = limits.map((each) => {
+    const { label, unit, scale } = ofLimit(each, figures);
+    return `${label} at most ${formatExact(Number((each.at_most * scale).toPrecision(10)), unit)}`;
+  });
+  const facts: readonly (readonly [string, string])[] = [
+    ["Strategy", strategies.find(({ id }) => id === tuning.strategy)?.label ?? tuning.strategy],
+    ["Made small", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
+    ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
+    ["Searched", count(Object.keys(search).length, "weight")],
+    ["Roads", `${formatSeeds(seeds)} trained on, ${formatSeeds(fresh)} fresh`],
+    ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
+    ["Handed in", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
+  ];
+  return (
+    <dl className={classes.facts}>
+      {facts.map(([term, text]) => (
+        <div key={term}>
+          <dt>{term}</dt>
+          <dd>{text}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,96 @@
+import { describe, expect, it } from "vitest";
+import type { Figure } from "../batch/figures";
+import { readDraft, objectiveOf, type TuningDraft } from "./draft";
+import { placeProblems } from "./problems";
+import { weightAt, withWeights } from "./space";
+
+const TRAVEL: Figure = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
+const LOAD: Figure = { key: "bump.load.peak", label: "Load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
+
+const DRAFT: TuningDraft = {
+  strategy: "lqr",
+  objectives: [objectiveOf(0, "paper"), objectiveOf(1, "figure", "bump.load.peak")],
+  limits: [{ figure: "bump.load.peak", atMost: "4.2" }],
+  ranges: { "lqr.weights.0": { on: true, from: "0,1", to: "10" }, "lqr.weights.1": { on: false, from: "x", to: "" } },
+  seeds: "1-2",
+  freshSeeds: "101, 102",
+  trials: "40",
+  population: "8",
+  seed: "3",
+};
+const read = (change: Partial<TuningDraft> = {}) => readDraft({ ...DRAFT, ...change }, [TRAVEL, LOAD]);
+const errorsOf = (change: Partial<TuningDraft>) => {
+  const reading = read(change);
+  return reading.ok ? {} : reading.errors;
+};
+
+describe("a draft of a tuning", () => {
+  it("is sent in SI, without the weights that are held", () => {
+    expect(read()).toEqual({
+      ok: true,
+      wish: {
+        strategy: "lqr",
+        objectives: [
+          { kind: "paper", q: [1, 1, 1], window: "whole" },
+          { kind: "figure", figure: "bump.load.peak" },
+        ],
+        limits: [{ figure: "bump.load.peak", at_most: 4200 }],
+        search: { "lqr.weights.0": [0.1, 10] },
+        seeds: [1, 2],
+        fresh_seeds: [101, 102],
+        trials: 40,
+        population: 8,
+        seed: 3,
+      },
+    });
+  });
+
+  it.each<[Partial<TuningDraft>, string]>([
+    [{ objectives: [] }, "objectives"],
+    [{ objectives: [{ ...objectiveOf(0, "peaks"), q: ["0", "0", "0"] }] }, "objectives.0"],
+    [{ objectives: [objectiveOf(0, "paper"), { ...objectiveOf(1, "peaks"), q: ["1", "", "1"] }] }, "objectives.1"],
+    [{ limits: [{ figure: "events.travel", atMost: "some" }] }, "limits.0"],
+    [{ ranges: { "lqr.weights.0": { on: true, from: "5", to: "5" } } }, "search.lqr.weights.0"],
+    [{ ranges: { "lqr.weights.0": { on: true, from: "0", to: "5" } } }, "search.lqr.weights.0"],
+    [{ ranges: { "lqr.weights.0": { on: false, from: "1", to: "5" } } }, "search"],
+    [{ seeds: "" }, "seeds"],
+    [{ freshSeeds: "101" }, "fresh_seeds"],
+    [{ freshSeeds: "2-9" }, "fresh_seeds"],
+    [{ trials: "0" }, "trials"],
+    [{ population: "1.5" }, "population"],
+    [{ seed: "-1" }, "seed"],
+  ])("%j is refused at %s", (change, field) => expect(Object.keys(errorsOf(change))).toEqual([field]));
+});
+
+describe("the server's errors", () => {
+  it("stand at the field they are about", () => {
+    const errors = [
+      { pointer: "/objectives/1/figure", message: "a" },
+      { pointer: "/search/lqr.weights.0/1", message: "b" },
+      { pointer: "/fresh_seeds/0", message: "c" },
+      { pointer: "/objectives", message: "d" },
+      { pointer: "/scenario/road/length", message: "e" },
+      { pointer: "", message: "f" },
+    ];
+    expect(placeProblems(errors, "x")).toEqual({
+      fields: { "objectives.1": "a", "search.lqr.weights.0": "b", fresh_seeds: "c", objectives: "d" },
+      general: ["The scenario’s road.length: e", "f"],
+    });
+    expect(placeProblems([], "x").general).toEqual(["x"]);
+  });
+});
+
+describe("a trial's weights", () => {
+  const weights = { "mpc.stage_weights.bump": [1, 2, 3], "mpc.deflection_weight": 4 };
+
+  it("are read one by one", () => {
+    expect(weightAt(weights, "mpc.stage_weights.bump.2")).toBe(3);
+    expect(weightAt(weights, "mpc.deflection_weight")).toBe(4);
+    expect(weightAt(weights, "mpc.stage_weights.brake.0")).toBeUndefined();
+  });
+
+  it("go into a scenario as they are", () => {
+    const scenario = { mpc: { stage_weights: { bump: [0, 0, 0], brake: [9, 9, 9] }, deflection_weight: 0 } };
+    expect(withWeights(scenario, weights)).toEqual({ mpc: { stage_weights: { bump: [1, 2, 3], brake: [9, 9, 9] }, deflection_weight: 4 } });
+  });
+});

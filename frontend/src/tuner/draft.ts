@@ -1,0 +1,156 @@
+/** A tuning while somebody puts it together: texts as they are typed, and what becomes of them. */
+
+import type { TuningChoice } from "../api/client";
+import type { StrategyId } from "../api/types";
+import type { Figure } from "../batch/figures";
+import type { Group } from "../editor/schema";
+import { formatInput, parseInput } from "../units/format";
+import { readSeeds } from "./seeds";
+import { tunableOf, weightFields } from "./space";
+
+export type Kind = "paper" | "peaks" | "figure";
+
+export interface ObjectiveDraft {
+  /** Of its row on the page. */
+  readonly key: number;
+  readonly kind: Kind;
+  readonly q: readonly [string, string, string];
+  readonly window: string;
+  /** Column of a figure, of that kind alone. */
+  readonly figure: string | null;
+}
+
+export interface LimitDraft {
+  readonly figure: string;
+  /** In the figure's shown unit. */
+  readonly atMost: string;
+}
+
+export interface RangeDraft {
+  readonly on: boolean;
+  readonly from: string;
+  readonly to: string;
+}
+
+export interface TuningDraft {
+  readonly strategy: StrategyId;
+  readonly objectives: readonly ObjectiveDraft[];
+  readonly limits: readonly LimitDraft[];
+  readonly ranges: Readonly<Record<string, RangeDraft>>;
+  readonly seeds: string;
+  readonly freshSeeds: string;
+  readonly trials: string;
+  readonly population: string;
+  readonly seed: string;
+}
+
+/** By field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
+export type DraftErrors = Readonly<Record<string, string>>;
+
+export type Reading = { readonly ok: true; readonly wish: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
+
+/** Where a sum over the passive car is taken unless somebody says otherwise. */
+export const WINDOW_OF: Readonly<Record<Kind, string>> = { paper: "whole", peaks: "bump", figure: "" };
+export const MOST_OBJECTIVES = 3;
+export const MOST_LIMITS = 8;
+const MOST_ROADS = 64;
+const MOST_TRIALS = 5000;
+const MOST_POPULATION = 256;
+const RANGE = ["0.05", "50"] as const;
+
+export const objectiveOf = (key: number, kind: Kind, figure: string | null = null): ObjectiveDraft => ({ key, kind, q: ["1", "1", "1"], window: WINDOW_OF[kind], figure });
+
+export function rangesFor(form: Group, strategy: StrategyId): Readonly<Record<string, RangeDraft>> {
+  return Object.fromEntries(weightFields(tunableOf(form, strategy)).map(({ name, travel }) => [name, { on: !travel, from: RANGE[0], to: RANGE[1] }]));
+}
+
+export function firstDraft(form: Group, strategy: StrategyId = "lv"): TuningDraft {
+  return {
+    strategy,
+    objectives: [objectiveOf(0, "paper")],
+    limits: [],
+    ranges: rangesFor(form, strategy),
+    seeds: "1-4",
+    freshSeeds: "101-110",
+    trials: "200",
+    population: "16",
+    seed: "0",
+  };
+}
+
+type Put = (field: string, message: string) => void;
+
+function number(text: string, low: number, high: number, put: () => void): number {
+  const value = parseInput(text);
+  if (value === null || value < low || value > high) put();
+  return value ?? low;
+}
+
+function whole(text: string, low: number, high: number, field: string, put: Put): number {
+  const refuse = () => put(field, `A whole number from ${low} to ${high}`);
+  const value = number(text, low, high, refuse);
+  if (!Number.isInteger(value)) refuse();
+  return value;
+}
+
+function objectives({ objectives: drafts }: TuningDraft, put: Put): TuningChoice["objectives"] {
+  if (drafts.length === 0) put("objectives", "Add what is to be made small");
+  return drafts.map(({ kind, q, window, figure }, index) => {
+    if (kind === "figure") return { kind, figure };
+    const coefficients = q.map((text) => number(text, 0, 1000, () => put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000")));
+    if (coefficients.every((value) => value === 0)) put(`objectives.${index}`, "At least one coefficient must be greater than 0");
+    return { kind, q: coefficients, window };
+  });
+}
+
+function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put: Put): TuningChoice["limits"] {
+  return drafts.map(({ figure, atMost }, index) => {
+    const scale = figures.find(({ key }) => key === figure)?.scale ?? 1;
+    const value = number(atMost, -1e12, 1e12, () => put(`limits.${index}`, "Needs a number"));
+    return { figure, at_most: Number((value / scale).toPrecision(12)) };
+  });
+}
+
+function search({ ranges }: TuningDraft, put: Put): TuningChoice["search"] {
+  const chosen = Object.entries(ranges).filter(([, { on }]) => on);
+  if (chosen.length === 0) put("search", "Choose at least one weight");
+  return Object.fromEntries(
+    chosen.map(([name, { from, to }]) => {
+      const refuse = () => put(`search.${name}`, "From above 0 to at most 1000");
+      const ends = [number(from, Number.MIN_VALUE, 1000, refuse), number(to, Number.MIN_VALUE, 1000, refuse)] as const;
+      if (ends[0] >= ends[1]) put(`search.${name}`, "From has to be less than to");
+      return [name, ends];
+    }),
+  );
+}
+
+function roads(text: string, field: string, least: number, put: Put): readonly number[] {
+  const reading = readSeeds(text, MOST_ROADS);
+  if (!reading.ok) put(field, reading.message);
+  else if (reading.seeds.length < least) put(field, `At least ${least} roads: a mean needs a spread beside it`);
+  return reading.ok ? reading.seeds : [];
+}
+
+/** What is sent, or what has to be changed first. */
+export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Reading {
+  const errors: Record<string, string> = {};
+  const put: Put = (field, message) => void (errors[field] ??= message);
+  const seeds = roads(draft.seeds, "seeds", 1, put);
+  const fresh = roads(draft.freshSeeds, "fresh_seeds", 2, put);
+  if (fresh.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A fresh road is none that was trained on");
+  const wish: TuningChoice = {
+    strategy: draft.strategy,
+    objectives: objectives(draft, put),
+    limits: limits(draft, figures, put),
+    search: search(draft, put),
+    seeds,
+    fresh_seeds: fresh,
+    trials: whole(draft.trials, 1, MOST_TRIALS, "trials", put),
+    population: whole(draft.population, 1, MOST_POPULATION, "population", put),
+    seed: whole(draft.seed, 0, 2 ** 32 - 1, "seed", put),
+  };
+  return Object.keys(errors).length > 0 ? { ok: false, errors } : { ok: true, wish };
+}
+
+/** A limit starts at what the figure may not exceed by its own sense: nothing. */
+export const limitOf = (figure: string): LimitDraft => ({ figure, atMost: formatInput(0) });

@@ -1,0 +1,52 @@
+/** Whether a gain on the roads trained on is still there on fresh ones, in a sentence. */
+
+import type { Comparison, ComparedPoint } from "../api/types";
+import { formatPercent } from "../tables/change";
+
+export type Keeps = "keeps" | "shrinks" | "unclear" | "worse" | "none";
+
+export interface Gain {
+  readonly trial: number;
+  readonly objective: number;
+  readonly keeps: Keeps;
+  readonly text: string;
+}
+
+/** A gain that is smaller than this part of the training roads' has shrunk; the two means differ a little anyway. */
+const MOSTLY = 0.9;
+/** What is not a gain on the training roads [%]. */
+const LEAST = 0.05;
+
+function keepsOf(training: number, fresh: number, verdict: string | undefined): Keeps {
+  if (training > -LEAST) return "none";
+  if (verdict === "worse") return "worse";
+  if (verdict !== "better") return "unclear";
+  return fresh / training < MOSTLY ? "shrinks" : "keeps";
+}
+
+const interval = (low: number | null, high: number | null) => (low === null || high === null ? "" : ` (${formatPercent(low)} to ${formatPercent(high)})`);
+
+const ENDING: Readonly<Record<Keeps, string>> = {
+  keeps: "the gain holds",
+  shrinks: "less of the gain is left there",
+  unclear: "no gain can be told there: the interval holds zero",
+  worse: "the weights are tuned to the roads trained on and worse elsewhere",
+  none: "no gain on the roads trained on either",
+};
+
+function gainOf(point: ComparedPoint, objective: number): Gain | null {
+  if (point.roles.includes("paper")) return { trial: point.trial, objective, keeps: "none", text: "No weights that were tried are better than the paper’s on the roads trained on." };
+  const key = `objectives.${objective}`;
+  const [training, fresh] = [point.training[key]?.change, point.fresh[key]?.change];
+  if (!training || !fresh) return null;
+  const keeps = keepsOf(training.value, fresh.value, point.verdict?.[objective]);
+  const text = `${formatPercent(training.value)} on the roads trained on, ${formatPercent(fresh.value)}${interval(fresh.low, fresh.high)} on fresh ones: ${ENDING[keeps]}.`;
+  return { trial: point.trial, objective, keeps, text };
+}
+
+/** Each objective at the point that is best for it. */
+export function gainsOf({ points }: Comparison, objectives: number): readonly Gain[] {
+  return Array.from({ length: objectives }, (_, index) => points.find(({ roles }) => roles.includes(`best.${index}`)))
+    .map((point, index) => (point ? gainOf(point, index) : null))
+    .filter((gain) => gain !== null);
+}
