@@ -135,5 +135,6 @@ def _openapi(app: FastAPI) -> dict[str, Any]:
 
 def _name_problem(answer: dict[str, Any]) -> None:
     content = answer.get("content", {})
-    if str(content.get("application/json", {}).get("schema", {}).get("$ref", "")).endswith("/Problem"):
-        content[problems.MEDIA_TYPE] = content.pop("application/json")
+    for media_type in list(content):  # a route that answers with HTML describes its problems so, too
+        if str(content[media_type].get("schema", {}).get("$ref", "")).endswith("/Problem"):
+            content[problems.MEDIA_TYPE] = content.pop(media_type)

@@ -23,6 +23,7 @@ OPERATIONS = {
     "getSeries": ("get", "/api/v1/runs/{id}/series"),
     "getRunFigures": ("get", "/api/v1/runs/{id}/figures"),
     "getRunFigure": ("get", "/api/v1/runs/{id}/figures/{name}"),
+    "getRunReport": ("get", "/api/v1/runs/{id}/report.html"),
     "createBatch": ("post", "/api/v1/batches"),
     "listBatches": ("get", "/api/v1/batches"),
     "getBatch": ("get", "/api/v1/batches/{id}"),
