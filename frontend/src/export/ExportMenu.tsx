@@ -1,13 +1,13 @@
 /** Data, pictures and commands of what is shown. */
 
 import { Button, Menu, Modal, Textarea } from "@mantine/core";
-import { IconBrandPython, IconCheck, IconDownload, IconPhoto, IconTerminal2, IconWorldUpload } from "@tabler/icons-react";
+import { IconBrandPython, IconCheck, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "@tabler/icons-react";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";
 import { useDesk, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
-import { makeScene } from "../state/scene";
+import { axisKey, makeScene } from "../state/scene";
 import shell from "../shell/shell.module.css";
 import { asCommand, asCurl, asPython, type Wanted } from "./copyAs";
 import classes from "./export.module.css";
@@ -41,6 +41,11 @@ export function ExportMenu() {
     if (!shown || !figures || !strategies) return;
     const scene = makeScene(shown, strategies, chosen, view);
     void plotsImage(figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
+  };
+  const saveReport = () => {
+    if (!shown || !strategies || runId === null) return;
+    const { baseline } = makeScene(shown, strategies, chosen, view);
+    download(api.reportAddress(runId, baseline, axisKey(view.axis)), `ridelab-${runId}.html`);
   };
   const copyAs = (write: (wanted: Wanted) => string) => {
     if (!form) return;
@@ -83,6 +88,14 @@ export function ExportMenu() {
                 ))}
               </div>
             ))}
+          <Menu.Label>Everything in one file</Menu.Label>
+          <Menu.Item
+            leftSection={<IconFileText size={16} />}
+            disabled={runId === null}
+            onClick={saveReport}
+          >
+            HTML report
+          </Menu.Item>
           <Menu.Label>Plots as shown</Menu.Label>
           {(["png", "svg"] as const).map((format) => (
             <Menu.Item key={format} leftSection={<IconPhoto size={16} />} disabled={shown?.missing !== null} onClick={() => saveImage(format)}>
