@@ -11,6 +11,7 @@ from backend.series import packed
 from backend.worker import Outcome
 from sim_core.signals import PAPER_SIGNALS, SIGNALS
 from sim_core.statistics import mean_with_interval
+from sim_core.strategies import STRATEGIES
 
 # First figure of each group of four (one for every paper signal) -> its title and whom it shows.
 GROUPS: dict[int, tuple[str, tuple[str, ...]]] = {
@@ -43,15 +44,15 @@ def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[dict[str,
 def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outcome]) -> dict[str, Any]:
     figure = filled(signal, outcomes, "position")
     told = ", ".join(
-        f"{outcome.summary['metrics']['bump'][signal]['peak']:.4g}"
-        for outcome in outcomes.values()
+        f"{STRATEGIES[name].label} {outcome.summary['metrics']['bump'][signal]['peak']:.4g}"
+        for name, outcome in outcomes.items()
         if outcome.status == "ok"
     )
     unit = _unit(signal)
     return {
         "number": number,
         "title": f"{SIGNALS[signal].label}: {title}",
-        "caption": f"Road 1 of the paper's scenario. Peaks on the bump, in the order of the legend: {told} {unit}.",
+        "caption": f"Road 1 of the paper's scenario. Peaks on the bump: {told} {unit}.",
         "figure": figure,
     }
 
