@@ -7,6 +7,7 @@ was on its way when a process died is waiting still. Of several services on one 
 import asyncio
 import contextlib
 import logging
+import math
 import time
 from collections import Counter, deque
 from collections.abc import Mapping, Sequence
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
+SHORTEST_CHUNK = 0.1  # and no shorter where the rest of a batch is shared out [s]
 CHUNK_BUDGET = 2.0  # and is cut short after this, where its runs take longer than those before [s]
 FIRST_CHUNK = 8  # runs at most, while it is not known how long one takes
 FIRST_COST = 2.0  # their estimated cost [s]; an ordinary run takes a small part of its estimate
@@ -70,13 +72,13 @@ class Progress:
     pace: float | None = None
     strikes: Counter[str] = field(default_factory=Counter)
 
-    @property
-    def size(self) -> int:
-        """Runs of the next chunk."""
+    def size(self, places: int) -> int:
+        """Runs of the next chunk, where so many chunks can be under way: the rest is shared, so that none waits."""
         if self.pace is None:
             each = self.batch.estimated_cost / self.batch.total
             return min(FIRST_CHUNK, max(1, int(FIRST_COST / max(each, 1e-3))))
-        return min(LONGEST_CHUNK, max(1, round(CHUNK_SECONDS / self.pace)))
+        share = max(math.ceil((self.batch.total - 1 - self.position) / places), round(SHORTEST_CHUNK / self.pace))
+        return min(LONGEST_CHUNK, max(1, min(round(CHUNK_SECONDS / self.pace), share)))
 
     def note(self, runs: int, seconds: float) -> None:
         """Learn from a computed chunk."""
@@ -187,21 +189,21 @@ class Driver:
         """Keep every process busy, the batches taking turns; a batch without anything left is finished."""
         places = AHEAD * max(1, await cluster.slots())
         turns = deque(self._driven.values())
-        while turns and len(self._chunks) < places:
+        while turns and len(self._chunks) < places and cluster.connected:
             progress = turns.popleft()
-            runs = await self._next_chunk(progress)
+            runs = await self._next_chunk(progress, places)
             if runs is not None:
                 self._send(cluster, progress, runs)
                 turns.append(progress)
             elif not progress.on_their_way and not progress.returned:  # one may have come back meanwhile
                 await self._finish(progress)
 
-    async def _next_chunk(self, progress: Progress) -> list[WaitingRun] | None:
+    async def _next_chunk(self, progress: Progress, places: int) -> list[WaitingRun] | None:
         """What to hand out next; None where everything is on its way or done."""
         if progress.returned:
             return progress.returned.pop(0)
         while True:
-            batch_id, size = progress.batch.id, progress.size
+            batch_id, size = progress.batch.id, progress.size(places)
             last, runs = await self._store.call(self._store.batches.waiting, batch_id, progress.position, size)
             if last is None:
                 return None
