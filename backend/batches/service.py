@@ -1,15 +1,13 @@
 """Batches: accepted whole or refused, then followed, cancelled and read while the driver computes them."""
 
 import asyncio
-import contextlib
 import hashlib
 import secrets
-from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import Any
 
 from cachetools import LRUCache
-from fastapi.sse import format_sse_event
 
 from backend import digest
 from backend.admission import Admission
@@ -25,15 +23,13 @@ from backend.runs import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import FINAL, UNFINISHED, BatchRow
+from backend.streams import server_sent
 from sim_core import __version__ as CORE_VERSION
 from sim_core import dotted
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 
 ID_BYTES = 16  # 22 characters
 PAGE = 250  # rows read in one transaction
-LOOK = 0.4  # between two looks for events [s]
-HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
-RECONNECT = 2000  # a browser that lost the stream comes back after so long [ms]
 RETRY_AFTER = 30
 SUMMARIES = 16  # of batches that have ended, kept: a page that is opened again asks for the same
 
@@ -152,9 +148,17 @@ class Batches:
             ProblemError: 404, or 429 and 503 where too many streams are open.
         """
         await self._stored(batch_id)
-        stream = self._stream(batch_id, after, client)
-        # The first piece now: a refusal is still an answer of its own, and from here on the stream ends itself.
-        return _with_first(await anext(stream), stream)
+
+        async def ended() -> bool:
+            return (await self._stored(batch_id)).state in FINAL
+
+        return await server_sent(
+            ended=ended,
+            events=lambda number: self._store.call(self._store.batches.events, batch_id, number),
+            after=after,
+            admission=self._admission,
+            client=client,
+        )
 
     async def table(self, batch_id: str, figures: Sequence[str]) -> dict[str, Any]:
         """Every row column by column, with those figures, as `BatchTable`.
@@ -217,27 +221,6 @@ class Batches:
             yield rows
             last = rows[-1].position
 
-    async def _stream(self, batch_id: str, after: int, client: str) -> AsyncGenerator[bytes, None]:
-        with self._admission.streaming(client):
-            yield f"retry: {RECONNECT}\n\n".encode()
-            async for event in self._follow(batch_id, after):
-                yield event
-
-    async def _follow(self, batch_id: str, after: int) -> AsyncIterator[bytes]:
-        clock = asyncio.get_running_loop().time
-        spoke = clock()
-        while True:
-            batch = await self._stored(batch_id)  # before its events: none can come behind those of a batch that ended
-            for event in await self._store.call(self._store.batches.events, batch_id, after):
-                after, spoke = event.number, clock()
-                yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))
-            if batch.state in FINAL:
-                return
-            if clock() - spoke > HEARTBEAT:
-                spoke = clock()
-                yield b": still here\n\n"
-            await asyncio.sleep(LOOK)
-
     async def _stored(self, batch_id: str) -> StoredBatch:
         batch = await self._store.call(self._store.batches.load, batch_id)
         if batch is None:
@@ -279,13 +262,6 @@ class Batches:
             raise ProblemError(
                 503, "The service is full: too many batches are waiting.", kind="full", retry_after=RETRY_AFTER
             )
-
-
-async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncIterator[bytes]:
-    async with contextlib.aclosing(rest):
-        yield first
-        async for piece in rest:
-            yield piece
 
 
 def _new_id() -> str:
