@@ -58,7 +58,7 @@ export function FairTable({ rows, words }: Props) {
         </Text>
       </div>
       <div className={paper.scroll} tabIndex={0} role="region" aria-label="Combinations of controller, speed, preview and weights">
-        <table className={paper.table} data-testid="combinations">
+        <table className={`${paper.table ?? ""} ${paper.combinations ?? ""}`} data-testid="combinations">
           <thead>
             <WindowHeads before={FILTERS.length + 2} metrics={metrics} words={words} />
             <tr>

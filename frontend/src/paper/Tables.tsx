@@ -66,7 +66,7 @@ function Table({ table, cells, words }: TableProps) {
               <th scope="colgroup" colSpan={3} className={classes.group}>
                 Here
               </th>
-              <th scope="col" className={classes.group}>
+              <th scope="col" className={classes.group} data-own>
                 Verdict
               </th>
               <th scope="col" className={classes.group}>
@@ -112,7 +112,7 @@ function Pair({ strategy, against, cells, words }: PairProps) {
             </th>
           )),
         )}
-        <td className={classes.verdictCell} />
+        <td className={classes.verdictCell} data-own />
         <td className={classes.verdictCell} />
       </tr>
       {cells.length === 0 ? <NotHere /> : cells.map((cell) => <Row key={cell.signal} cell={cell} words={words} />)}
@@ -137,6 +137,10 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
     <tr id={cellId(cell)} data-verdict={cell.verdict}>
       <th scope="row" className={classes.sticky}>
         {words.signal(cell.signal)} <span className={classes.unit}>{unit}</span>
+        {/* Where the table is wider than the window, the verdict stands where it is in sight. */}
+        <span className={classes.nearVerdict}>
+          <VerdictMark verdict={cell.verdict} certain={cell.certain} />
+        </span>
       </th>
       <td className={classes.number} data-first>
         {printedValue(cell.paper_value, scale)}
@@ -152,7 +156,7 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
       <td className={classes.number}>
         <b>{formatPercent(cell.our_change)}</b> <span className={classes.spread}>{spreadOf(cell.our_change, cell.ci)}</span>
       </td>
-      <td className={classes.verdictCell}>
+      <td className={classes.verdictCell} data-own>
         <VerdictMark verdict={cell.verdict} certain={cell.certain} />
       </td>
       <td className={classes.verdictCell} data-without>
