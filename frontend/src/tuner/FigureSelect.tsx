@@ -1,7 +1,9 @@
 /** Finds a figure of a run by its name. */
 
 import { Select } from "@mantine/core";
+import { useState } from "react";
 import { fullName, type Figure } from "../batch/figures";
+import classes from "./tuner.module.css";
 
 interface Props {
   readonly label: string;
@@ -13,14 +15,18 @@ interface Props {
 }
 
 export function FigureSelect({ label, figures, first = [], error, onPick }: Props) {
+  const [search, setSearch] = useState("");
   const groups = [...new Set(figures.map(({ group }) => group))];
   return (
     <Select
       size="xs"
+      className={classes.select ?? ""}
       label={label}
       placeholder="Name of a figure…"
       searchable
       value={null}
+      searchValue={search}
+      onSearchChange={setSearch}
       error={error}
       nothingFoundMessage="No figure of that name"
       maxDropdownHeight={300}
@@ -31,7 +37,11 @@ export function FigureSelect({ label, figures, first = [], error, onPick }: Prop
           items: figures.filter((figure) => figure.group === group).map((figure) => ({ value: figure.key, label: fullName(figure) })),
         })),
       ]}
-      onChange={(key) => key !== null && onPick(key)}
+      onChange={(key) => {
+        if (key === null) return;
+        setSearch("");
+        onPick(key);
+      }}
     />
   );
 }

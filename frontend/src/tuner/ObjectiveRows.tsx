@@ -21,7 +21,7 @@ const SUMS: readonly { readonly value: Kind; readonly label: string; readonly te
   { value: "paper", label: "The paper’s sum (Eq. 16): RMS", text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², RMS over the passive car’s" },
   { value: "peaks", label: "The same sum of peaks", text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², peaks over the passive car’s" },
 ];
-const Q = ["q1, body acceleration", "q2, pitch acceleration", "q3, tyre load"] as const;
+const Q = ["q1, body", "q2, pitch", "q3, tyres"] as const;
 
 export function ObjectiveRows({ objectives, figures, windows, errors, onChange }: Props) {
   const patch = (key: number, change: Partial<ObjectiveDraft>) => onChange(objectives.map((each) => (each.key === key ? { ...each, ...change } : each)));

@@ -5,7 +5,7 @@ import { useMemo, useState } from "react";
 import type { Trial, Tuning } from "../api/types";
 import { Chart } from "../plots/Chart";
 import { PALETTES } from "../plots/palettes";
-import { formatResult } from "../units/format";
+import { count, formatResult } from "../units/format";
 import { frontFigure, historyFigure, volumeFigure } from "./charts";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
@@ -29,7 +29,7 @@ const HEIGHT = 360;
 const namedOf = (points: readonly Point[]) =>
   points.flatMap(({ trial, names }) => {
     const name = names.find((each) => !each.startsWith("Best"));
-    return name !== undefined && trial.values !== null ? [{ trial, name }] : [];
+    return name !== undefined && trial.values !== null ? [{ trial, name: trial.feasible ? name : `${name}, over a limit` }] : [];
   });
 
 export function SearchCard({ tuning, objectives, points, trials, fault, colour, picked, onPick }: Props) {
@@ -39,7 +39,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   const figure = useMemo(() => {
     const look = { palette, colour, trials, picked };
     const [shown] = objectives;
-    if (!several && shown) return historyFigure({ ...look, history: tuning.history, paper: tuning.paper, shown });
+    if (!several && shown) return historyFigure({ ...look, paper: tuning.paper, shown });
     return frontFigure({ ...look, front: tuning.front, named: namedOf(points), x, y, objectives });
   }, [palette, colour, trials, picked, objectives, several, tuning, points, x, y]);
   const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
@@ -78,6 +78,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       <Text size="xs" c="dimmed" className={classes.note ?? ""}>
         {several ? "Large: the front, which no other trial betters. Small: the other trials. " : "Points: the trials. Line: the best so far. "}
         {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
+        {figure.beyond > 0 && ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
       </Text>
       {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
         <details className={classes.more}>
@@ -94,7 +95,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
 
 function describe({ front, paper, history }: Tuning, objectives: readonly Shown[]): string {
   const names = objectives.map(({ label }) => label).join(" against ");
-  if (objectives.length > 1) return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of”.`;
+  if (objectives.length > 1) return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of trial”.`;
   const best = history.at(-1)?.best[0];
   const scale = objectives[0]?.scale ?? 1;
   return `${names} over the trials: the paper’s weights ${formatResult((paper?.values?.[0] ?? NaN) * scale, 4)}, best ${typeof best === "number" ? formatResult(best * scale, 4) : "none yet"}`;

@@ -59,12 +59,12 @@ function Found({ tuning, form, strategies, figures }: { readonly tuning: Tuning 
   const points = useMemo(() => pointsOf(tuning, objectives.map(({ label }) => label)), [tuning, objectives]);
   const load = useLoad(tuning);
   const colour = strategies.find(({ id }) => id === tuning.strategy)?.colour ?? "currentColor";
-  const none = tuning.paper !== null && tuning.trials.feasible === 0;
+  const warning = warningOf(tuning);
   return (
     <>
-      {none && (
-        <Text size="sm" role="alert" className={classes.warning ?? ""}>
-          No trial so far keeps the limits on every road trained on.
+      {warning !== null && (
+        <Text size="sm" role="status" className={classes.warning ?? ""}>
+          {warning}
         </Text>
       )}
       {load.error && (
@@ -77,6 +77,13 @@ function Found({ tuning, form, strategies, figures }: { readonly tuning: Tuning 
       <FreshTable {...{ tuning, objectives, figures }} />
     </>
   );
+}
+
+function warningOf({ paper, trials }: Tuning): string | null {
+  if (paper === null) return null;
+  if (trials.feasible === 0) return "No trial so far keeps the limits on every road trained on.";
+  if (paper.status === "failed") return "The paper’s weights could not be driven: there is nothing to compare with.";
+  return paper.feasible ? null : "The paper’s own weights are over a limit on the roads trained on: what keeps the limits may be worse than they are.";
 }
 
 function TuningLoading() {

@@ -1,6 +1,6 @@
 /** The search as a plot, and beside it the weights of the point somebody looks at. */
 
-import { Button, NativeSelect } from "@mantine/core";
+import { Button, NativeSelect, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Trial, Tuning } from "../api/types";
@@ -42,13 +42,18 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
           <div className={classes.picked}>
             <NativeSelect
               size="xs"
-              label="Weights of"
+              label="Weights of trial"
               value={String(picked.number)}
               data={options(points, tuning.front, picked)}
               onChange={(event) => setChosen(Number(event.currentTarget.value))}
             />
             <Values {...{ tuning, objectives, limits }} trial={picked} />
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
+            {picked.number !== tuning.paper?.number && (
+              <Text size="xs" c="dimmed">
+                Struck through: the paper’s.
+              </Text>
+            )}
             <Button size="xs" loading={load.loading === picked.number} onClick={() => load.load(picked)}>
               Load in lab
             </Button>
@@ -60,9 +65,9 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
 }
 
 function options(points: readonly Point[], front: readonly Trial[], picked: Trial) {
-  const named = points.map(({ trial, names }) => ({ value: String(trial.number), label: `${names.join(", ")} (trial ${trial.number})` }));
+  const named = points.map(({ trial, names }) => ({ value: String(trial.number), label: `${trial.number}: ${names.join(", ")}` }));
   const others = [...front, picked].filter(({ number }, index, all) => !points.some(({ trial }) => trial.number === number) && all.findIndex((each) => each.number === number) === index);
-  return [...named, ...others.map(({ number }) => ({ value: String(number), label: `Trial ${number}` }))];
+  return [...named, ...others.map(({ number }) => ({ value: String(number), label: `${number}` }))];
 }
 
 function Values({ tuning, objectives, limits, trial }: Pick<Props, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {

@@ -45,13 +45,14 @@ describe("the front", () => {
 describe("one objective", () => {
   it("is the best so far over the trials, the paper's beside", () => {
     const paper = trial(0, [2]);
-    const history = [
-      { generation: 0, trials: 4, feasible: 0, best: [null], hypervolume: null },
-      { generation: 1, trials: 8, feasible: 3, best: [1.5], hypervolume: 0.25 },
-    ];
-    const figure = historyFigure({ trials: [paper, trial(5, [1.5])], history, paper, picked: null, shown: plain, palette, colour: "red" });
+    const trials = [paper, trial(1, [1], false), trial(2, [1.5]), trial(3, null), trial(4, [1.7]), trial(5, [500])];
+    const figure = historyFigure({ trials, paper, picked: null, shown: plain, palette, colour: "red" });
     const line = figure.data.find(({ name }) => name === "Best so far");
-    expect([line?.x, line?.y]).toEqual([[8], [1.5]]);
+    expect([line?.x, line?.y]).toEqual([
+      [1, 3, 6],
+      [2, 1.5, 1.5],
+    ]);
+    expect(figure.beyond).toBe(1);
     expect(figure.layout.shapes).toEqual([expect.objectContaining({ y0: 2, y1: 2 })]);
   });
 });

@@ -69,9 +69,9 @@ function tell(trial: Trial, objectives: readonly Shown[], name?: string): string
   return [name ?? `Trial ${trial.number}`, ...values, ...(trial.feasible ? [] : ["over a limit"])].join("<br>");
 }
 
-export function frontFigure({ trials, front, named, picked, x, y, objectives, palette, colour }: FrontInput): ChartFigure {
+export function frontFigure({ trials, front, named, picked, x, y, objectives, palette, colour }: FrontInput): SearchFigure {
   const [shownX, shownY] = [objectives[x], objectives[y]];
-  if (!shownX || !shownY) return { data: [], layout: layout(palette, {}, {}, "") };
+  if (!shownX || !shownY) return { data: [], layout: layout(palette, {}, {}, ""), beyond: 0 };
   const points = (name: string, some: readonly Trial[], marker: object, names: readonly string[] = []): PointTrace => ({
     type: "scatter",
     mode: "markers",
@@ -94,7 +94,9 @@ export function frontFigure({ trials, front, named, picked, x, y, objectives, pa
   const ring = known.filter(({ number }) => number === picked);
   const must = [...front, ...named.map(({ trial }) => trial), ...ring];
   const along = (some: readonly Trial[], objective: number, shown: Shown) => some.map((trial) => valueOf(trial, objective, shown)).filter(Number.isFinite);
+  const [rangeX, rangeY] = [rangeOf(along(must, x, shownX), along(known, x, shownX)), rangeOf(along(must, y, shownY), along(known, y, shownY))];
   return {
+    beyond: known.filter((trial) => valueOf(trial, x, shownX) > rangeX[1] || valueOf(trial, y, shownY) > rangeY[1]).length,
     data: [
       points("Over a limit", known.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
       points("Trials", known.filter(({ feasible }) => feasible), { color: palette.text, size: 5, opacity: 0.35 }),
@@ -106,8 +108,8 @@ export function frontFigure({ trials, front, named, picked, x, y, objectives, pa
     layout: {
       ...layout(
         palette,
-        { title: { text: axisTitle(shownX) }, range: rangeOf(along(must, x, shownX), along(known, x, shownX)) },
-        { title: { text: axisTitle(shownY) }, range: rangeOf(along(must, y, shownY), along(known, y, shownY)) },
+        { title: { text: axisTitle(shownX) }, range: rangeX },
+        { title: { text: axisTitle(shownY) }, range: rangeY },
         `${x} ${y}`,
       ),
       annotations: named.map(({ trial, name }) => ({
@@ -120,16 +122,33 @@ export function frontFigure({ trials, front, named, picked, x, y, objectives, pa
 
 const symbolOf = (name: string) => (name.startsWith("The paper") ? "square" : name.startsWith("The scenario") ? "triangle-up" : "diamond");
 
+/** A plot, and how many points lie beyond its axes as it opens. */
+export interface SearchFigure extends ChartFigure {
+  readonly beyond: number;
+}
+
 export interface HistoryInput extends Look {
   readonly trials: readonly Trial[];
-  readonly history: readonly Generation[];
   readonly paper: Trial | null;
   readonly picked: number | null;
   readonly shown: Shown;
 }
 
+/** Each trial that was better than all before it, and the last one. */
+function bestSoFar(known: readonly Trial[], shown: Shown): readonly { readonly number: number; readonly value: number }[] {
+  let least = Infinity;
+  const better = known.flatMap((trial) => {
+    const value = valueOf(trial, 0, shown);
+    if (!trial.feasible || value >= least) return [];
+    least = value;
+    return [{ number: trial.number, value }];
+  });
+  const last = known.at(-1);
+  return last && better.length > 0 ? [...better, { number: last.number, value: least }] : better;
+}
+
 /** One objective: every trial, and the best so far as a line. */
-export function historyFigure({ trials, history, paper, picked, shown, palette, colour }: HistoryInput): ChartFigure {
+export function historyFigure({ trials, paper, picked, shown, palette, colour }: HistoryInput): SearchFigure {
   const known = trials.filter(({ values }) => values !== null);
   const points = (name: string, some: readonly Trial[], marker: object): PointTrace => ({
     type: "scatter",
@@ -142,16 +161,18 @@ export function historyFigure({ trials, history, paper, picked, shown, palette, 
     text: some.map((trial) => tell(trial, [shown])),
     hovertemplate: "%{text}<extra></extra>",
   });
-  const best = history.flatMap(({ trials: after, best: [value] }) => (typeof value === "number" ? [{ after, value: value * shown.scale }] : []));
+  const best = bestSoFar(known, shown);
   const reference = paper ? valueOf(paper, 0, shown) : NaN;
   const values = known.map((trial) => valueOf(trial, 0, shown));
   const must = [...best.map(({ value }) => value), reference].filter(Number.isFinite);
   const line: LineTrace = {
     type: "scatter", mode: "lines", name: "Best so far", opacity: 1, hoverinfo: "skip",
-    x: best.map(({ after }) => after), y: best.map(({ value }) => value), line: { color: colour, width: 2.5, shape: "hv" },
+    x: best.map(({ number }) => number + 1), y: best.map(({ value }) => value), line: { color: colour, width: 2.5, shape: "hv" },
   };
   const ring = known.filter(({ number }) => number === picked);
+  const range = must.length > 0 ? rangeOf(must, values) : null;
   return {
+    beyond: range ? values.filter((value) => value > range[1]).length : 0,
     data: [
       points("Over a limit", known.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
       points("Trials", known.filter(({ feasible }) => feasible), { color: palette.text, size: 6, opacity: 0.4 }),
@@ -162,7 +183,7 @@ export function historyFigure({ trials, history, paper, picked, shown, palette, 
       ...layout(
         palette,
         { title: { text: "Trials" }, rangemode: "tozero" },
-        { title: { text: axisTitle(shown) }, ...(must.length > 0 ? { range: rangeOf(must, values) } : {}) },
+        { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
         "history",
       ),
       shapes: Number.isFinite(reference)

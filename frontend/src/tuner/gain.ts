@@ -31,7 +31,7 @@ const ENDING: Readonly<Record<Keeps, string>> = {
   shrinks: "less of the gain is left there",
   unclear: "no gain can be told there: the interval holds zero",
   worse: "the weights are tuned to the roads trained on and worse elsewhere",
-  none: "no gain on the roads trained on either",
+  none: "no gain over the paper’s weights",
 };
 
 function gainOf(point: ComparedPoint, objective: number): Gain | null {
