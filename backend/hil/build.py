@@ -16,7 +16,7 @@ from pathlib import Path
 SOURCES = Path(__file__).parent / "ecu"
 CONTROLLER = ("ridelab_controller.c", "ridelab_dual.c")
 # C99, every number a float32 rounded after each operation: all compilers then give the same bits.
-FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror")
+FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED", "-Wall", "-Wextra", "-Werror")
 PATIENCE = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
 FOLDER = "RIDELAB_ECU_DIR"
 

@@ -30,18 +30,25 @@ ANSWER = 10.0  # and so long for an answer in lock-step [s]
 LOOK = 0.2  # between two looks whether it still lives [s]
 GREETED = 1.0  # whoever connects has so long to name the token [s]
 END = 3.0  # and so long to end by itself [s]
+_GONE = "The ECU's program ended in the middle of the drive"
 LIMITED, UNFINISHED = 1, 2  # flags, ridelab_controller.h
 _HELLO = struct.Struct(f"<8s{TOKEN}sI")
-_ANSWER = struct.Struct("<IiiiIfI")
+_ANSWER = struct.Struct("<IiiiIfII")
 
 
 class ProcessEcu(Ecu):
-    """An ECU at the other end of a socket."""
+    """An ECU at the other end of a socket.
 
-    def __init__(self, connection: socket.socket, known: Calibration) -> None:
+    `operations` and `computing_ns` grow by one with each answer: as the program counted and timed itself.
+    """
+
+    def __init__(self, connection: socket.socket, known: Calibration, patience: float) -> None:
         self._connection = connection
         self._length = STATES + len(PREVIEW) * known.preview_length
-        self.computing_ns: list[int] = []  # by answer, the program's own time
+        self._patience = patience
+        self._pending = bytearray()
+        self.operations: list[int] = []
+        self.computing_ns: list[int] = []
 
     def exchange(self, frame: Frame) -> Reply:
         """Send and wait.
@@ -50,7 +57,13 @@ class ProcessEcu(Ecu):
             EcuError: No answer, or not one to this frame.
         """
         self.send(frame)
-        return self.receive(frame.step)
+        answer = self.receive(time.monotonic() + self._patience)
+        if answer is None:
+            raise EcuError(f"The ECU's program did not answer within {self._patience:g} s")
+        step, reply = answer
+        if step != frame.step:
+            raise EcuError("The ECU's program answered what nobody asked")
+        return reply
 
     def send(self, frame: Frame) -> None:
         """Send a frame.
@@ -61,48 +74,42 @@ class ProcessEcu(Ecu):
         if len(frame.codes) != self._length:
             raise ValueError("A frame has as many codes as the tables say")
         try:
+            self._connection.settimeout(self._patience)
             self._connection.sendall(struct.pack("<Ii", frame.step, frame.stage) + frame.codes.astype("<i4").tobytes())
         except OSError:
-            raise EcuError("The ECU's program ended in the middle of the drive") from None
+            raise EcuError(_GONE) from None
 
-    def receive(self, step: int) -> Reply:
-        """The answer to that frame.
+    def receive(self, deadline: float) -> tuple[int, Reply] | None:
+        """The next answer and the step it is for, or None where none is complete at the deadline (monotonic) [s].
 
         Raises:
-            EcuError: It did not come in time, or it is none.
+            EcuError: The program is gone, or says what it should not.
         """
-        content = received(self._connection, _ANSWER.size)
-        answered, front, rear, flags, iterations, slack, nanoseconds = _ANSWER.unpack(content)
-        if answered != step or flags < 0 or not np.isfinite(slack):
+        while len(self._pending) < _ANSWER.size:
+            self._connection.settimeout(max(deadline - time.monotonic(), 1e-6))
+            try:
+                piece = self._connection.recv(_ANSWER.size - len(self._pending))
+            except TimeoutError:
+                return None
+            except OSError:
+                piece = b""
+            if not piece:
+                raise EcuError(_GONE)
+            self._pending += piece
+        step, front, rear, flags, iterations, slack, operations, nanoseconds = _ANSWER.unpack(self._pending)
+        self._pending.clear()
+        if flags < 0 or not np.isfinite(slack):
             raise EcuError("The ECU's program answered what nobody asked")
+        self.operations.append(operations)
         self.computing_ns.append(nanoseconds)
-        return Reply(
+        reply = Reply(
             commands=(front, rear),
             limited=bool(flags & LIMITED),
             iterations=iterations,
             unfinished=bool(flags & UNFINISHED),
             slack=slack,
         )
-
-
-def received(connection: socket.socket, length: int) -> bytes:
-    """So many bytes.
-
-    Raises:
-        EcuError: They did not come.
-    """
-    content = bytearray()
-    while len(content) < length:
-        try:
-            piece = connection.recv(length - len(content))
-        except TimeoutError:
-            raise EcuError(f"The ECU's program did not answer within {connection.gettimeout():g} s") from None
-        except OSError:
-            piece = b""
-        if not piece:
-            raise EcuError("The ECU's program ended in the middle of the drive")
-        content += piece
-    return bytes(content)
+        return step, reply
 
 
 @contextmanager
@@ -131,8 +138,7 @@ def connected(known: Calibration, program: Path | None = None, *, patience: floa
             connection = _greeted(listener, process, token, content, tables.fingerprint(known))
             with connection:
                 listener.close()
-                connection.settimeout(patience)
-                yield ProcessEcu(connection, known)
+                yield ProcessEcu(connection, known, patience)
         finally:
             _end(process)
 
@@ -156,8 +162,8 @@ def _greeted(
         connection.settimeout(GREETED)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
-            greeting, given, found = _HELLO.unpack(received(connection, _HELLO.size))
-        except EcuError:
+            greeting, given, found = _HELLO.unpack(connection.recv(_HELLO.size, socket.MSG_WAITALL))
+        except (OSError, struct.error):
             greeting, given, found = b"", b"", 0
         if greeting == GREETING and hmac.compare_digest(given, token):
             if found == expected:

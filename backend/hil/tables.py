@@ -61,8 +61,8 @@ def sizes_header(known: Calibration) -> str:
 
 
 def most_active(known: Calibration) -> int:
-    """Limits that may bind together: never more than there are unknowns, forces and two slacks."""
-    return min(MOST_ACTIVE, FORCES * known.moves + 2)
+    """Limits that may bind together: one more than there are unknowns, forces and two slacks, never happens."""
+    return min(MOST_ACTIVE, FORCES * known.moves + 3)
 
 
 def calibration_header(known: Calibration) -> str:

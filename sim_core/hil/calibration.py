@@ -21,7 +21,7 @@ from sim_core.scenario import Hil
 
 AXLES = 2
 FORCE_ROW = -1  # in place of an axle
-MOST_ACTIVE = 24  # limits that may bind together; the program's working memory is made for so many
+MOST_ACTIVE = 44  # limits that may bind together; the program's working memory is made for so many
 Checked = Literal["all", "few"]
 
 

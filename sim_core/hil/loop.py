@@ -158,7 +158,8 @@ class HilLoop:
 
     def _moved(self, present: FloatArray, wanted: FloatArray) -> FloatArray:
         """The actuators' command a short step later."""
-        if np.isfinite(self._limits.rate):
-            most = self._limits.rate * self._way.step
+        limits = self._limits
+        if np.isfinite(limits.rate):
+            most = limits.rate * self._way.step
             wanted = present + np.clip(wanted - present, -most, most)
-        return np.clip(wanted, -self._limits.force, self._limits.force)
+        return np.clip(wanted, -limits.force, limits.force) if np.isfinite(limits.force) else wanted

@@ -5,8 +5,10 @@ It is written for clarity where the C is written for a small part: every iterati
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.hil.calibration import AXLES, FORCE_ROW, MOST_ACTIVE, Calibration, StageTables
@@ -70,103 +72,105 @@ class ModelEcu(Ecu):
         return _Dual(self._known, tables, tables.rows @ given).solve()
 
 
-class _Dual:
-    """Goldfarb and Idnani (1983) on the rows alone. Limits: row j at ±bound + slack, and each slack at zero.
+@dataclass(frozen=True, slots=True, eq=False)
+class _Limits:
+    """Some limits: row `rows[i]` at the side `signs[i]`; rows m and m + 1 are the slacks' own limits, at zero.
 
-    An element is (row, sign), or (-1 - axle, 0) for a slack's own bound. Both of those bind at the start: the
-    unconstrained slack is negative, as its linear price says.
+    `multipliers` are theirs, never negative.
+    """
+
+    rows: NDArray[np.intp]
+    signs: FloatArray
+    multipliers: FloatArray
+
+    def with_one(self, row: int, sign: float, multiplier: float) -> "_Limits":
+        return _Limits(np.append(self.rows, row), np.append(self.signs, sign), np.append(self.multipliers, multiplier))
+
+    def without(self, place: int) -> "_Limits":
+        return _Limits(np.delete(self.rows, place), np.delete(self.signs, place), np.delete(self.multipliers, place))
+
+
+class _Dual:
+    """Goldfarb and Idnani (1983) on the rows alone: |row| <= bound + slack of its axle, and no slack below zero.
+
+    The slacks' own limits bind at the start: unconstrained they would be negative, as their linear price says.
     """
 
     def __init__(self, known: Calibration, tables: StageTables, values: FloatArray) -> None:
+        m = len(values)
         self._known = known
-        self._gram = tables.gram
+        self._gram = np.zeros((m + AXLES, m + AXLES))
+        self._gram[:m, :m] = tables.gram
         self._free = values
-        self._axles = np.array(known.axles)
-        self._active: list[tuple[int, int]] = [(-1 - axle, 0) for axle in range(AXLES)]
-        self._multipliers = np.full(AXLES, known.slack_price)
+        self._axles = np.concatenate([known.axles, range(AXLES)]).astype(np.intp)
+        self._active = _Limits(np.arange(m, m + AXLES), np.zeros(AXLES), np.full(AXLES, known.slack_price))
 
     def solve(self) -> tuple[FloatArray, int, bool, float]:
         iterations = 0
         while True:
-            values, slacks = self._primal(self._active, self._multipliers)
-            worst, excess = self._worst(values, slacks)
+            values, slacks = self._primal(self._active)
+            row, sign, excess = self._worst(values, slacks)
             if excess <= TOLERANCE:
                 return values, iterations, True, float(slacks.max())
-            added = 0.0
-            while True:
-                if iterations == self._known.iterations or len(self._active) == MOST_ACTIVE:
-                    values, slacks = self._primal([*self._active, worst], np.append(self._multipliers, added))
+            met, added = False, 0.0
+            while not met:
+                if iterations == self._known.iterations or len(self._active.rows) == MOST_ACTIVE:
+                    values, slacks = self._primal(self._active.with_one(row, sign, added))
                     return values, iterations, False, float(slacks.max())
                 iterations += 1
-                done, added = self._step(worst, added)
-                if done:
-                    break
+                met, added = self._step(row, sign, added)
 
-    def _step(self, worst: tuple[int, int], added: float) -> tuple[bool, float]:
-        """One dual step towards meeting the worst limit; whether it is met now, and its multiplier."""
-        active, multipliers = self._active, self._multipliers
-        own = self._coupling([worst], [worst])[0, 0]
-        to_active = self._coupling(active, [worst])[:, 0]
-        direction = np.linalg.solve(self._coupling(active, active), to_active)
-        rate = own - to_active @ direction
-        values, slacks = self._primal([*active, worst], np.append(multipliers, added))
-        excess = self._excess(worst, values, slacks)
-        full = excess / rate if rate > SINGULAR * own else np.inf
-        falling = direction > 0
-        ratios = np.where(falling, multipliers / np.where(falling, direction, 1.0), np.inf)
-        blocking = int(ratios.argmin()) if len(ratios) else 0
+    def _step(self, row: int, sign: float, added: float) -> tuple[bool, float]:
+        """One dual step towards meeting that limit: whether it is met now, and its multiplier."""
+        active = self._active
+        larger = active.with_one(row, sign, added)
+        coupling = self._coupling(larger)
+        direction = np.linalg.solve(coupling[:-1, :-1], coupling[:-1, -1])
+        rate = float(coupling[-1, -1] - coupling[-1, :-1] @ direction)
+        values, slacks = self._primal(larger)
+        full = self._excess(row, sign, values, slacks) / rate if rate > SINGULAR * coupling[-1, -1] else np.inf
+        ratios = np.full(len(direction), np.inf)
+        np.divide(active.multipliers, direction, out=ratios, where=direction > 0)
+        blocking = int(ratios.argmin()) if len(ratios) else -1
         step = min(full, ratios[blocking] if len(ratios) else np.inf)
-        if not np.isfinite(step):  # no slack would help: cannot be, but must not loop
+        if not np.isfinite(step):  # nothing would help: cannot be, for the slacks always do
             return True, added
-        self._multipliers = np.maximum(multipliers - step * direction, 0.0)
-        added += step
-        if step == full:
-            self._active = [*active, worst]
-            self._multipliers = np.append(self._multipliers, added)
-            return True, added
-        self._active = [item for i, item in enumerate(active) if i != blocking]
-        self._multipliers = np.delete(self._multipliers, blocking)
-        return False, added
+        left = np.maximum(active.multipliers - step * direction, 0.0)
+        moved = _Limits(active.rows, active.signs, left)
+        if full <= step:
+            self._active = moved.with_one(row, sign, added + step)
+            return True, added + step
+        self._active = moved.without(blocking)
+        return False, added + step
 
-    def _coupling(self, left: list[tuple[int, int]], right: list[tuple[int, int]]) -> FloatArray:
-        """How a multiplier of one element moves another: normal' H⁻¹ normal, of each pair."""
-        table = np.zeros((len(left), len(right)))
-        for i, (row, sign) in enumerate(left):
-            for j, (other, other_sign) in enumerate(right):
-                if sign and other_sign:
-                    table[i, j] = sign * other_sign * self._gram[row, other]
-                if self._axle(row) == self._axle(other) != FORCE_ROW:
-                    table[i, j] += self._known.slack_yield
-        return table
+    def _coupling(self, limits: _Limits) -> FloatArray:
+        """How a multiplier of one limit moves another: normal' H⁻¹ normal, of each pair."""
+        rows, axles = limits.rows, self._axles[limits.rows]
+        same = (axles[:, None] == axles) & (axles != FORCE_ROW)
+        signs = limits.signs[:, None] * limits.signs
+        return np.asarray(signs * self._gram[np.ix_(rows, rows)] + self._known.slack_yield * same)
 
-    def _axle(self, row: int) -> int:
-        return -1 - row if row < 0 else int(self._axles[row])
+    def _primal(self, limits: _Limits) -> tuple[FloatArray, FloatArray]:
+        """Row values (m,) and slacks (2,) that belong to these limits' multipliers."""
+        m = len(self._free)
+        values = self._free - self._gram[:m, limits.rows] @ (limits.signs * limits.multipliers)
+        axles = self._axles[limits.rows]
+        paid = np.array([limits.multipliers[axles == axle].sum() for axle in range(AXLES)])
+        return values, self._known.slack_yield * (paid - self._known.slack_price)
 
-    def _primal(self, active: list[tuple[int, int]], multipliers: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Row values and slacks that belong to multipliers."""
-        values = self._free.copy()
-        slacks = np.full(AXLES, -self._known.slack_price * self._known.slack_yield)
-        for (row, sign), multiplier in zip(active, multipliers, strict=True):
-            if sign:
-                values -= sign * multiplier * self._gram[:, row]
-            if self._axle(row) != FORCE_ROW:
-                slacks[self._axle(row)] += multiplier * self._known.slack_yield
-        return values, slacks
+    def _excess(self, row: int, sign: float, values: FloatArray, slacks: FloatArray) -> float:
+        axle = self._axles[row]
+        slack = 0.0 if axle == FORCE_ROW else float(slacks[axle])
+        return float(sign * values[row] - self._known.bounds[row]) - slack if row < len(values) else -slack
 
-    def _excess(self, element: tuple[int, int], values: FloatArray, slacks: FloatArray) -> float:
-        row, sign = element
-        if not sign:
-            return float(-slacks[self._axle(row)])
-        axle = self._axle(row)
-        return float(sign * values[row] - self._known.bounds[row] - (slacks[axle] if axle != FORCE_ROW else 0.0))
-
-    def _worst(self, values: FloatArray, slacks: FloatArray) -> tuple[tuple[int, int], float]:
-        """The limit that is broken most, and by how much."""
-        soft = np.where(self._axles == FORCE_ROW, 0.0, slacks[np.maximum(self._axles, 0)])
-        excess = np.abs(values) - self._known.bounds - soft
+    def _worst(self, values: FloatArray, slacks: FloatArray) -> tuple[int, float, float]:
+        """Row and side of the limit that is broken most, and by how much."""
+        m = len(values)
+        axles = self._axles[:m]
+        excess = np.abs(values) - self._known.bounds - np.where(axles == FORCE_ROW, 0.0, slacks[np.maximum(axles, 0)])
         row = int(excess.argmax())
-        worst, most = (row, 1 if values[row] > 0 else -1), float(excess[row])
+        worst = row, float(np.sign(values[row])), float(excess[row])
         for axle in range(AXLES):
-            if -slacks[axle] > most and (-1 - axle, 0) not in self._active:
-                worst, most = (-1 - axle, 0), float(-slacks[axle])
-        return worst, most
+            if -slacks[axle] > worst[2] and m + axle not in self._active.rows:
+                worst = m + axle, 0.0, float(-slacks[axle])
+        return worst

@@ -1,8 +1,11 @@
 #include "ridelab_controller.h"
 
+#include "ridelab_count.h"
+
 static float product(const float *left, const float *right, int32_t count)
 {
     float sum = 0.0f;
+    RIDELAB_COUNT(count);
     for (int32_t i = 0; i < count; i++) {
         sum += left[i] * right[i];
     }
@@ -45,6 +48,7 @@ static void read_input(ridelab_controller *me, const ridelab_input *input)
             next++;
         }
     }
+    RIDELAB_COUNT(RIDELAB_STATES + RIDELAB_PREVIEWED * known->previewed);
     if (known->predicts != 0) {
         predict(known, me->given, me->previous, first);
     }

@@ -1,6 +1,7 @@
 #include "ridelab_dual.h"
 
 #include "ridelab_controller.h"
+#include "ridelab_count.h"
 
 #define TOLERANCE 1e-4f /* kN or cm: 0.1 N, 1 um */
 #define SINGULAR 1e-6f  /* below this share of its own size a row depends on those that bind */
@@ -31,6 +32,7 @@ static float reduce(ridelab_dual *me, const ridelab_tables *known, const float *
 {
     float left = coupling(known, gram, limit, limit);
     for (int32_t i = 0; i < me->count; i++) {
+        RIDELAB_COUNT(i + 3); /* the products below, the coupling, the division */
         float sum = coupling(known, gram, limit, &me->limits[i]);
         for (int32_t j = 0; j < i; j++) {
             sum -= me->factor[i][j] * me->solved[j];
@@ -44,6 +46,7 @@ static float reduce(ridelab_dual *me, const ridelab_tables *known, const float *
 static void append(ridelab_dual *me, const ridelab_limit *limit, float multiplier, float left)
 {
     const int32_t place = me->count;
+    RIDELAB_COUNT(place);
     for (int32_t j = 0; j < place; j++) {
         me->factor[place][j] = me->solved[j] / me->factor[j][j];
     }
@@ -74,6 +77,7 @@ static void drop(ridelab_dual *me, const ridelab_tables *known, const float *gra
 static float worst(const ridelab_dual *me, const ridelab_tables *known, const float *values, ridelab_limit *found)
 {
     float most = 0.0f;
+    RIDELAB_COUNT(known->rows);
     for (int32_t row = 0; row < known->rows; row++) {
         const int8_t axle = known->axles[row];
         const float slack = axle >= 0 ? me->slacks[axle] : 0.0f;
@@ -103,6 +107,7 @@ static void move(ridelab_dual *me, const ridelab_tables *known, const float *gra
     if (limit->sign != 0) {
         const float *column = &gram[(int32_t)limit->row * known->rows]; /* gram is symmetric */
         const float signed_step = limit->sign > 0 ? step : -step;
+        RIDELAB_COUNT(known->rows);
         for (int32_t row = 0; row < known->rows; row++) {
             values[row] -= signed_step * column[row];
         }
@@ -117,6 +122,7 @@ static void find_direction(ridelab_dual *me)
 {
     for (int32_t i = me->count - 1; i >= 0; i--) {
         float sum = me->solved[i] / me->factor[i][i];
+        RIDELAB_COUNT(me->count - i);
         for (int32_t j = i + 1; j < me->count; j++) {
             sum -= me->factor[j][i] * me->direction[j];
         }

@@ -3,7 +3,7 @@
    ridelab_ecu PORT, with a token of 32 bytes on standard input that the plant gave out for this one connection.
    All numbers are little-endian, 32 bits each.
    hello: "RIDELAB1", the token, the tables' fingerprint.
-   frame: step, stage, codes. answer: step, two commands, flags, iterations, slack as a float, time taken [ns]. */
+   frame: step, stage, codes. answer: step, two commands, flags, iterations, slack as a float, operations, time taken [ns]. */
 #define _POSIX_C_SOURCE 200809L
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -16,13 +16,16 @@
 #include <unistd.h>
 
 #include "ridelab_controller.h"
+#include "ridelab_count.h"
 #include "ridelab_prepare.h"
 
 #define TOKEN 32
 #define WORDS_AHEAD 2
-#define ANSWER 7
+#define ANSWER 8
 
 enum { DONE = 0, USAGE = 2, NO_TABLES = 3, NO_PLANT = 4, BROKEN = 5 };
+
+uint32_t ridelab_counted;
 
 static ridelab_controller controller;
 static ridelab_input input;
@@ -111,6 +114,7 @@ static int serve(int link, const ridelab_tables *tables)
             return got == 0 ? DONE : BROKEN;
         }
         (void)clock_gettime(CLOCK_MONOTONIC, &begin);
+        ridelab_counted = 0;
         input.stage = get(&frame[4]);
         for (int32_t i = 0; i < codes; i++) {
             input.codes[i] = get(&frame[4 * (WORDS_AHEAD + i)]);
@@ -123,7 +127,8 @@ static int serve(int link, const ridelab_tables *tables)
         put(&answer[12], (uint32_t)flags);
         put(&answer[16], (uint32_t)output.iterations);
         put(&answer[20], slack);
-        put(&answer[24], nanoseconds_since(&begin));
+        put(&answer[24], ridelab_counted);
+        put(&answer[28], nanoseconds_since(&begin));
         if (!send_all(link, answer, sizeof answer)) {
             return BROKEN;
         }
