@@ -1,8 +1,6 @@
 """Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
 
-import asyncio
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
@@ -14,6 +12,7 @@ from backend.admission import Admission
 from backend.compute import Workers
 from backend.problems import ProblemError
 from backend.reports import run as run_report
+from backend.reports.making import made
 from backend.reports.page import Report
 from backend.results import Results
 from backend.store import Store, StoredBatch, StoredResult, StoredRun
@@ -25,9 +24,6 @@ from sim_core.strategies import STRATEGIES
 from sim_core.versions import NewerScenarioError, restored
 
 FIGURE_POINTS = 2000
-
-# One thread: a report is mostly compressing, which leaves the event loop alone; the next one waits.
-_reporting = ThreadPoolExecutor(1, thread_name_prefix="report")
 
 
 class Runs:
@@ -193,8 +189,7 @@ class Runs:
             gone=gone,
         )
         with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
-            make = partial(run_report.report, facts, compressed=compressed)
-            return await asyncio.get_running_loop().run_in_executor(_reporting, make)
+            return await made(partial(run_report.report, facts, compressed=compressed))
 
     async def _outcomes(self, stored: StoredRun, keys: Mapping[str, str], client: str) -> dict[str, Outcome]:
         """Those strategies with time histories for figures, by result keys given."""

@@ -3,6 +3,7 @@
 import asyncio
 import time
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from backend import digest
@@ -11,6 +12,9 @@ from backend.compute import Workers
 from backend.hil.drive import EcuUnavailableError
 from backend.paper import answers, drawings, work
 from backend.problems import ProblemError
+from backend.reports import paper as paper_report
+from backend.reports.making import made
+from backend.reports.page import Report
 from backend.results import Results
 from backend.store import Store, StoredResult
 from sim_core import __version__ as CORE_VERSION
@@ -86,6 +90,17 @@ class Paper:
         found = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
         outcomes = {name: item.outcome for name, item in found.items()}
         return {"figures": await asyncio.to_thread(drawings.all_figures, peaks, outcomes)}
+
+    async def report(self, chosen: Mapping[str, str], seeds: int, client: str, *, compressed: bool) -> Report:
+        """All of it as one HTML file; what each part contributes and the figures are by the default readings.
+
+        Raises:
+            ProblemError: 429 or 503.
+        """
+        found = await self.reproduction(chosen, seeds, client)
+        parts, drawn = await self.attribution(seeds, client), await self.figures(seeds, client)
+        with self._admission.computing(client, Scenario(), ()):
+            return await made(partial(paper_report.report, found, parts, drawn["figures"], compressed=compressed))
 
     async def _values(self, chosen: Mapping[str, str], seeds: int, client: str) -> dict[str, Any]:
         return paper.gathered(await self._rows(work.values, (dict(chosen),), seeds, client))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from backend.reports.keys import key_of
+from backend.reports.keys import line_of
 from backend.reports.numbers import NOTHING, significant, with_unit
 
 REACH = 0.6  # how far beyond the curves, in spans of theirs, a reference line is still brought into view
@@ -25,7 +25,7 @@ def framed(figure: dict[str, Any]) -> dict[str, Any]:
         return figure
     low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
     reach = REACH * max(high - low, NOTHING)
-    for shape in figure["layout"]["shapes"]:
+    for shape in figure["layout"].get("shapes", ()):
         if shape["yref"] == "y" and low - reach <= shape["y0"] and shape["y1"] <= high + reach:
             low, high = min(low, shape["y0"]), max(high, shape["y1"])
     room = PADDING * (high - low) if high > low else max(abs(high), 1.0)
@@ -37,8 +37,9 @@ def caption(name: str, figure: Mapping[str, Any]) -> dict[str, Any]:
     """A figure's title, unit, key of lines, and what is shaded, dashed, or too far away to be seen."""
     layout = figure["layout"]
     low, high = layout["yaxis"].get("range", (0.0, 0.0))
-    shaded = {shape["name"] for shape in layout["shapes"] if shape["xref"] == "x"}
-    lines = [shape for shape in layout["shapes"] if shape["yref"] == "y"]
+    shapes = layout.get("shapes", ())
+    shaded = {shape["name"] for shape in shapes if shape["xref"] == "x"}
+    lines = [shape for shape in shapes if shape["yref"] == "y"]
     near = {shape["name"] for shape in lines if low <= shape["y0"] and shape["y1"] <= high}
     far: dict[str, list[float]] = {}
     for shape in lines:
@@ -55,7 +56,7 @@ def caption(name: str, figure: Mapping[str, Any]) -> dict[str, Any]:
         "name": name,
         "title": layout["meta"]["title"],
         "unit": unit,
-        "keys": [key_of(trace["meta"]["strategy"]) for trace in figure["data"]],
+        "keys": [line_of(trace) for trace in figure["data"]],
         "notes": "; ".join(notes),
     }
 

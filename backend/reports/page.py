@@ -96,6 +96,14 @@ def policy(drawing: bool) -> str:
     )
 
 
+def marked(text: str) -> Markup:
+    """Text in which `backticks` stand around code, as HTML."""
+    pieces = text.split("`")
+    return Markup("").join(
+        Markup("<code>{}</code>").format(piece) if index % 2 else piece for index, piece in enumerate(pieces)
+    )
+
+
 @cache
 def _environment() -> Environment:
     environment = Environment(
@@ -106,7 +114,7 @@ def _environment() -> Environment:
         lstrip_blocks=True,
     )
     shown = (numbers.significant, numbers.exact, numbers.percent, numbers.told, numbers.pretty_unit, numbers.with_unit)
-    environment.filters |= {each.__name__: each for each in shown}
+    environment.filters |= {each.__name__: each for each in shown} | {"marked": marked}
     return environment
 
 

@@ -3,11 +3,12 @@
 from typing import Annotated, Any
 
 from fastapi import Depends, Query, Request, Response
+from fastapi.responses import HTMLResponse
 
 from backend.paper import models
 from backend.paper.service import Paper
 from backend.routes import router
-from backend.routes.deps import Client, json_answer
+from backend.routes.deps import Client, html_answer, json_answer, takes_gzip
 from sim_core.paper import SEEDS
 
 paper = router("paper", 422, 429, 503)
@@ -45,3 +46,15 @@ async def get_attribution(service: PaperService, client: Client, seeds: Roads = 
 async def get_figures(service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
     """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
     return json_answer(await service.figures(seeds, client))
+
+
+@paper.get(
+    "/paper/report.html",
+    operation_id="getPaperReport",
+    response_class=HTMLResponse,
+    responses={200: {"content": {"text/html": {}}}},
+)
+async def get_report(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
+    """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
+    report = await service.report(query.chosen(), query.seeds, client, compressed=takes_gzip(request))
+    return html_answer(report, "ridelab-paper.html")

@@ -41,6 +41,7 @@ OPERATIONS = {
     "createLink": ("post", "/api/v1/links"),
     "getLink": ("get", "/api/v1/links/{slug}"),
     "live": ("post", "/api/v1/live"),
+    "getPaperReport": ("get", "/api/v1/paper/report.html"),
     "getSchema": ("get", "/api/v1/schema"),
     "getPresets": ("get", "/api/v1/presets"),
     "getStrategies": ("get", "/api/v1/strategies"),

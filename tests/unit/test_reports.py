@@ -8,10 +8,12 @@ import pytest
 
 from backend.reports import inputs, numbers
 from backend.reports.doubts import doubts
+from backend.reports.keys import key_of
 from backend.reports.run import RunFacts, report
 from backend.worker import Outcome, run
 from sim_core import dotted
 from sim_core.scenario import Scenario
+from sim_core.strategies import STRATEGIES
 from tests.html import check, read
 
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&{{7*7}}"
@@ -63,6 +65,12 @@ def test_inputs_keep_every_digit(value: float, shown: str) -> None:
 )
 def test_changes_always_have_a_sign(change: float, shown: str) -> None:
     assert numbers.percent(change) == shown
+
+
+def test_every_strategy_has_a_key_of_its_own() -> None:
+    keys = [key_of(name) for name in STRATEGIES]
+    assert len({key["dash"] for key in keys}) == len(keys)
+    assert key_of("of-another-version")["label"] == "of-another-version"
 
 
 def test_units_are_raised() -> None:

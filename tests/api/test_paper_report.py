@@ -1,0 +1,101 @@
+"""The paper's report, as it is served: what it says is what GET /paper and its neighbours say."""
+
+import json
+from typing import Any
+
+import httpx
+import orjson
+import plotly.graph_objects as go
+import pytest
+
+from backend import digest
+from backend.paper import work
+from backend.store import StoredResult
+from sim_core import __version__ as CORE_VERSION
+from sim_core import paper
+from tests.html import Element, check, read
+
+SEEDS = 22  # nobody else asks for so many
+
+
+@pytest.fixture(scope="module")
+def told(service: Any) -> dict[str, Any]:
+    """The answers the report is made of: two roads, stored as if they were 22, so that it takes a second."""
+    without = {**paper.default_choices(), "preview": "none"}
+    for function, given in (
+        (work.values, (paper.default_choices(),)),
+        (work.values, (without,)),
+        (work.combinations, ()),
+        (work.peaks_over_speed, ()),
+    ):
+        rows = function(*given, [1, 2]) * (SEEDS // 2)
+        name = f"paper.{function.__name__}"
+        key = digest.derived_key(name, {"given": given, "seeds": SEEDS})
+        plain = orjson.loads(orjson.dumps(rows, option=orjson.OPT_SERIALIZE_NUMPY))
+        item = StoredResult(key=key, strategy=name, status="ok", summary={"rows": plain}, compute_ms=1.0)
+        service.app.state.store.runs.save_result(item, CORE_VERSION)
+    found: dict[str, Any] = {}
+    for name in ("paper", "paper/attribution", "paper/figures"):
+        response = service.client.get(f"/api/v1/{name}", params={"seeds": SEEDS})
+        assert response.status_code == 200, response.text
+        found[name] = response.json()
+    assert found["paper"]["seeds"] == SEEDS
+    return found
+
+
+@pytest.fixture(scope="module")
+def page(client: httpx.Client, told: dict[str, Any]) -> Element:
+    response = client.get("/api/v1/paper/report.html", params={"seeds": SEEDS})
+    assert response.status_code == 200, response.text[:300]
+    assert "script-src 'sha256-" in response.headers["content-security-policy"]
+    assert response.headers["content-disposition"] == 'inline; filename="ridelab-paper.html"'
+    root = read(response.text)
+    check(root)
+    return root
+
+
+def test_its_count_is_that_of_its_cells(page: Element, told: dict[str, Any]) -> None:
+    answer = told["paper"]
+    rows = {str(row.attributes["data-judged"]): row for row in page.all("tr") if "data-judged" in row.attributes}
+    assert len(rows) == answer["total"]
+    verdicts = [row.attributes["data-verdict"] for row in rows.values()]
+    assert verdicts.count("reached") == answer["reached"]
+    assert f"{answer['reached']} of {answer['total']} cells reached" in next(page.all("h1")).text
+    assert f"Without preview of the road: {answer['without_preview']['reached']} of" in page.text
+    for cell in answer["cells"]:
+        row = rows[f"{cell['table']}.{cell['strategy']}.{cell['against']}.{cell['signal']}"]
+        assert float(str(row.attributes["data-value"])) == cell["our_change"]
+        assert row.attributes["data-verdict"] == cell["verdict"]
+        assert cell["verdict"] in row.text
+        assert ("misprint" in row.text) == (cell["misprint"] is not None)
+        blind = cell["without_preview"]
+        told_of = [cell, *([blind] if blind else [])]
+        assert row.text.count("not certain") == sum(not item["certain"] for item in told_of)
+        assert ("looks ahead" in row.text) == (blind is None)
+
+
+def test_it_has_every_figure_erratum_rule_sentence_and_share(page: Element, told: dict[str, Any]) -> None:
+    figures = json.loads(next(page.all("script", id="figures")).text)
+    assert list(figures) == [f"figure-{item['number']}" for item in told["paper/figures"]["figures"]]
+    headings = [heading.text for heading in page.all("h3")]
+    for item in told["paper/figures"]["figures"]:
+        go.Figure(figures[f"figure-{item['number']}"])
+        assert any(text.startswith(f"Fig. {item['number']}: {item['title']}") for text in headings)
+    for item in told["paper"]["errata"]:
+        assert item["here"].replace("`", "") in page.text
+    for text in told["paper"]["rules"].values():
+        assert text in page.text
+    plain = page.text.replace("−", "-")
+    for text in told["paper/attribution"]["sentences"]:
+        assert text.replace("−", "-") in plain
+    shown = [float(str(cell.attributes["data-value"])) for cell in page.all("td") if "data-share" in cell.attributes]
+    assert shown == [
+        item[factor] for item in told["paper/attribution"]["shares"] for factor in ("speed", "preview", "switching")
+    ]
+
+
+def test_a_reading_that_does_not_exist_is_a_problem(client: httpx.Client) -> None:
+    response = client.get("/api/v1/paper/report.html", params={"preview": "crystal_ball"})
+    assert response.status_code == 422
+    assert response.headers["content-type"] == "application/problem+json"
+    assert "crystal" not in response.text
