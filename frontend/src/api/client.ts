@@ -201,9 +201,6 @@ export const api = {
 
   reportAddress: (id: string, baseline: StrategyId | null, x: "position" | "time") =>
     `${BASE}/runs/${encodeURIComponent(id)}/report.html?${new URLSearchParams({ x, ...(baseline === null ? {} : { baseline }) })}`,
-
-  reportAddress: (id: string, baseline: StrategyId | null, x: "position" | "time") =>
-    `${BASE}/runs/${encodeURIComponent(id)}/report.html?${new URLSearchParams({ x, ...(baseline === null ? {} : { baseline }) })}`,
 };
 
 export type Readiness = "ready" | "starting" | "down";
