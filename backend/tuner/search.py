@@ -45,7 +45,7 @@ def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count
         name: optuna.distributions.FloatDistribution(low, high, log=True) for name, (low, high) in search.ranges.items()
     }
     state = np.random.SeedSequence([search.seed, generation]).generate_state(1)
-    sampler = optuna.samplers.TPESampler(seed=int(state[0]), multivariate=True)
+    sampler = optuna.samplers.TPESampler(seed=int(state[0]))  # docs/decisions/0009-tuning-by-generations.md
     study = optuna.create_study(directions=["minimize"] * search.objectives, sampler=sampler)
     for trial in trials:
         point = point_of(trial.weights, search.ranges, search.scenario)

@@ -1,0 +1,283 @@
+"""The tuner's own arithmetic: objectives by hand, fronts and volumes with known answers, weights as points and back."""
+
+import math
+import subprocess
+import sys
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import orjson
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from pydantic import ValidationError
+
+from backend.batches.driver import Progress
+from backend.store.batches import BatchRow
+from backend.store.tunings import StoredTrial
+from backend.tuner import comparison, front, space
+from backend.tuner.measure import Aims, Failure
+from backend.tuner.models import TuningRequest
+from backend.tuner.objectives import UndefinedObjectiveError, objective_value
+from backend.tuner.search import Search, ask
+from sim_core.scenario import Scenario
+from tests.api.test_batch_store import BATCH
+
+PAPER = Scenario().model_dump(mode="json")
+SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
+
+
+def trial(number: int, *values: float, feasible: bool = True, **more: Any) -> StoredTrial:
+    known = {"generation": 0, "weights": {}, "status": "ok", "reason": None, "limits": []}
+    return StoredTrial(number=number, feasible=feasible, values=list(values), **(known | more))  # type: ignore[arg-type]
+
+
+def summary(rms: tuple[float, ...], peak: tuple[float, ...] = (1, 1, 1, 1)) -> dict[str, Any]:
+    window = {name: {"rms": r, "peak": p} for name, r, p in zip(SIGNALS, rms, peak, strict=True)}
+    return {"metrics": {"rough_road": window, "bump": window, "whole": window}, "events": {"airborne_ms": 7.0}}
+
+
+def test_eq_16_by_hand() -> None:
+    ours, passive = summary((1, 2, 30, 40), (5, 6, 7, 8)), summary((2, 8, 60, 80), (10, 12, 14, 16))
+    paper = {"kind": "paper", "q": [1, 2, 4], "window": "whole", "figure": None}
+    # (1/2)² + 2 (2/8)² + 4 (30² + 40²)/(60² + 80²)
+    assert objective_value(paper, ours, passive) == pytest.approx(0.25 + 2 / 16 + 4 / 4, rel=1e-15)
+    assert objective_value({**paper, "kind": "peaks"}, ours, passive) == pytest.approx(7 / 4, rel=1e-15)
+    assert objective_value({**paper, "q": [1, 1, 1]}, passive, passive) == 3, "the passive car itself"
+    figure = {"kind": "figure", "q": [1, 1, 1], "window": None, "figure": "events.airborne_ms"}
+    assert objective_value(figure, ours, {}) == 7
+
+
+def test_a_share_of_nothing_is_refused_where_it_counts() -> None:
+    still = summary((0, 1, 1, 1))
+    paper = {"kind": "paper", "q": [1, 1, 1], "window": "rough_road", "figure": None}
+    with pytest.raises(UndefinedObjectiveError, match="body acceleration is zero"):
+        objective_value(paper, summary((1, 1, 1, 1)), still)
+    assert objective_value({**paper, "q": [0, 1, 1]}, summary((1, 1, 1, 1)), still) == 2
+
+
+def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> None:
+    aims = Aims(
+        objectives=[{"kind": "figure", "q": [1, 1, 1], "window": None, "figure": "travel_time"}],
+        limits=[{"figure": "events.airborne_ms", "at_most": 8}],
+    )
+
+    def row(position: int, travel_time: float, airborne: float) -> BatchRow:
+        found = {**summary((1, 1, 1, 1)), "travel_time": travel_time, "events": {"airborne_ms": airborne}}
+        return BatchRow(
+            position=position,
+            changes="{}",
+            strategy="lv",
+            status="ok",
+            reason=None,
+            core_version="1",
+            summary=orjson.dumps(found).decode(),
+            compute_ms=1.0,
+        )
+
+    runs = {1: aims.measured(row(0, 10, 0), {}), 2: aims.measured(row(1, 13, 9), {})}
+    made = aims.trial(4, 1, {"lqr.weights": [1, 1, 1]}, runs)
+    assert (made.values, made.limits, made.feasible, made.status) == ([11.5], [9.0], False, "ok")
+    assert aims.trial(4, 1, {}, {1: runs[1]}).feasible
+    failed = aims.trial(4, 1, {}, {1: runs[1], 2: Failure(reason="too steep")})
+    assert (failed.status, failed.reason, failed.feasible, failed.values) == (
+        "failed",
+        "Road 2: too steep",
+        False,
+        None,
+    )
+
+
+def test_a_front_has_what_nothing_betters() -> None:
+    trials = [trial(0, 3, 3), trial(1, 1, 4), trial(2, 2, 2), trial(3, 4, 1), trial(4, 2, 2), trial(5, 2, 5)]
+    trials += [trial(6, 0, 0, feasible=False)]
+    members = front.front(trials)
+    assert [each.number for each in members] == [1, 2, 3]
+    assert front.best(trials, 1) == trials[3]
+    assert front.best([trials[6]], 0) is None
+    # Scaled to the front's range: (0, 1), (1/3, 1/3), (1, 0).
+    assert front.knee(members) == trials[2]
+    assert front.knee([trial(0, 1)]) is None
+
+
+@given(st.lists(st.tuples(st.integers(0, 5), st.integers(0, 5), st.integers(0, 5)), min_size=1, max_size=25))
+def test_a_front_by_definition(points: list[tuple[int, int, int]]) -> None:
+    trials = [trial(number, *point) for number, point in enumerate(points)]
+
+    def dominates(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
+        return one != other and all(a <= b for a, b in zip(one, other, strict=True))
+
+    expected = {point for point in points if not any(dominates(other, point) for other in points)}
+    assert sorted(tuple(each.values or ()) for each in front.front(trials)) == sorted(expected)
+
+
+def test_dominated_shares_with_known_answers() -> None:
+    assert front.dominated_share([trial(0, 3)], [4]) == pytest.approx(0.25)
+    assert front.dominated_share([trial(0, 2, 3), trial(1, 3, 1)], [4, 4]) == pytest.approx((2 * 1 + 1 * 3 - 1) / 16)
+    assert front.dominated_share([trial(0, 1, 1, 1)], [2, 2, 2]) == pytest.approx(1 / 8)
+    assert front.dominated_share([trial(0, 5, 1)], [4, 4]) == 0
+    assert front.dominated_share([trial(0, 1, 1)], [0, 4]) is None
+    assert front.dominated_share([trial(0, 1)], None) is None
+
+
+def test_a_dominated_share_against_random_points() -> None:
+    """30 points in three dimensions, against 40,000 random ones: the share's standard error is at most 0.0025."""
+    generator = np.random.default_rng(3)
+    members = front.front([trial(n, *generator.random(3)) for n in range(30)])
+    points = generator.random((40_000, 3))
+    dominated = [np.all(points >= np.array(each.values), axis=1) for each in members]
+    inside = np.any(dominated, axis=0).mean()
+    assert front.dominated_share(members, [1, 1, 1]) == pytest.approx(inside, abs=0.01)  # 4 of them
+
+
+@pytest.mark.parametrize("strategy", space.STRATEGIES)
+def test_weights_are_points_and_points_weights(strategy: str) -> None:
+    search = space.default_search(strategy)
+    papers = space.paper_weights(strategy, search)
+    point = space.point_of(papers, search, PAPER)
+    assert point is not None
+    assert list(point) == space.searchable(strategy)[:-1]
+    assert space.weights_of(point, search, papers) == papers
+    assert space.first_weights(PAPER, strategy, search) == [papers]
+
+
+def test_what_is_not_searched_keeps_the_scenarios_value() -> None:
+    other = Scenario.model_validate({"mpc": {"stage_weights": {"bump": [2, 2, 2]}, "deflection_weight": 5}})
+    scenario = other.model_dump(mode="json")
+    search = {"mpc.stage_weights.bump.2": (0.1, 10.0)}
+    papers, own = space.first_weights(scenario, "lv", search)
+    assert papers["mpc.stage_weights.bump"] == [1, 1, 6]
+    assert own["mpc.stage_weights.bump"] == [2, 2, 2]
+    assert space.point_of(papers, search, scenario) is None, "not in the searched space: bump.0 is held at 2"
+    made = space.weights_of({"mpc.stage_weights.bump.2": 9.99999}, search, own)
+    assert made["mpc.stage_weights.bump"] == [2, 2, 10]
+    assert own["mpc.stage_weights.bump"] == [2, 2, 2]
+    with_travel = {**search, "mpc.deflection_weight": (1.0, 4.0)}
+    assert space.weights_of({"mpc.deflection_weight": 3.14159}, with_travel, own)["mpc.deflection_weight"] == 3.14
+    assert space.weights_at(scenario, "lv", with_travel)["mpc.deflection_weight"] == 5
+    assert "mpc.deflection_weight" not in own
+
+
+def searched(count: int) -> tuple[Search, list[StoredTrial]]:
+    """The log of each weight has its best at 1; a trial beyond 4 of the first is not allowed."""
+    search = space.default_search("lqr")
+    own = space.paper_weights("lqr", search)
+    generator = np.random.default_rng(1)
+    trials = []
+    for number in range(count):
+        point = {
+            name: math.exp(generator.uniform(math.log(low), math.log(high))) for name, (low, high) in search.items()
+        }
+        value = sum(math.log(each) ** 2 for each in point.values())
+        over = point["lqr.weights.0"]
+        made = space.weights_of(point, search, own)
+        trials.append(trial(number, value, feasible=over <= 4, weights=made, limits=[over]))
+    return Search(ranges=search, scenario=PAPER, objectives=1, limits=[4.0], seed=7), trials
+
+
+def test_the_same_trials_lead_to_the_same_next_ones() -> None:
+    search, trials = searched(40)
+    asked = ask(search, trials, generation=3, count=8)
+    assert asked == ask(search, trials, generation=3, count=8)
+    assert asked != ask(search, trials, generation=4, count=8)
+    assert asked != ask(search, trials[:20], generation=3, count=8)
+    assert asked[:4] == ask(search, trials, generation=3, count=4)
+
+
+def test_what_is_asked_next_lies_in_range_and_where_trials_were_good() -> None:
+    search, trials = searched(60)
+    lost = replace(trials[-1], status="failed", reason="lost", feasible=False, values=None, limits=None)
+    asked = ask(search, [*trials[:-1], lost], generation=1, count=32)
+    for point in asked:
+        assert all(low <= point[name] <= high for name, (low, high) in search.ranges.items())
+    assert sum(point["lqr.weights.0"] > 4 for point in asked) <= 4, "of 32 random ones 12 would be"
+    away = np.mean([sum(math.log(each) ** 2 for each in point.values()) for point in asked])
+    assert away < 0.6 * np.mean([each.values for each in trials]), "measured 0.3"
+
+
+def test_optuna_is_imported_for_a_tuning_only() -> None:
+    code = "import backend.app, backend.worker, backend.batches.work, sys; sys.exit('optuna' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_points_worth_comparing_are_named_once() -> None:
+    trials = [trial(0, 3, 3), trial(1, 1, 3), trial(2, 2, 2), trial(3, 3, 1)]
+    assert comparison.chosen(trials, 2, own=True) == {
+        0: ["paper"],
+        1: ["scenario", "best.0"],
+        3: ["best.1"],
+        2: ["knee"],
+    }
+    assert comparison.chosen([trial(0, 1), trial(1, 2)], 1, own=False) == {0: ["paper", "best.0"]}
+
+
+def roads(values: dict[int, float]) -> dict[int, Any]:
+    return {seed: {"objectives.0": value} for seed, value in values.items()}
+
+
+def test_a_verdict_is_by_the_interval_on_fresh_roads() -> None:
+    papers = roads({1: 1.0, 2: 1.2, 11: 1.0, 12: 1.2, 13: 1.1})
+    # Better on every training road, by the same share on none of the fresh ones.
+    overfitted = roads({1: 0.5, 2: 0.6, 11: 1.4, 12: 0.9, 13: 1.1})
+    better = roads({1: 0.9, 2: 1.08, 11: 0.9, 12: 1.07, 13: 1.0})
+    trials = [trial(0, 1.1), trial(1, 0.55), trial(2, 0.99)]
+    roles = {0: ["paper"], 1: ["best.0"], 2: ["scenario"]}
+    points = comparison.compared(trials, roles, {0: papers, 1: overfitted, 2: better}, [1, 2], [11, 12, 13], 1)
+    assert [point["verdict"] for point in points] == [None, ["unclear"], ["better"]]
+    assert points[0]["fresh"]["objectives.0"]["change"] is None
+    change = points[1]["training"]["objectives.0"]["change"]
+    assert change["value"] == pytest.approx(-50)
+    # The fresh roads by hand: the ratio of means is 3.4/3.3.
+    assert points[1]["fresh"]["objectives.0"]["change"]["value"] == pytest.approx(100 * (3.4 / 3.3 - 1))
+    assert points[1]["fresh"]["objectives.0"]["worst"] == 1.4
+
+
+def test_against_zero_the_difference_decides() -> None:
+    papers = roads({1: 0.0, 11: 0.0, 12: 0.0, 13: 0.0})
+    worse = roads({1: 0.0, 11: 5.0, 12: 5.1, 13: 4.9})
+    trials = [trial(0, 0.0), trial(1, 0.0)]
+    points = comparison.compared(trials, {0: ["paper"], 1: ["best.0"]}, {0: papers, 1: worse}, [1], [11, 12, 13], 1)
+    assert points[1]["verdict"] == ["worse"]
+    assert points[1]["fresh"]["objectives.0"]["change"] is None
+
+
+@pytest.mark.parametrize(
+    ("body", "place"),
+    [
+        ({"strategy": "passive"}, ("strategy",)),
+        ({"objectives": []}, ("objectives",)),
+        ({"objectives": [{"kind": "paper", "figure": "travel_time"}]}, ("objectives", 0)),
+        ({"objectives": [{"kind": "figure"}]}, ("objectives", 0)),
+        ({"objectives": [{"kind": "figure", "figure": "events.target_reached"}]}, ("objectives", 0, "figure")),
+        ({"objectives": [{"kind": "paper", "q": [0, 0, 0]}]}, ("objectives", 0)),
+        ({"objectives": [{"kind": "paper"}, {"kind": "paper", "window": "whole"}]}, ()),
+        ({"objectives": [{"kind": "paper", "q": [1, 1, "1"]}]}, ("objectives", 0, "q", 2)),
+        ({"limits": [{"figure": "events.airborne_ms", "at_most": True}]}, ("limits", 0, "at_most")),
+        ({"search": {"lqr.weights.0": [0.1, 1]}}, ()),
+        ({"search": {"lqr.weights.3": [0.1, 1]}}, ("search",)),
+        ({"search": {"mpc.stage_weights.bump.0": [0, 1]}}, ("search", "mpc.stage_weights.bump.0", 0)),
+        ({"search": {"mpc.stage_weights.bump.0": [1, 1]}}, ("search", "mpc.stage_weights.bump.0")),
+        ({"search": {}}, ("search",)),
+        ({"seeds": [1, 1]}, ("seeds",)),
+        ({"fresh_seeds": [4, 101]}, ()),
+        ({"fresh_seeds": [101]}, ("fresh_seeds",)),
+        ({"trials": 0}, ("trials",)),
+        ({"population": 257}, ("population",)),
+        ({"more": 1}, ("more",)),
+    ],
+)
+def test_what_cannot_be_tuned_is_refused_at_its_place(body: dict[str, Any], place: tuple[Any, ...]) -> None:
+    with pytest.raises(ValidationError) as refused:
+        TuningRequest.model_validate_json(orjson.dumps(body))
+    assert refused.value.errors()[0]["loc"] == place
+
+
+def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
+    progress = Progress(batch=replace(BATCH, total=64), position=31)
+    progress.note(32, 0.64)
+    assert progress.size(places=4) == 8, "32 are left"
+    progress.position = 55
+    assert progress.size(places=4) == 5, "no shorter than a tenth of a second"
+    long = Progress(batch=replace(BATCH, total=10_000), pace=0.02)
+    assert long.size(places=4) == 50, "about a second while there is enough"
