@@ -77,7 +77,7 @@ STRATEGIES: dict[str, Strategy] = {
         ),
         Strategy(
             id="lv_hil",
-            label="LV control, hardware in the loop",
+            label="LV as ECU code",
             description="LV's suspension control as C code of its own, behind converters, a step of delay and losses.",
             speed=SpeedPolicy.PLANNED,
             suspension=SuspensionPolicy.ECU,
