@@ -134,7 +134,9 @@ class Sensitivity(Answer):
 
     field: str
     spearman: float = Field(description="Rank correlation: direction and strength of a monotone effect")
-    p_value: float = Field(description="Two-sided probability of such a correlation without any effect")
+    p_value: float = Field(
+        description="Probability of as much without any effect: the smaller of both tests', doubled (Bonferroni)"
+    )
     effect: float = Field(
         description="Share of the ranks' variance this field alone explains, whatever the shape: Kruskal-Wallis' H "
         "over up to ten groups of its values, (H - k + 1)/(n - k)"

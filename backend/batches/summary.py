@@ -24,6 +24,8 @@ QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method:
 MOST_GROUPS = 10  # of a field's values, for the share of a figure's variance it explains
 LEAST_POINTS = 20  # fewer say nothing of which field matters
 MOST_REASONS = 5
+# What no loop's modes depend on: preview, the road, and limits that do not bind near rest.
+NOT_FED_BACK = ("mismatch.preview_", "road.", "actuator.saturation", "actuator.rate_limit", "mpc.force_limit")
 
 Numbers = dict[str, FloatArray]  # swept field -> its value at each point
 
@@ -122,7 +124,9 @@ def _strategy(study: Study, index: int, against: int, every: Numbers) -> dict[st
             "unstable": int((damping < 0).sum()),
             "nominal": study.nominal_damping.get(name),
             **_distribution(study, index, damping),
-            "sensitivity": _sensitivity(damping, numbers),
+            "sensitivity": _sensitivity(
+                damping, {key: numbers[key] for key in numbers if not key.startswith(NOT_FED_BACK)}
+            ),
         },
         "figures": figures,
     }
@@ -188,10 +192,9 @@ def _numbers(fields: Mapping[str, Sequence[Any]]) -> Numbers:
 def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
     """Which fields a figure follows, the one that explains most first; empty where it is constant or has few points.
 
-    `spearman` is the rank correlation (direction, monotone effects), `p_value` its two-sided probability without
-    any effect (scipy.stats.spearmanr). `effect` is the share of the ranks' variance that the field alone explains,
-    of any shape: Kruskal-Wallis' H over up to ten groups of the field's values, (H - k + 1)/(n - k), Tomczak and
-    Tomczak 2014.
+    `spearman` is the rank correlation (direction, monotone effects; scipy.stats.spearmanr). `effect` is the share of
+    the ranks' variance that the field alone explains, of any shape: Kruskal-Wallis' H over up to ten groups of the
+    field's values, (H - k + 1)/(n - k), Tomczak and Tomczak 2014. `p_value` is the smaller of both tests', doubled.
     """
     found = []
     for name, column in numbers.items():
@@ -199,20 +202,24 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
         x, y = column[there], values[there]
         if len(x) < LEAST_POINTS or np.ptp(x) == 0 or np.ptp(y) == 0:
             continue
-        rho = stats.spearmanr(x, y)
-        row = {"field": name, "spearman": float(rho.statistic), "p_value": float(rho.pvalue), "effect": _effect(x, y)}
-        found.append(row)
+        rho, (effect, chance) = stats.spearmanr(x, y), _effect(x, y)
+        p_value = min(1.0, 2 * min(float(rho.pvalue), chance))
+        found.append({"field": name, "spearman": float(rho.statistic), "p_value": p_value, "effect": effect})
     return sorted(found, key=lambda row: (-row["effect"], -abs(row["spearman"])))
 
 
-def _effect(x: FloatArray, y: FloatArray) -> float:
+def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
+    """Share explained, and the probability of as much without any effect."""
     values = np.unique(x)
     if len(values) <= MOST_GROUPS:
         groups = [y[x == value] for value in values]
     else:
         groups = np.array_split(y[np.argsort(x, kind="stable")], min(MOST_GROUPS, len(x) // 10))
     n, k = len(y), len(groups)
-    return float(max(0.0, (stats.kruskal(*groups).statistic - k + 1) / (n - k))) if n > k else 0.0
+    if n == k:  # every group is one value: nothing to compare within
+        return 0.0, 1.0
+    test = stats.kruskal(*groups)
+    return max(0.0, float((test.statistic - k + 1) / (n - k))), float(test.pvalue)
 
 
 def _damping(scenario: Any, name: str) -> float | None:

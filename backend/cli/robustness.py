@@ -15,7 +15,7 @@ from backend.cli.tables import aligned, label, shown, with_unit
 from backend.client import Batch, Ridelab
 
 _FOLLOWED = 2  # fields named beside a figure
-_CHANCE = 0.01  # a correlation that chance makes more often than this is not named
+_CHANCE = 0.001  # what chance makes more often than this is not named
 
 
 def robustness(

@@ -1,5 +1,6 @@
 import { MantineProvider } from "@mantine/core";
-import "@mantine/core/styles.css";
+// In a layer: ours wins whatever order the build puts the styles of its chunks in.
+import "@mantine/core/styles.layer.css";
 import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
 import { StrictMode, Suspense } from "react";
 import { createRoot } from "react-dom/client";

@@ -24,6 +24,7 @@ const from = <Name extends string>(name: Name, load: () => Promise<Readonly<Reco
 export const PAGES: readonly Page[] = [
   { path: "/paper", label: "Paper", View: from("PaperPage", () => import("./paper/PaperPage")) },
   { path: "/tuner", label: "Tuner", takesRun: true, View: from("TunerPage", () => import("./tuner/TunerPage")) },
+  { path: "/robustness", label: "Robustness", takesRun: true, View: from("RobustnessPage", () => import("./robustness/RobustnessPage")) },
   { path: "/ecu", label: "ECU", takesRun: true, View: from("EcuPage", () => import("./hil/EcuPage")) },
 ];
 

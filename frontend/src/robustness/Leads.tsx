@@ -1,0 +1,107 @@
+/** At how many points the baseline strategy is better than each other one, and what is left of its lead. */
+
+import { NativeSelect, Text } from "@mantine/core";
+import type { BatchSummary, Strategy, StrategyId } from "../api/types";
+import type { Figure } from "../batch/figures";
+import { formatPercent } from "../tables/change";
+import { StrategyKey } from "../tables/StrategyKey";
+import classes from "./robustness.module.css";
+import { quantile, type Margin } from "./summary";
+
+interface Props {
+  readonly summary: BatchSummary;
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Figure[];
+  readonly onBaseline: (baseline: StrategyId) => void;
+}
+
+export function Leads({ summary, strategies, figures, onBaseline }: Props) {
+  const baseline = strategies.find(({ id }) => id === summary.baseline);
+  const others = strategies.filter(({ id }) => id !== summary.baseline);
+  const groups = [...new Set(figures.map(({ group }) => group))];
+  if (!baseline || others.length === 0) return null;
+  return (
+    <section className={classes.card} aria-label="Who keeps the lead">
+      <div className={classes.cardHead}>
+        <h2 className={classes.heading}>Where {baseline.label} is better</h2>
+        <NativeSelect
+          size="xs"
+          aria-label="Compare with"
+          value={summary.baseline}
+          data={strategies.map(({ id, label }) => ({ value: id, label: `against ${label}` }))}
+          onChange={(event) => onBaseline(event.currentTarget.value)}
+        />
+      </div>
+      <Text size="xs" c="dimmed" className={classes.cardText ?? ""}>
+        Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is: in the scenario itself, then the median and the range of 90 % of the points.
+      </Text>
+      <div className={classes.scroll} tabIndex={0} role="region" aria-label="Leads">
+        <table className={classes.table}>
+          <thead>
+            <tr>
+              <td />
+              {groups.map((group) => (
+                <th key={group} colSpan={figures.filter((each) => each.group === group).length} className={classes.group}>
+                  {group}
+                </th>
+              ))}
+            </tr>
+            <tr>
+              <th scope="col" className={classes.left}>
+                Against
+              </th>
+              {figures.map(({ key, label }) => (
+                <th key={key} scope="col" className={classes.leadColumn}>
+                  {label}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {others.map((strategy) => (
+              <tr key={strategy.id} data-strategy={strategy.id}>
+                <th scope="row" className={classes.left}>
+                  <span className={classes.strategy}>
+                    <StrategyKey strategy={strategy} /> {strategy.label}
+                  </span>
+                </th>
+                {figures.map(({ key }) => {
+                  const margin = summary.strategies[strategy.id]?.figures[key]?.margin;
+                  return (
+                    <td key={key} className={classes.lead} data-cell={key}>
+                      {margin ? <Lead summary={summary} margin={margin} /> : "–"}
+                    </td>
+                  );
+                })}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </section>
+  );
+}
+
+const whole = (share: number) => `${Math.round(100 * share)}\u2009%`;
+
+const plain = (percent: number | null) => (percent === null ? "–" : formatPercent(Math.round(percent)).replace(".0", ""));
+
+function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly margin: Margin }) {
+  // The margin is the other strategy's: where that is worse, the baseline is better.
+  const { worse, better } = margin;
+  if (worse === null || better === null) return "–";
+  return (
+    <>
+      <span className={classes.share}>{whole(worse)}</span>
+      <span className={classes.shareBar} aria-hidden data-behind={worse < better || undefined}>
+        <span style={{ width: `${100 * worse}%` }} />
+      </span>
+      <span className={classes.lost}>
+        {plain(margin.nominal)} → <b>{plain(quantile(summary, margin, 50))}</b>
+      </span>
+      <span className={classes.lost}>
+        {plain(quantile(summary, margin, 5))} … {plain(quantile(summary, margin, 95))}
+      </span>
+    </>
+  );
+}

@@ -1,0 +1,171 @@
+/** Each field alone at both its ends (a tornado): which one breaks a strategy. */
+
+import { NativeSelect, Text } from "@mantine/core";
+import { keepPreviousData, useQuery } from "@tanstack/react-query";
+import { useState, type CSSProperties } from "react";
+import { isFinal } from "../api/follow";
+import type { Batch, Strategy } from "../api/types";
+import type { Figure } from "../batch/figures";
+import { fullName, OPENING_FIGURE } from "../batch/figures";
+import { showCell } from "../batch/show";
+import { tableQuery, useBatch } from "../batch/useBatch";
+import { formatPercent } from "../tables/change";
+import { formatResult, prettyUnit } from "../units/format";
+import { nameOf } from "./names";
+import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./oneByOne";
+import classes from "./robustness.module.css";
+import { TRAVEL } from "./summary";
+import { useOpenRun, type Opening } from "./useOpenRun";
+
+interface Props {
+  readonly id: string;
+  readonly figures: readonly Figure[];
+  /** The keys offered first are these figures'. */
+  readonly paper: readonly Figure[];
+  readonly strategies: readonly Strategy[];
+}
+
+export function OneByOne({ id, ...rest }: Props) {
+  const { batch, error } = useBatch(id);
+  if (error) return <Said text={`Each field alone could not be read: ${error.message}`} />;
+  if (!batch) return null;
+  if (!isOneByOne(batch)) return <Said text="What this address names as the study of each field alone is another kind of sweep." />;
+  return <Chosen batch={batch} {...rest} />;
+}
+
+function Said({ text }: { readonly text: string }) {
+  return (
+    <section className={classes.card} aria-label="Each field alone">
+      <h2 className={classes.heading} data-alone>
+        Each field alone
+      </h2>
+      <Text size="sm" c="dimmed" className={classes.cardText ?? ""} role="status">
+        {text}
+      </Text>
+    </section>
+  );
+}
+
+function Chosen({ batch, figures, paper, strategies }: Omit<Props, "id"> & { readonly batch: Batch }) {
+  const offered = [...paper, ...figures.filter(({ key }) => key === TRAVEL)];
+  const [figureKey, setFigure] = useState(OPENING_FIGURE);
+  const [strategyId, setStrategy] = useState(strategies.find(({ id }) => id === "lv")?.id ?? strategies[0]?.id ?? "");
+  const figure = offered.find(({ key }) => key === figureKey) ?? offered[0];
+  const table = useQuery({
+    ...tableQuery(
+      batch,
+      offered.map(({ key }) => key),
+    ),
+    placeholderData: keepPreviousData,
+  });
+  const opening = useOpenRun(batch);
+  if (!figure) return null;
+  const tornado = table.data ? tornadoOf(batch, table.data.columns, strategyId, figure.key) : null;
+  const missing = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This figure has no value for the scenario itself." : "These runs are on their way.";
+  return (
+    <section className={classes.card} aria-label="Each field alone">
+      <div className={classes.cardHead}>
+        <h2 className={classes.heading}>Each field alone</h2>
+        <NativeSelect size="xs" aria-label="Strategy alone" value={strategyId} data={strategies.map(({ id, label }) => ({ value: id, label }))} onChange={(event) => setStrategy(event.currentTarget.value)} />
+        <NativeSelect
+          size="xs"
+          aria-label="Figure alone"
+          value={figure.key}
+          data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
+          onChange={(event) => setFigure(event.currentTarget.value)}
+        />
+      </div>
+      <Text size="xs" c="dimmed" className={classes.cardText ?? ""}>
+        Everything as the scenario has it but one field, at its low and at its high end. A bar to the right is worse. A click opens the run.
+      </Text>
+      {opening.error !== null && (
+        <Text size="sm" role="alert" className={`${classes.error ?? ""} ${classes.cardText ?? ""}`}>
+          This run could not be opened: {opening.error}
+        </Text>
+      )}
+      {tornado ? (
+        <Bars {...{ tornado, figure, opening, batch }} />
+      ) : (
+        <Text size="sm" c="dimmed" className={classes.cardText ?? ""} role="status">
+          {missing}
+        </Text>
+      )}
+    </section>
+  );
+}
+
+interface BarsProps {
+  readonly tornado: Tornado;
+  readonly figure: Figure;
+  readonly opening: Opening;
+  readonly batch: Batch;
+}
+
+/** Lengths are shares of the widest bar's; the style adds room for labels. */
+const shares = (from: number, length = 0) => ({ "--from": from, "--length": length }) as CSSProperties;
+
+function Bars({ tornado: { nominal, bars }, figure, opening, batch }: BarsProps) {
+  const values = [nominal, ...bars.flatMap(({ low, high }) => [low, high].flatMap((end) => (end ? [end.value] : [])))];
+  const [least, most] = [Math.min(...values), Math.max(...values)];
+  const width = Math.max(most - least, 1e-12);
+  const place = (value: number) => (value - least) / width;
+  const base = `${formatResult(nominal * figure.scale)} ${prettyUnit(figure.unit)}`.trim();
+  return (
+    <div className={classes.tornado} data-testid="tornado">
+      <div className={classes.tornadoRow} aria-hidden>
+        <span />
+        <span className={classes.tornadoTrack}>
+          <span className={classes.tornadoBase} style={shares(place(nominal))}>
+            {base}
+          </span>
+        </span>
+      </div>
+      {bars.map((bar) => (
+        <BarRow key={bar.field.name} {...{ bar, nominal, place, figure, opening, batch }} />
+      ))}
+    </div>
+  );
+}
+
+interface BarRowProps extends Omit<BarsProps, "tornado"> {
+  readonly bar: Bar;
+  readonly nominal: number;
+  readonly place: (value: number) => number;
+}
+
+function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, batch }: BarRowProps) {
+  const ends = ([["low", low], ["high", high]] as const).flatMap(([side, end]) => (end ? [{ side, end }] : []));
+  const change = ({ value }: End) => (nominal === 0 ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}` : formatPercent(100 * (value / nominal - 1)));
+  const told = (end: End) => showCell(end.at, field.unit);
+  return (
+    <div className={classes.tornadoRow} data-field={field.name}>
+      <span className={classes.tornadoName}>{nameOf(field.name)}</span>
+      <span className={classes.tornadoTrack}>
+        <span className={classes.tornadoLine} style={shares(place(nominal))} />
+        {ends.map(({ side, end }) => {
+          const [from, to] = [place(Math.min(nominal, end.value)), place(Math.max(nominal, end.value))];
+          const left = end.value < nominal;
+          const run = (end.row - (end.row % batch.strategies.length));
+          return (
+            <button
+              key={side}
+              type="button"
+              className={classes.tornadoBar}
+              data-side={side}
+              data-worse={!left || undefined}
+              disabled={opening.run !== null}
+              style={shares(from, to - from)}
+              title={`${field.title} ${told(end)}: ${change(end)}`}
+              aria-label={`${field.title} ${told(end)}: ${change(end)}; open it in the lab`}
+              onClick={() => opening.open({ run, at: typeof end.at === "undefined" ? {} : { [field.name]: end.at } })}
+            >
+              <span className={classes.tornadoLabel} data-left={left || undefined}>
+                {told(end)} <b>{change(end)}</b>
+              </span>
+            </button>
+          );
+        })}
+      </span>
+    </div>
+  );
+}

@@ -1,0 +1,37 @@
+/** A value whose run opens in the lab; what the fields are there is told before. */
+
+import { Button, Tooltip } from "@mantine/core";
+import { IconExternalLink } from "@tabler/icons-react";
+import { showCell } from "../batch/show";
+import classes from "./robustness.module.css";
+import { nameOf } from "./names";
+import type { Place } from "./summary";
+import type { Opening } from "./useOpenRun";
+
+interface Props {
+  readonly place: Place | null;
+  readonly text: string;
+  /** Which value it is, in words. */
+  readonly what: string;
+  readonly opening: Opening;
+}
+
+export function PlaceButton({ place, text, what, opening }: Props) {
+  if (place === null) return <>–</>;
+  const told = Object.entries(place.at).map(([name, value]) => `${nameOf(name)} ${showCell(value)}`);
+  return (
+    <Tooltip label={`Open run ${place.run} in the lab: ${told.join(", ")}`} multiline w={320} openDelay={300}>
+      <Button
+        size="compact-xs"
+        variant="subtle"
+        className={classes.place ?? ""}
+        loading={opening.run === place.run}
+        rightSection={<IconExternalLink size={13} aria-hidden />}
+        aria-label={`${what} ${text}: open run ${place.run} in the lab`}
+        onClick={() => opening.open(place)}
+      >
+        {text}
+      </Button>
+    </Tooltip>
+  );
+}

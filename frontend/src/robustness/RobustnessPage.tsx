@@ -1,0 +1,62 @@
+/** How the strategies do where car, sensors and actuators are not what they believe: a study put together, followed, read. */
+
+import { Text } from "@mantine/core";
+import { useDocumentTitle } from "@mantine/hooks";
+import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { isNotFound, isTransient } from "../api/problem";
+import { BatchFault, BatchLoading } from "../batch/BatchBlank";
+import { useCarried } from "../carried/carried";
+import { CarriedScenario } from "../carried/CarriedScenario";
+import { ConnectionBanner } from "../shell/ConnectionBanner";
+import { PageHeader } from "../shell/PageHeader";
+import shell from "../shell/shell.module.css";
+import { schemaQuery, strategiesQuery } from "../state/queries";
+import { defaultsQuery } from "./defaults";
+import classes from "./robustness.module.css";
+import { StudyForm } from "./StudyForm";
+import { StudyPage } from "./StudyPage";
+
+export function RobustnessPage({ id }: { readonly id: string | null }) {
+  return id === null ? <NewStudy /> : <StudyPage key={id} id={id} />;
+}
+
+function NewStudy() {
+  const queries = useQueryClient();
+  const carried = useCarried();
+  const defaults = useQuery(defaultsQuery);
+  const strategies = useQuery(strategiesQuery);
+  const form = useQuery(schemaQuery);
+  useDocumentTitle("Robustness · Ridelab");
+  const fault = [defaults.error, strategies.error, form.error].find((error) => error !== null && !isTransient(error));
+  const lost = carried.error !== null && !isNotFound(carried.error) && !isTransient(carried.error) ? carried.error : fault;
+  return (
+    <div className={shell.shell}>
+      <PageHeader run={carried.origin.run} />
+      <main className={classes.main}>
+        <header className={classes.intro}>
+          <h1 className={classes.title}>Robustness</h1>
+          <Text size="sm" c="dimmed" maw={820}>
+            The controllers believe one car, exact sensors and ideal actuators. Here every strategy meets the same random cars,
+            sensors and actuators that are a little different, and none of them knows. What is left of each one’s lead?
+          </Text>
+        </header>
+        {lost ? (
+          <BatchFault message={lost.message} onRetry={() => void queries.refetchQueries()} />
+        ) : defaults.data && strategies.data && form.data ? (
+          <StudyForm
+            defaults={defaults.data}
+            strategies={strategies.data}
+            form={form.data}
+            scenario={carried.scenario}
+            head={<CarriedScenario carried={carried} form={form.data} />}
+          />
+        ) : (
+          <BatchLoading />
+        )}
+      </main>
+      <div className={shell.notices} style={{ left: 0 }}>
+        <ConnectionBanner />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,165 @@
+/** What is uncertain, and between which ends; under which strategies; at how many points. */
+
+import { Alert, Button, Checkbox, Switch, Text, TextInput } from "@mantine/core";
+import { useId, useState, type ReactNode } from "react";
+import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../api/types";
+import type { Group } from "../editor/schema";
+import { EstimateLine } from "../sweep/EstimateLine";
+import { StrategyChoice } from "../sweep/StrategyChoice";
+import { prettyUnit } from "../units/format";
+import classes from "./robustness.module.css";
+import { draftStudy, exactText, type RangeDraft, type StudyDraft } from "./study";
+import { useStudy } from "./useStudy";
+
+interface Props {
+  readonly defaults: RobustnessDefaults;
+  readonly strategies: readonly Strategy[];
+  readonly form: Group;
+  readonly scenario: Scenario | undefined;
+  /** Says which scenario it is. */
+  readonly head: ReactNode;
+  /** A study to begin from. */
+  readonly made?: Batch;
+}
+
+export function StudyForm({ defaults, strategies, form, scenario, head, made }: Props) {
+  const [draft, setDraft] = useState<StudyDraft>(() => draftStudy(defaults, form, made));
+  const patch = (change: Partial<StudyDraft>) => setDraft({ ...draft, ...change });
+  const { errors, general, estimate, pending, starting, start } = useStudy(draft, scenario);
+  return (
+    <form
+      className={classes.card}
+      aria-label="Study"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (estimate && !starting) start();
+      }}
+    >
+      <div className={classes.part}>{head}</div>
+      <div className={classes.part}>
+        <h2 className={classes.heading}>What is uncertain</h2>
+        <Text size="xs" c="dimmed">
+          Anything between the two ends is equally likely. What is switched off stays as the scenario has it.
+        </Text>
+        <div className={classes.ranges}>
+          {draft.ranges.map((range) => (
+            <RangeRow
+              key={range.field.name}
+              range={range}
+              scenario={scenario}
+              error={range.on ? errors[range.field.name] : undefined}
+              onChange={(change) => patch({ ranges: draft.ranges.map((each) => (each === range ? { ...each, ...change } : each)) })}
+            />
+          ))}
+        </div>
+        {errors.fields !== undefined && (
+          <Text size="xs" className={classes.error} role="alert">
+            {errors.fields}
+          </Text>
+        )}
+      </div>
+      <div className={classes.part}>
+        <StrategyChoice strategies={strategies} chosen={draft.strategies} error={errors.strategies} onChange={(ids) => patch({ strategies: ids })} />
+        <div className={classes.numbers}>
+          <TextInput
+            size="xs"
+            label="Samples"
+            description="Random cars, spread evenly (Latin hypercube)"
+            inputMode="numeric"
+            value={draft.samples}
+            error={errors.samples}
+            onChange={(event) => patch({ samples: event.currentTarget.value })}
+          />
+          <TextInput
+            size="xs"
+            label="Seed"
+            description="Same seed, same cars"
+            inputMode="numeric"
+            value={draft.seed}
+            error={errors.seed}
+            onChange={(event) => patch({ seed: event.currentTarget.value })}
+          />
+        </div>
+        <Checkbox
+          size="xs"
+          label="Also each field alone, at both its ends: which one breaks it"
+          checked={draft.oneByOne}
+          onChange={(event) => patch({ oneByOne: event.currentTarget.checked })}
+        />
+      </div>
+      {general.map((message) => (
+        <Alert key={message} color="red" variant="light" p="xs" mx="md" mb="xs" role="alert">
+          {message}
+        </Alert>
+      ))}
+      <div className={classes.footer}>
+        <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
+        <Button type="submit" disabled={estimate === undefined} loading={starting}>
+          Start
+        </Button>
+      </div>
+    </form>
+  );
+}
+
+interface RowProps {
+  readonly range: RangeDraft;
+  readonly scenario: Scenario | undefined;
+  readonly error: string | undefined;
+  readonly onChange: (change: Partial<RangeDraft>) => void;
+}
+
+function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChange }: RowProps) {
+  const id = useId();
+  const unit = field.leaf.kind === "number" ? prettyUnit(field.leaf.unit) : "";
+  const end = (key: "from" | "to", value: string) => (
+    <TextInput
+      size="xs"
+      className={classes.end ?? ""}
+      inputMode="decimal"
+      aria-label={`${field.title}, ${key}`}
+      value={value}
+      error={error !== undefined}
+      {...(error === undefined ? {} : { "aria-describedby": `${id}-error` })}
+      onChange={(event) => onChange({ [key]: event.currentTarget.value })}
+    />
+  );
+  return (
+    <div className={classes.range} data-off={!on || undefined} data-field={field.name}>
+      <Switch
+        size="xs"
+        checked={on}
+        onChange={(event) => onChange({ on: event.currentTarget.checked })}
+        label={
+          <>
+            <span className={classes.rangeTitle}>{titleOf(field.name, field.title)}</span>
+            <span className={classes.why}>{why}</span>
+          </>
+        }
+      />
+      <div className={classes.ends}>
+        {on ? (
+          <>
+            {end("from", from)}
+            <span aria-hidden>–</span>
+            {end("to", to)}
+            <span className={classes.unit}>{unit}</span>
+          </>
+        ) : (
+          <span className={classes.exact}>{exactText(field, scenario)}</span>
+        )}
+      </div>
+      {error !== undefined && (
+        <Text id={`${id}-error`} size="xs" className={classes.error} role="alert">
+          {error}
+        </Text>
+      )}
+    </div>
+  );
+}
+
+/** Fields whose own title says too little outside their part of the form. */
+function titleOf(name: string, title: string): string {
+  if (name.startsWith("actuator.")) return `Actuator ${title.toLowerCase()}`;
+  return name === "road.seed" ? "Road" : title;
+}

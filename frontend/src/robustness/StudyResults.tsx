@@ -1,0 +1,101 @@
+/** What a study says: who keeps the lead, how far every figure spreads, what is stable, what it depends on. */
+
+import { Skeleton, Text } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useMemo, useState } from "react";
+import { isFinal } from "../api/follow";
+import type { Batch, Catalogue, Strategy, StrategyId } from "../api/types";
+import { paperFigures, type Figure } from "../batch/figures";
+import { formatWhole } from "../units/format";
+import { Leads } from "./Leads";
+import { Limits } from "./Limits";
+import { Matters } from "./Matters";
+import { OneByOne } from "./OneByOne";
+import classes from "./robustness.module.css";
+import { Spread } from "./Spread";
+import { AIRBORNE, summaryQuery, TRAVEL } from "./summary";
+import { Unstable } from "./Unstable";
+import { useOpenRun } from "./useOpenRun";
+
+interface Props {
+  readonly batch: Batch;
+  readonly figures: readonly Figure[];
+  /** The study's, in the catalogue's order. */
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue;
+}
+
+export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
+  const [view, setView] = useStudyView();
+  const paper = useMemo(() => paperFigures(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []), [catalogue, figures]);
+  const asked = useMemo(() => [...paper.map(({ key }) => key), TRAVEL, AIRBORNE], [paper]);
+  const query = useQuery(summaryQuery(batch, asked, view.baseline));
+  const opening = useOpenRun(batch);
+  const summary = query.data;
+  const ended = isFinal(batch);
+
+  if (query.isError && !summary) {
+    return (
+      <Text size="sm" role="alert" className={classes.error}>
+        The study could not be read: {query.error.message}
+      </Text>
+    );
+  }
+  if (!summary) {
+    if (ended && batch.done === 0 && batch.failed === 0) return <Text c="dimmed">No run has finished: there is nothing to read.</Text>;
+    return (
+      <div className={classes.results} aria-busy aria-label="Reading the study">
+        {batch.done > 0 ? null : <Text size="sm" c="dimmed">The first figures stand here as soon as some runs have finished.</Text>}
+        <Skeleton height={220} radius={8} />
+        <Skeleton height={420} radius={8} />
+      </div>
+    );
+  }
+  const finished = Math.min(...Object.values(summary.strategies).map(({ ok }) => ok));
+  const shared = { summary, strategies, opening };
+  return (
+    <div className={classes.results} data-testid="study-results" data-final={ended || undefined}>
+      {finished < summary.points && (
+        <Text size="sm" className={classes.warning} role="status">
+          {ended ? "" : "So far: "}at least {formatWhole(finished)} of {formatWhole(summary.points)} points have run under each strategy; the figures below are of those.
+        </Text>
+      )}
+      {opening.error !== null && (
+        <Text size="sm" role="alert" className={classes.error}>
+          This run could not be opened: {opening.error}
+        </Text>
+      )}
+      <Unstable {...shared} />
+      <Leads {...shared} figures={paper} onBaseline={(baseline) => setView({ baseline })} />
+      <Spread {...shared} figures={paper} />
+      <Limits {...shared} />
+      <Matters {...{ summary, strategies, batch }} figures={paper} />
+      {view.one !== null && <OneByOne id={view.one} {...{ figures, strategies }} paper={paper} />}
+      <Text size="xs" c="dimmed">
+        Percentiles lie between two values by distance. Every strategy runs at the same points; changes are taken point by point. The ranges are ours, not the paper’s: 5 and 95 % of these points say nothing about 5 and
+        95 % of real cars.
+      </Text>
+    </div>
+  );
+}
+
+interface StudyView {
+  readonly baseline: StrategyId | null;
+  /** The study of each field alone that goes with it. */
+  readonly one: string | null;
+}
+
+/** The address carries it. */
+function useStudyView() {
+  const [view, set] = useState<StudyView>(() => {
+    const query = new URLSearchParams(window.location.search);
+    return { baseline: query.get("baseline"), one: query.get("one") };
+  });
+  const change = (part: Partial<StudyView>) => {
+    const next = { ...view, ...part };
+    set(next);
+    const query = new URLSearchParams(Object.entries(next).flatMap(([name, value]) => (value === null ? [] : [[name, value]])));
+    window.history.replaceState(null, "", `${window.location.pathname}${query.size > 0 ? `?${query}` : ""}`);
+  };
+  return [view, change] as const;
+}

@@ -1,0 +1,24 @@
+/** Says before everything else that some of what follows is an oscillation. */
+
+import { Alert } from "@mantine/core";
+import { IconAlertTriangle } from "@tabler/icons-react";
+import type { BatchSummary, Strategy } from "../api/types";
+import { formatWhole } from "../units/format";
+
+interface Props {
+  readonly summary: BatchSummary;
+  readonly strategies: readonly Strategy[];
+}
+
+export function Unstable({ summary, strategies }: Props) {
+  const told = strategies.flatMap(({ id, label }) => {
+    const found = summary.strategies[id]?.stability;
+    return found && found.unstable > 0 ? [`${label} is unstable at ${formatWhole(found.unstable)} of ${formatWhole(found.known)} points`] : [];
+  });
+  if (told.length === 0) return null;
+  return (
+    <Alert color="red" variant="light" icon={<IconAlertTriangle size={18} />} role="alert" data-testid="unstable">
+      {told.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels go on swinging by themselves. Those runs are in the figures below, and they are those of an oscillation, not of a ride.
+    </Alert>
+  );
+}
