@@ -7,7 +7,7 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
 
-.PHONY: run test drill check audit bench margins setup frontend lock clean
+.PHONY: run test drill check audit bench margins ecu paper setup frontend lock clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -34,6 +34,15 @@ bench: setup ## speed, as ratios in one run
 
 margins: setup ## how much worse LQR is than LV, and every strategy against passive, seeds 1-10
 	$(BIN)/python -m sim_core margins
+
+paper: setup ## the paper's tables against ours, cell by cell; figures and all in paper-report.html
+	$(BIN)/ridelab paper --report paper-report.html
+
+ecu: setup ## the ECU's program: C sources in build/ecu, the program beside them, what it takes on an STM32F103
+	$(BIN)/python -m backend.hil --export build/ecu
+	$(MAKE) --directory build/ecu
+	$(BIN)/python -m backend.hil --program build/ecu/ridelab_ecu
+	$(BIN)/python -m backend.hil
 
 setup: $(VENV)/.installed $(BIN)/ridelab frontend/dist/index.html
 

@@ -15,11 +15,12 @@ from backend.admission import Admission
 from backend.batches.driver import Driver
 from backend.batches.service import Batches
 from backend.compute import Workers
+from backend.hil.service import Controllers
 from backend.links.service import Links
 from backend.memory import Memory
 from backend.paper.service import Paper
 from backend.results import Results
-from backend.routes import batches, health, links, paper, runs, schema, site, tunings
+from backend.routes import batches, controller, health, links, paper, runs, schema, site, tunings
 from backend.runs import Runs
 from backend.security import GuardMiddleware
 from backend.settings import Settings
@@ -65,6 +66,7 @@ def create_app(settings: Settings) -> FastAPI:
         links.sharing,
         links.links,
         paper.paper,
+        controller.controller,
         schema.schema,
         health.health,
     ):
@@ -99,6 +101,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
         app.state.paper = Paper(store=store, workers=workers, results=results, admission=admission)
+        app.state.controllers = Controllers(workers=workers, admission=admission)
         app.state.links = Links(store=store, workers=workers, admission=admission)
         app.state.batches = Batches(store=store, workers=workers, admission=admission, driver=driver, settings=settings)
         tuner = TuningDriver(store=store, batches=app.state.batches, driver=driver)

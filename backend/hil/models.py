@@ -1,0 +1,99 @@
+"""The shapes of what is asked and answered about the controller as an ECU's program."""
+
+from typing import Literal
+
+from pydantic import ConfigDict, Field
+
+from backend.models import Answer, RequestModel
+from sim_core.scenario import Scenario
+
+
+class ControllerRequest(RequestModel):
+    """Whose controller; an omitted part of the scenario takes the paper's default."""
+
+    model_config = ConfigDict(json_schema_extra={"examples": [{"scenario": {"mpc": {"prediction_horizon": 20}}}]})
+
+    scenario: Scenario
+
+
+class ControllerPart(Answer):
+    """The microcontroller."""
+
+    name: str
+    clock: float = Field(description="[Hz]")
+    flash: int = Field(description="[bytes]")
+    ram: int = Field(description="[bytes]")
+    stack: int = Field(description="Kept free for the controller's calls [bytes]")
+
+
+class Operations(Answer):
+    """Floating-point operations of one step: a multiplication with its addition is one."""
+
+    least: int = Field(description="In this drive; where no limit binds")
+    most: int = Field(description="In this drive")
+
+
+class StepTime(Answer):
+    """About how long one step takes on the part [s]."""
+
+    least: float
+    most: float
+
+
+Changes = dict[str, dict[str, float | None]]
+
+
+class ControllerRow(Answer):
+    """One controller, built for the part and driven over the scenario."""
+
+    prediction_horizon: int
+    control_horizon: int
+    checked: Literal["all", "few"] = Field(
+        description="all limits of the horizon, or a few: the first move's forces and every third deflection"
+    )
+    checked_rows: int
+    iterations: int = Field(description="Its solver stops after so many")
+    code: int = Field(description="Flash, the compiler's arithmetic included [bytes]")
+    constants: int = Field(description="Flash: tables [bytes]")
+    variables: int = Field(description="RAM without the stack [bytes]")
+    operations: Operations
+    time: StepTime
+    most_iterations: int = Field(description="That a step of this drive took")
+    unfinished: int = Field(description="Steps of this drive whose iterations ran out")
+    fits: bool
+    reasons: list[str] = Field(description="Why it does not fit")
+    changes: Changes = Field(description="Against `lv` simulated, by window and signal [%]: Tables 9 and 10's figures")
+
+
+class ControllerReport(Answer):
+    """Whether the scenario's controller fits a small microcontroller, and what does; the scenario's own comes first."""
+
+    part: ControllerPart
+    sample_time: float = Field(description="Between two steps [s]")
+    cycles_per_operation: float = Field(description="Measured by emulation of the part's processor")
+    spread: float = Field(description="Share by which the emulated cycles lie around that")
+    rows: list[ControllerRow]
+
+
+class Times(Answer):
+    """Times [s] with a histogram: `counts[i]` lie between `edges[i]` and `edges[i + 1]`; those outside at the ends."""
+
+    mean: float
+    deviation: float
+    median: float
+    percentile_99: float
+    most: float
+    edges: list[float]
+    counts: list[int]
+
+
+class RealtimeReport(Answer):
+    """A drive by the clock of this machine, an ordinary operating system: not a control unit's figures."""
+
+    steps: int
+    deadline: float = Field(description="The sample time [s]")
+    misses: int = Field(description="Answers that came after it: the actuators held the last command")
+    latency: Times | None = Field(description="From frame to answer, where it was in time; null where none was")
+    wake_up: Times = Field(description="How late the plant itself was woken: jitter")
+    computing: Times | None = Field(description="The program's own time for a step")
+    changes: Changes = Field(description="Against the same drive in lock-step [%], by window and signal")

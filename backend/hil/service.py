@@ -1,0 +1,69 @@
+"""Controllers: exported, measured for the part, driven by the clock. The work is a worker's."""
+
+from typing import Any
+
+from backend.admission import Admission, Places, client_key
+from backend.compute import Workers
+from backend.hil import work
+from backend.hil.drive import EcuUnavailableError
+from backend.hil.realtime import LONGEST
+from backend.hil.report import VARIANTS
+from backend.problems import ProblemError
+from sim_core.scenario import Scenario
+from sim_core.workload import duration
+
+STRATEGY = "lv_hil"
+RETRY_AFTER = 60  # where there is no compiler, that will not change soon [s]
+
+
+class Controllers:
+    """The one service of controllers; its methods belong to the event loop."""
+
+    def __init__(self, *, workers: Workers, admission: Admission) -> None:
+        self._workers = workers
+        self._admission = admission
+        # One at a time: a drive by the clock wants a core to itself, and a report builds and drives many programs.
+        self._long = Places(what="controller reports or real-time drives", per_client=1, total=1)
+
+    async def archive(self, scenario: Scenario, client: str) -> bytes:
+        """A zip of C sources.
+
+        Raises:
+            ProblemError: 422, 429 or 503.
+        """
+        self._admission.check(scenario, [STRATEGY])
+        with self._admission.computing(client, scenario, [STRATEGY]):
+            return await self._workers.call(work.archive, scenario)
+
+    async def report(self, scenario: Scenario, client: str) -> dict[str, Any]:
+        """`ControllerReport`.
+
+        Raises:
+            ProblemError: 422, 429 or 503.
+        """
+        return await self._alone(work.report, scenario, client, len(VARIANTS))
+
+    async def drive_by_clock(self, scenario: Scenario, client: str) -> dict[str, Any]:
+        """`RealtimeReport`, after as long as the drive takes.
+
+        Raises:
+            ProblemError: 422, 429 or 503.
+        """
+        time = duration(scenario, STRATEGY)
+        if time > LONGEST:
+            message = f"The drive may take {time:.0f} s; a drive by the clock at most {LONGEST:.0f} s"
+            errors = [{"pointer": "/scenario", "message": message}]
+            raise ProblemError(422, f"{message}.", kind="cost-limit", errors=errors)
+        return await self._alone(work.drive_by_clock, scenario, client, 2)
+
+    async def _alone(self, function: Any, scenario: Scenario, client: str, drives: int) -> dict[str, Any]:
+        names = [STRATEGY] * drives
+        self._admission.check(scenario, names)
+        key = client_key(client)
+        self._long.check(key)
+        with self._long.taken(key), self._admission.computing(client, scenario, names):
+            try:
+                answer: dict[str, Any] = await self._workers.call(function, scenario, ends_with_caller=True)
+            except EcuUnavailableError as error:
+                raise ProblemError(503, error.message, kind="ecu-unavailable", retry_after=RETRY_AFTER) from None
+            return answer
