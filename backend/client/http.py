@@ -68,6 +68,16 @@ class Http:
         except ValueError:
             raise self._foreign(response) from None
 
+    def content(self, path: str, body: Any) -> bytes:
+        """The bytes that a POST answers with; it may be sent twice.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer.
+        """
+        request = self._request("POST", path, body, None, None)
+        return self._send(request, repeatable=True, stream=False).content
+
     @contextmanager
     def stream(
         self,
