@@ -8,7 +8,9 @@ import typer
 
 from backend.cli.browse import open_
 from backend.cli.compare import compare
+from backend.cli.controller import controller, hil
 from backend.cli.export import export
+from backend.cli.paper import paper
 from backend.cli.reporting import BROKEN_PIPE, ReportingGroup, abandon_output
 from backend.cli.robustness import robustness
 from backend.cli.run import run as run_
@@ -41,6 +43,9 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "sweep": sweep,
     "robustness": robustness,
     "tune": tune,
+    "paper": paper,
+    "controller": controller,
+    "hil": hil,
     "compare": compare,
     "open": open_,
     "export": export,

@@ -185,6 +185,44 @@ class Ridelab:
         chosen = format_of(path, file_format)
         return save(self.series_content(run, chosen, strategies=strategies, signals=signals, points=points), path)
 
+    def run_report(self, run: RunResult | str, *, baseline: str | None = None) -> Iterator[bytes]:
+        """A run as one HTML file that needs nothing else, piece by piece; changes refer to the baseline.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or it broke off.
+        """
+        run_id = run.id if isinstance(run, RunResult) else run
+        path = f"{API}/runs/{quote(run_id, safe='')}/report.html"
+        with self._http.stream(path, params={"baseline": baseline}) as response:
+            yield from response.iter_bytes()
+
+    def paper(self, *, seeds: int = 20, readings: Mapping[str, str] | None = None) -> dict[str, Any]:
+        """The paper's printed changes with ours and a verdict on each; up to a minute the first time.
+
+        Args:
+            seeds: How many roads.
+            readings: Reading -> choice, those that are not Ridelab's own.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        params = {**(readings or {}), "seeds": seeds}
+        found: dict[str, Any] = self._http.json("GET", f"{API}/paper", params=params)
+        return found
+
+    def paper_report(self, *, seeds: int = 20, readings: Mapping[str, str] | None = None) -> Iterator[bytes]:
+        """The same as one HTML file, with what each part contributes and the figures, piece by piece.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or it broke off.
+        """
+        params = {**(readings or {}), "seeds": seeds}
+        with self._http.stream(f"{API}/paper/report.html", params=params) as response:
+            yield from response.iter_bytes()
+
     def submit(
         self,
         scenario: "Mapping[str, Any] | Scenario",
@@ -264,6 +302,35 @@ class Ridelab:
             RidelabConnectionError: No answer, or not Ridelab's.
         """
         return Tuning(self._http, self.get(f"/tunings/{quote(tuning_id, safe='')}"))
+
+    def controller(self, scenario: "Mapping[str, Any] | Scenario") -> bytes:
+        """The `lv_hil` controller of a scenario as a zip of C sources; the same scenario gives the same bytes.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer.
+        """
+        return self._http.content(f"{API}/controller", {"scenario": scenario})
+
+    def controller_report(self, scenario: "Mapping[str, Any] | Scenario") -> dict[str, Any]:
+        """Whether that controller fits a small microcontroller, and what does; takes about ten seconds.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        found: dict[str, Any] = self._http.json("POST", f"{API}/controller/report", body={"scenario": scenario})
+        return found
+
+    def realtime(self, scenario: "Mapping[str, Any] | Scenario") -> dict[str, Any]:
+        """One drive by the clock: latency, jitter, missed deadlines; takes as long as the drive.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        found: dict[str, Any] = self._http.json("POST", f"{API}/controller/realtime", body={"scenario": scenario})
+        return found
 
     def link(self, result: RunResult | Batch, view: Mapping[str, Any] | None = None) -> Link:
         """A new link that shares a run or a batch and how it is looked at.

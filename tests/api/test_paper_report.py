@@ -1,6 +1,7 @@
 """The paper's report, as it is served: what it says is what GET /paper and its neighbours say."""
 
 import json
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -9,6 +10,7 @@ import plotly.graph_objects as go
 import pytest
 
 from backend import digest
+from backend.cli import app
 from backend.paper import work
 from backend.store import StoredResult
 from sim_core import __version__ as CORE_VERSION
@@ -99,3 +101,67 @@ def test_a_reading_that_does_not_exist_is_a_problem(client: httpx.Client) -> Non
     assert response.status_code == 422
     assert response.headers["content-type"] == "application/problem+json"
     assert "crystal" not in response.text
+
+
+@pytest.fixture
+def command(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes]) -> Any:
+    """The command in this process: its exit code, output and errors."""
+
+    def run(*arguments: str) -> tuple[int, str, str]:
+        code = app.run(["paper", "--seeds", str(SEEDS), "--server", str(client.base_url), *arguments])
+        captured = capfdbinary.readouterr()
+        return code, captured.out.decode(), captured.err.decode()
+
+    return run
+
+
+def test_the_command_prints_every_cell_and_the_counts(command: Any, told: dict[str, Any]) -> None:
+    answer = told["paper"]
+    code, printed, _ = command()
+    assert code == 0
+    rows = [line.split() for line in printed.splitlines()[1 : 1 + answer["total"]]]
+    for row, cell in zip(rows, answer["cells"], strict=True):
+        figure = f"{cell['window']}.{cell['signal']}.{cell['statistic']}"
+        assert row[:4] == [str(cell["table"]), figure, cell["strategy"], cell["against"]]
+        assert f"{cell['our_change']:+.1f}" in row
+        claim = cell["misprint"]["follows"] if cell["misprint"] else cell["paper_change"]
+        assert f"{claim:+g}" in row
+        assert ("(misprint" in row) == bool(cell["misprint"])
+        verdicts = [word for word in row if word.rstrip("?") in ("reached", "smaller", "contradicts")]
+        told_of = [item for item in (cell, cell["without_preview"]) if item]
+        assert verdicts == [item["verdict"] + ("" if item["certain"] else "?") for item in told_of]
+    last = printed.splitlines()[-2:]
+    assert last[0].startswith(f"without preview: {answer['without_preview']['reached']} of {answer['total']} cells")
+    assert last[1].startswith(f"{answer['reached']} of {answer['total']} cells reached, ")
+
+
+def test_the_command_answers_machines_and_writes_the_report(
+    command: Any, told: dict[str, Any], page: Element, tmp_path: Path
+) -> None:
+    file = tmp_path / "paper.html"
+    code, printed, errors = command("--json", "--report", str(file), "--reading", "preview=lookahead")
+    assert code == 0
+    assert json.loads(printed) == told["paper"]
+    assert str(file) in errors
+    assert read(file.read_text(encoding="utf-8")).text == page.text
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (
+            ["--reading", "preview=crystal_ball"],
+            "--reading preview: Unknown choice; there are lookahead, wheelbase, none",
+        ),
+        (["--reading", "crystal=ball"], "--reading crystal: Unknown reading; there are preview,"),
+        (["--reading", "preview"], "--reading takes READING=CHOICE"),
+        (["--reading", "preview=none", "--reading", "preview=none"], "--reading preview: given twice"),
+        (["--report", "/nowhere/paper.html"], "--report: there is no folder /nowhere"),
+        (["--seeds", "3"], "--seeds"),
+    ],
+)
+def test_the_command_refuses_what_there_is_not(command: Any, arguments: list[str], said: str) -> None:
+    code, printed, errors = command(*arguments)
+    assert code == 2
+    assert printed == ""
+    assert said in errors

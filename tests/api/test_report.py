@@ -12,6 +12,7 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
+from backend.client import Ridelab, RidelabAPIError
 from backend.figures import PANELS
 from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS
 from tests.html import Element, check, read
@@ -149,6 +150,14 @@ def test_it_is_compressed_where_that_is_taken(
     with client.stream("GET", path) as response:
         raw = b"".join(response.iter_raw())
     assert gzip.decompress(raw) == answer.content
+
+
+def test_the_client_takes_it_along(client: httpx.Client, run: dict[str, Any], answer: httpx.Response) -> None:
+    with Ridelab(str(client.base_url)) as ridelab:
+        found = ridelab.get_run(run["id"])
+        assert b"".join(ridelab.run_report(found)) == answer.content
+        with pytest.raises(RidelabAPIError, match="baseline"):
+            b"".join(ridelab.run_report(found, baseline="speed_only"))
 
 
 def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:

@@ -1,0 +1,140 @@
+"""`ridelab paper`: the paper's printed changes and ours, cell by cell, with a verdict on each."""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from backend.cli import options, output
+from backend.cli.reporting import InputError, note, terminal
+from backend.cli.services import Services
+from backend.cli.tables import aligned
+
+_HEADS = ("table", "figure", "strategy", "against", "paper", "ours", "95 %", "verdict")
+_BLIND = ("without preview", "95 %", "verdict")
+_LEFT = {1, 2, 3, 7, 10}
+
+
+def paper(
+    reading: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="READING=CHOICE",
+            help="Read the paper otherwise, such as preview=none; may be repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    seeds: Annotated[int, typer.Option(metavar="N", min=20, max=200, help="Roads that every strategy drives.")] = 20,
+    report: Annotated[
+        str | None,
+        typer.Option(metavar="FILE", help="Write all of it as one HTML file, figures too.", show_default=False),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="The whole answer, as JSON.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Hold the paper's Tables 4, 5 and 7 to 10 against ours: each printed change, ours, and a verdict by rule.
+
+    The first time it takes up to a minute; then it is stored.
+    """
+    chosen = _chosen(reading or [])
+    if report is not None and report != "-" and not Path(report).parent.is_dir():
+        raise InputError(f"--report: there is no folder {Path(report).parent}")
+    with Services(server, data_dir) as services:
+        ridelab = services.at()
+        with _waiting(f"Driving {seeds} roads"):
+            found = ridelab.paper(seeds=seeds, readings=chosen)
+        if report is not None:
+            with _waiting("Making the report"):
+                output.deliver(ridelab.paper_report(seeds=seeds, readings=chosen), report)
+    if report == "-":
+        return
+    if as_json:
+        typer.echo(json.dumps(found, indent=1, ensure_ascii=False))
+    else:
+        for line in lines(found):
+            typer.echo(line)
+    if report is not None:
+        note(f"The report is {report}")
+
+
+def lines(answer: Mapping[str, Any]) -> Iterator[str]:
+    """A `PaperAnswer` as a table and its counts."""
+    cells: Sequence[Mapping[str, Any]] = answer["cells"]
+    yield from aligned([*_HEADS, *_BLIND], [_row(cell) for cell in cells], left=_LEFT)
+    yield ""
+    if any("?" in part for cell in cells for part in _row(cell)):
+        yield "? the interval reaches into another verdict"
+    for item in answer["readings"]:
+        labels = {choice["id"]: choice for choice in item["choices"]}
+        if not labels[item["chosen"]]["default"]:
+            yield f"{item['title']}: {labels[item['chosen']]['label']}"
+    blind = answer["without_preview"]
+    yield f"without preview: {_counted(blind['reached'], answer['total'], blind['counts'])}"
+    yield (
+        f"{_counted(answer['reached'], answer['total'], answer['counts'])} "
+        f"(Ridelab core {answer['core_version']}, {answer['seeds']} roads)"
+    )
+
+
+def _chosen(readings: Sequence[str]) -> dict[str, str]:
+    """Reading -> choice.
+
+    Raises:
+        InputError: There is no such reading or choice, or one is given twice.
+    """
+    from sim_core.errors import RidelabError
+    from sim_core.readings import reading
+
+    chosen: dict[str, str] = {}
+    for text in readings:
+        name, sign, choice = (part.strip() for part in text.partition("="))
+        if not sign or not choice:
+            raise InputError("--reading takes READING=CHOICE")
+        try:
+            reading(name).choice(choice)
+        except RidelabError as error:
+            raise InputError(f"--reading {name}: {error.message}") from None
+        if name in chosen:
+            raise InputError(f"--reading {name}: given twice")
+        chosen[name] = choice
+    return chosen
+
+
+def _row(cell: Mapping[str, Any]) -> list[str]:
+    blind = cell["without_preview"]
+    return [
+        str(cell["table"]),
+        f"{cell['window']}.{cell['signal']}.{cell['statistic']}",
+        cell["strategy"],
+        cell["against"],
+        _claimed(cell),
+        *_judged(cell),
+        *(["-", "-", "-"] if blind is None else _judged(blind)),
+    ]
+
+
+def _claimed(cell: Mapping[str, Any]) -> str:
+    """The paper's change; where it is a misprint, what follows from its absolutes, and what is printed."""
+    misprint = cell["misprint"]
+    if misprint is None:
+        return f"{cell['paper_change']:+g} %"
+    return f"(misprint {misprint['printed']:+g} %) {misprint['follows']:+g} %"
+
+
+def _judged(item: Mapping[str, Any]) -> list[str]:
+    low, high = item["ci"]
+    sure = "" if item["certain"] else "?"
+    return [f"{item['our_change']:+.1f} %", f"{low:+.1f} to {high:+.1f}", f"{item['verdict']}{sure}"]
+
+
+def _counted(reached: int, total: int, counts: Mapping[str, int]) -> str:
+    return f"{reached} of {total} cells reached, {counts['smaller']} smaller, {counts['contradicts']} contradict"
+
+
+def _waiting(what: str) -> Any:
+    console = terminal()
+    return console.status(what) if console.is_terminal else nullcontext()
