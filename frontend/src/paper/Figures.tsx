@@ -19,6 +19,8 @@ import { paperFiguresQuery } from "./queries";
 import { Fault, Waiting } from "./Waiting";
 
 const HEIGHT = 250;
+/** Two of them side by side on A4 [px]. */
+const PRINTED_WIDTH = 490;
 const NEAR = "300px 0px";
 
 export function Figures({ choices }: { readonly choices: Choices }) {
@@ -83,7 +85,12 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
         </ul>
       </figcaption>
       <div style={{ height: HEIGHT }}>
-        {shown && <Chart figure={shown} height={HEIGHT} label={`Figure ${number}: ${title}; ${legend.map(({ name }) => name).join(", ")}`} />}
+        <Chart
+          figure={shown}
+          height={HEIGHT}
+          width={printed ? PRINTED_WIDTH : undefined}
+          label={`Figure ${number}: ${title}; ${legend.map(({ name }) => name).join(", ")}`}
+        />
       </div>
       <p className={classes.caption}>{typeset(caption)}</p>
     </figure>

@@ -6,6 +6,7 @@ import { useQuery } from "@tanstack/react-query";
 import { IconFileDescription } from "@tabler/icons-react";
 import { useEffect, type ReactNode } from "react";
 import { api } from "../api/client";
+import { ApiProblem } from "../api/problem";
 import type { Paper } from "../api/types";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
@@ -63,7 +64,7 @@ export function PaperPage() {
               : every change it prints, run here again.
             </Text>
           </header>
-          {fault && <PageFault message={fault.message} choices={choices} onReset={() => choose(NONE_CHOSEN)} onRetry={() => void refetch()} />}
+          {fault && <PageFault fault={fault} choices={choices} onReset={() => choose(NONE_CHOSEN)} onRetry={() => void refetch()} />}
           {ready ? (
             <Sections {...{ paper, words, choices, waiting, choose }} />
           ) : (
@@ -114,16 +115,17 @@ function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
 }
 
 interface PageFaultProps {
-  readonly message: string;
+  readonly fault: Error;
   readonly choices: Choices;
   readonly onReset: () => void;
   readonly onRetry: () => void;
 }
 
-function PageFault({ message, choices, onReset, onRetry }: PageFaultProps) {
+function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
+  const unknown = fault instanceof ApiProblem && fault.status === 422;
   return (
     <>
-      <Fault message={message} onRetry={onRetry} />
+      <Fault message={unknown ? "This address names a reading or a choice that this server does not know." : fault.message} onRetry={onRetry} />
       {Object.keys(choices).length > 0 && (
         <Button size="xs" variant="default" className={classes.reset ?? ""} onClick={onReset}>
           Show it as Ridelab reads it

@@ -13,8 +13,11 @@ export interface ChartFigure {
 }
 
 interface Props {
-  readonly figure: ChartFigure;
+  /** `null` draws nothing yet; what was drawn stays. */
+  readonly figure: ChartFigure | null;
   readonly height: number;
+  /** Instead of as wide as there is room for [px]. */
+  readonly width?: number | undefined;
   /** What it shows, in words, for whoever does not see it. */
   readonly label: string;
   /** Gets the `customdata` of a clicked point. */
@@ -23,13 +26,14 @@ interface Props {
 
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
-export function Chart({ figure, height, label, onPoint }: Props) {
+export function Chart({ figure, height, width: wanted, label, onPoint }: Props) {
   const plotly = usePlotly();
-  const { ref, width } = useElementSize<HTMLDivElement>();
+  const { ref, width: room } = useElementSize<HTMLDivElement>();
+  const width = wanted ?? room;
   const host = useRef<HTMLDivElement>(null);
 
   useEffect(() => {
-    if (!plotly || !host.current || width === 0) return;
+    if (!plotly || !figure || !host.current || width === 0) return;
     void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, CONFIG);
   }, [plotly, figure, width, height]);
 
