@@ -24,6 +24,9 @@ COPY --from=frontend /build/dist frontend/dist/
 RUN /opt/ridelab/bin/python -m compileall -q sim_core backend \
     && mkdir /data \
     && chown 10001:10001 /data
+# The ECU's program: /app is read-only later, and /tmp runs no programs.
+RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -m backend.hil --build && rm -rf ecu/zig
+ENV RIDELAB_ECU_DIR=/app/ecu
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data
 USER 10001:10001
 VOLUME /data

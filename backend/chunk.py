@@ -17,13 +17,14 @@ class WaitingRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComputedRun:
-    """A run's result, its summary as JSON text as it will be stored."""
+    """A run's result, its summary as JSON text as it will be stored; a failure that is not `lasting` is no result."""
 
     key: str
     strategy: str
     status: str
     summary: str
     compute_ms: float
+    lasting: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -2,6 +2,7 @@
 
 import base64
 import hashlib
+import secrets
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -12,6 +13,16 @@ from sim_core.scenario import Scenario
 from sim_core.strategies import part_read
 
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
+
+
+def passing_key() -> str:
+    """Key of a result that nobody shall find by what it depends on: a failure that may be none the next time."""
+    return secrets.token_urlsafe(32)
+
+
+def passing_run_id() -> str:
+    """Id of a run that has such a result."""
+    return secrets.token_urlsafe(16)
 
 
 def canonical(value: Any) -> bytes:

@@ -14,6 +14,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
 from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
+from backend.hil.drive import EcuUnavailableError
 from backend.telemetry import REFUSED, STORE_ERRORS, request_id
 from sim_core.errors import RidelabError
 
@@ -95,6 +96,7 @@ def register(app: FastAPI) -> None:
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(RidelabError, _refused)
+    app.add_exception_handler(EcuUnavailableError, _no_ecu)
     app.add_exception_handler(SQLAlchemyError, _store)
     app.add_exception_handler(WorkerLostError, _lost)
     app.add_exception_handler(WorkersBusyError, _busy)
@@ -127,6 +129,11 @@ async def _refused(_: Request, error: Exception) -> Response:
     error = cast(RidelabError, error)
     place = pointer(["scenario", *error.field.split(".")]) if error.field else ""
     return problem(422, error.message, kind="refused", errors=[{"pointer": place, "message": error.message}])
+
+
+async def _no_ecu(_: Request, error: Exception) -> Response:
+    text = cast(EcuUnavailableError, error).message
+    return problem(503, text, kind="ecu-unavailable", headers={"Retry-After": "60"})
 
 
 async def _store(_: Request, error: Exception) -> Response:

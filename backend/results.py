@@ -91,7 +91,8 @@ class Results:
             for outcome in outcomes.values():
                 count_run("interactive", outcome.status, outcome.summary)
             for name, key in fresh.items():  # those without series too: until they are committed nothing else has them
-                self._memory.put(key, outcomes[name])
+                if outcomes[name].lasting:
+                    self._memory.put(key, outcomes[name])
             return outcomes
         finally:
             self._flights = {key: flight for key, flight in self._flights.items() if flight is not this}

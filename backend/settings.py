@@ -72,6 +72,9 @@ class Settings(BaseModel):
     )
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
     series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for time histories.")
+    ecu_dir: Path | None = Field(
+        None, description="Where the ECU's program is built and kept; without one below the system's temporary folder."
+    )
 
     @classmethod
     def from_environment(cls, environment: Mapping[str, str], **overrides: object) -> Self:

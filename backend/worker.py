@@ -13,7 +13,7 @@ from typing import Any
 
 import orjson
 
-from backend.hil.drive import simulate
+from backend.hil.drive import EcuUnavailableError, simulate
 from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
@@ -28,6 +28,7 @@ class Outcome:
     Attributes:
         summary: `StrategyResult.summary()` as plain JSON values, or `{"reason": …}` where the core refused.
         compute_ms: The worker's own time [ms]; work shared between strategies is counted at the first.
+        lasting: Whether the scenario is to blame for a failure; else it is not kept, and tried again when asked again.
         points: About how many samples `series` has; None where none were asked for.
         series: See `backend.series`; None where none were asked for, or where it failed.
     """
@@ -35,6 +36,7 @@ class Outcome:
     status: str
     summary: dict[str, Any]
     compute_ms: float
+    lasting: bool = True
     points: int | None = None
     series: SeriesArray | None = None
 
@@ -88,8 +90,9 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
-        elapsed = elapsed_ms(begin)
-        return Outcome(status="failed", summary={"reason": error.message}, compute_ms=elapsed, points=points)
+        elapsed, lasting = elapsed_ms(begin), not isinstance(error, EcuUnavailableError)
+        summary = {"reason": error.message}
+        return Outcome(status="failed", summary=summary, compute_ms=elapsed, lasting=lasting, points=points)
     summary = orjson.loads(summary_json(result))
     elapsed = elapsed_ms(begin)
     series = None if points is None else pack(result, points)

@@ -239,7 +239,9 @@ class Driver:
         try:
             answer = await cluster.compute(chunk)
             if answer.computed is not None:
-                await self._commit(progress, answer.computed, {})
+                passing = {run.key: _reason(run) for run in answer.computed if not run.lasting}
+                failures = {run.position: passing[run.key] for run in runs if run.key in passing}
+                await self._commit(progress, [run for run in answer.computed if run.lasting], failures)
                 done = {run.key for run in answer.computed}
                 left = [run for run in runs if run.key not in done]
                 progress.note(len(runs) - len(left), sum(run.compute_ms for run in answer.computed) / 1000)
@@ -313,3 +315,7 @@ class Driver:
             telemetry.BATCHES.labels(state=state).set(batches)
             if state in UNFINISHED:
                 telemetry.BATCH_QUEUE.labels(state=state).set(runs)
+
+
+def _reason(run: ComputedRun) -> str:
+    return str(orjson.loads(run.summary)["reason"])

@@ -8,7 +8,7 @@ import orjson
 
 from backend.batches.plan import scenario_at
 from backend.chunk import ComputedRun, WaitingRun
-from backend.hil.drive import simulate
+from backend.hil.drive import EcuUnavailableError, simulate
 from backend.worker import elapsed_ms, summary_json
 from sim_core.errors import RidelabError
 
@@ -30,13 +30,19 @@ def run_chunk(
             break
         if scenario is None or run.changes != changes:
             changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version)
-        begin = time.perf_counter()
+        begin, lasting = time.perf_counter(), True
         try:
             status, summary = "ok", summary_json(simulate(scenario, run.strategy)).decode()
         except RidelabError as error:
             status, summary = "failed", orjson.dumps({"reason": error.message}).decode()
+            lasting = not isinstance(error, EcuUnavailableError)
         elapsed = elapsed_ms(begin)
         computed[run.key] = ComputedRun(
-            key=run.key, strategy=run.strategy, status=status, summary=summary, compute_ms=elapsed
+            key=run.key,
+            strategy=run.strategy,
+            status=status,
+            summary=summary,
+            compute_ms=elapsed,
+            lasting=lasting,
         )
     return list(computed.values())

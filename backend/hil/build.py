@@ -36,14 +36,34 @@ def folder() -> Path:
         EcuError: There is no such place.
     """
     named = os.environ.get(FOLDER)
-    place = Path(named) if named else Path(tempfile.gettempdir()) / f"ridelab-ecu-{os.getuid()}"
+    if not named:
+        return _own_folder()
+    place = Path(named)
     try:
-        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise EcuError(f"There is no folder for the ECU's program: {error.strerror}") from None
+    return place
+
+
+def compiler_cache() -> Path:
+    """Where the compiler keeps its own runtime; that folder too, unless it cannot be written.
+
+    Raises:
+        EcuError: There is no such place.
+    """
+    place = folder()
+    return (place if os.access(place, os.W_OK) else _own_folder()) / "zig"
+
+
+def _own_folder() -> Path:
+    place = Path(tempfile.gettempdir()) / f"ridelab-ecu-{os.getuid()}"
+    try:
+        place.mkdir(mode=0o700, exist_ok=True)
         found = place.lstat()
     except OSError as error:
         raise EcuError(f"There is no folder for the ECU's program: {error.strerror}") from None
-    private = found.st_uid == os.getuid() and stat.S_ISDIR(found.st_mode) and not stat.S_IMODE(found.st_mode) & 0o022
-    if not named and not private:
+    if found.st_uid != os.getuid() or not stat.S_ISDIR(found.st_mode) or stat.S_IMODE(found.st_mode) & 0o022:
         raise EcuError(f"The folder for the ECU's program is somebody else's; name one in {FOLDER}")
     return place
 
@@ -85,13 +105,16 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
     options = [*FLAGS, *(f"-I{place}" for place in include), *map(str, sources)]
     reasons = []
     for compiler in compilers():
-        with tempfile.TemporaryDirectory(dir=target.parent) as beside:
-            made = Path(beside) / "program"
-            reason = compiled([*compiler, *options, "-o", str(made)], Path(beside))
-            if reason is None:
-                made.replace(target)  # at once, whoever else builds it too
-                return target
-            reasons.append(reason)
+        try:
+            with tempfile.TemporaryDirectory(dir=target.parent) as beside:
+                made = Path(beside) / "program"
+                reason = compiled([*compiler, *options, "-o", str(made)], compiler_cache())
+                if reason is None:
+                    made.replace(target)  # at once, whoever else builds it too
+                    return target
+        except OSError as error:
+            reason = f"its folder cannot be written ({error.strerror})"
+        reasons.append(reason)
     raise EcuError("The ECU's program cannot be built: " + ("; ".join(reasons) or "there is no C compiler"))
 
 

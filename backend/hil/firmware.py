@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from backend.hil import export
-from backend.hil.build import CONTROLLER, EcuError, compiled, folder, zig
+from backend.hil.build import CONTROLLER, EcuError, compiled, compiler_cache, zig
 from sim_core.hil.calibration import Calibration
 
 FLASH, RAM = 0x08000000, 0x20000000  # stm32f103.ld
@@ -56,7 +56,7 @@ def image(known: Calibration) -> Image:
         sources = [place / source for source in (*CONTROLLER, "ridelab_tables.c", "target/ridelab_firmware.c")]
         made, script = place / "firmware.elf", place / "target" / "stm32f103.ld"
         options = [f"-I{place}", *map(str, sources), f"-Wl,-T,{script}", "-o", str(made)]
-        reason = compiled([*zig(), *_COMMAND, *options], folder() / "zig")
+        reason = compiled([*zig(), *_COMMAND, *options], compiler_cache())
         if reason is not None:
             raise EcuError(f"The controller cannot be built for the control unit: {reason}")
         return parsed(made.read_bytes())

@@ -5,7 +5,6 @@ from typing import Any
 from backend.admission import Admission, Places, client_key
 from backend.compute import Workers
 from backend.hil import work
-from backend.hil.drive import EcuUnavailableError
 from backend.hil.realtime import LONGEST
 from backend.hil.report import VARIANTS
 from backend.problems import ProblemError
@@ -13,7 +12,6 @@ from sim_core.scenario import Scenario
 from sim_core.workload import duration
 
 STRATEGY = "lv_hil"
-RETRY_AFTER = 60  # where there is no compiler, that will not change soon [s]
 
 
 class Controllers:
@@ -62,8 +60,5 @@ class Controllers:
         key = client_key(client)
         self._long.check(key)
         with self._long.taken(key), self._admission.computing(client, scenario, names):
-            try:
-                answer: dict[str, Any] = await self._workers.call(function, scenario, ends_with_caller=True)
-            except EcuUnavailableError as error:
-                raise ProblemError(503, error.message, kind="ecu-unavailable", retry_after=RETRY_AFTER) from None
+            answer: dict[str, Any] = await self._workers.call(function, scenario, ends_with_caller=True)
             return answer
