@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -18,6 +19,7 @@ CONTROLLER = ("ridelab_controller.c", "ridelab_dual.c")
 # C99, every number a float32 rounded after each operation: all compilers then give the same bits.
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED", "-Wall", "-Wextra", "-Werror")
 PATIENCE = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
+MOST_CACHED = 120_000_000  # what the compiler keeps; its runtime takes 50 MB, each controller about one [bytes]
 FOLDER = "RIDELAB_ECU_DIR"
 
 
@@ -47,13 +49,17 @@ def folder() -> Path:
 
 
 def compiler_cache() -> Path:
-    """Where the compiler keeps its own runtime; that folder too, unless it cannot be written.
+    """Where the compiler keeps its own runtime; that folder too, unless it cannot be written. Emptied when it grew.
 
     Raises:
         EcuError: There is no such place.
     """
     place = folder()
-    return (place if os.access(place, os.W_OK) else _own_folder()) / "zig"
+    cache = (place if os.access(place, os.W_OK) else _own_folder()) / "zig"
+    with suppress(OSError):  # somebody else empties it
+        if sum(path.lstat().st_size for path in cache.rglob("*")) > MOST_CACHED:
+            shutil.rmtree(cache, ignore_errors=True)
+    return cache
 
 
 def _own_folder() -> Path:
