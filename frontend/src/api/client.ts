@@ -9,6 +9,7 @@ import type {
   BatchSummary,
   BatchTable,
   Catalogue,
+  ControllerReport,
   EncodedSeries,
   Estimate,
   FigureTemplate,
@@ -19,6 +20,7 @@ import type {
   Paper,
   PaperFigure,
   Preset,
+  RealtimeReport,
   ReadingEffects,
   RobustnessDefaults,
   Run,
@@ -36,7 +38,8 @@ import type {
 
 const BASE = "/api/v1";
 
-async function request(path: string, init: RequestInit): Promise<unknown> {
+/** An answer that is not a refusal. */
+async function send(path: string, init: RequestInit): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(path, init);
@@ -45,14 +48,16 @@ async function request(path: string, init: RequestInit): Promise<unknown> {
     connection.lost("down");
     throw new Unreachable();
   }
-  const text = await readText(response);
-  const body = parse(text);
-  if (!response.ok) {
-    const problem = readProblem(response.status, body, response.headers.get("retry-after"));
-    if (problem.status === 502 || problem.status === 504) connection.lost("down");
-    else if (problem.status === 503 || problem.status === 429) connection.lost("busy", problem.retryAfter ?? 0);
-    throw problem;
-  }
+  if (response.ok) return response;
+  const body = parse(await readText(response));
+  const problem = readProblem(response.status, body, response.headers.get("retry-after"));
+  if (problem.status === 502 || problem.status === 504) connection.lost("down");
+  else if (problem.status === 503 || problem.status === 429) connection.lost("busy", problem.retryAfter ?? 0);
+  throw problem;
+}
+
+async function request(path: string, init: RequestInit): Promise<unknown> {
+  const body = parse(await readText(await send(path, init)));
   if (body === undefined) throw new ApiProblem(502, "The server's answer could not be read", []);
   connection.ok();
   return body;
@@ -86,14 +91,17 @@ interface PostOptions {
   readonly headers?: Readonly<Record<string, string>>;
 }
 
-async function post<T>(path: string, body: unknown, { signal, headers = {} }: PostOptions = {}): Promise<T> {
-  const init: RequestInit = {
+function posting(body: unknown, { signal, headers = {} }: PostOptions = {}): RequestInit {
+  return {
     method: "POST",
     headers: { "content-type": "application/json", ...headers },
     body: JSON.stringify(body),
     ...(signal ? { signal } : {}),
   };
-  return (await request(BASE + path, init)) as T;
+}
+
+async function post<T>(path: string, body: unknown, options?: PostOptions): Promise<T> {
+  return (await request(BASE + path, posting(body, options))) as T;
 }
 
 function asQuery(values: Readonly<Record<string, string>>): string {
@@ -170,6 +178,11 @@ export const api = {
   cancelTuning: (id: string) => post<Tuning>(`/tunings/${encodeURIComponent(id)}/cancel`, {}),
   resumeTuning: (id: string, trials: number) => post<Tuning>(`/tunings/${encodeURIComponent(id)}/resume?${new URLSearchParams({ trials: String(trials) })}`, {}),
   tuningEventsAddress: (id: string, after: number) => `${BASE}/tunings/${encodeURIComponent(id)}/events?after=${after}`,
+
+  /** The controller's C sources, as a zip. */
+  controller: async (scenario: Scenario) => (await send(`${BASE}/controller`, posting({ scenario }))).blob(),
+  controllerReport: (scenario: Scenario, signal?: AbortSignal) => post<ControllerReport>("/controller/report", { scenario }, { signal }),
+  driveByClock: (scenario: Scenario, signal?: AbortSignal) => post<RealtimeReport>("/controller/realtime", { scenario }, { signal }),
 
   shareBatch: (batchId: string, view: SharedView) => post<NewLink>("/links", { batch_id: batchId, view }),
   share: (runId: string, view: SharedView) => post<NewLink>("/links", { run_id: runId, view }),

@@ -167,6 +167,66 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/controller": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Export Controller
+         * @description The scenario's `lv_hil` controller as C sources; the same scenario gives the same bytes.
+         */
+        post: operations["exportController"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/controller/realtime": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Drive By Clock
+         * @description Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time.
+         */
+        post: operations["driveByClock"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/controller/report": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Report Controller
+         * @description Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time.
+         */
+        post: operations["reportController"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/figures": {
         parameters: {
             query?: never;
@@ -319,6 +379,26 @@ export interface paths {
          * @description What each reading does to the verdicts by itself; ask again while it is not complete.
          */
         get: operations["getPaperReadings"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/paper/report.html": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Report
+         * @description All of this as one HTML file that needs nothing else; each reading may be chosen for its tables.
+         */
+        get: operations["getPaperReport"];
         put?: never;
         post?: never;
         delete?: never;
@@ -1584,6 +1664,138 @@ export interface components {
             points: components["schemas"]["ComparedPoint"][];
         };
         /**
+         * ControllerPart
+         * @description The microcontroller.
+         */
+        ControllerPart: {
+            /**
+             * Clock
+             * @description [Hz]
+             */
+            clock: number;
+            /**
+             * Flash
+             * @description [bytes]
+             */
+            flash: number;
+            /** Name */
+            name: string;
+            /**
+             * Ram
+             * @description [bytes]
+             */
+            ram: number;
+            /**
+             * Stack
+             * @description Kept free for the controller's calls [bytes]
+             */
+            stack: number;
+        };
+        /**
+         * ControllerReport
+         * @description Whether the scenario's controller fits a small microcontroller, and what does; the scenario's own comes first.
+         */
+        ControllerReport: {
+            /**
+             * Cycles Per Operation
+             * @description Measured by emulation of the part's processor
+             */
+            cycles_per_operation: number;
+            part: components["schemas"]["ControllerPart"];
+            /** Rows */
+            rows: components["schemas"]["ControllerRow"][];
+            /**
+             * Sample Time
+             * @description Between two steps [s]
+             */
+            sample_time: number;
+            /**
+             * Spread
+             * @description Share by which the emulated cycles lie around that
+             */
+            spread: number;
+        };
+        /**
+         * ControllerRequest
+         * @description Whose controller; an omitted part of the scenario takes the paper's default.
+         * @example {
+         *       "scenario": {
+         *         "mpc": {
+         *           "prediction_horizon": 20
+         *         }
+         *       }
+         *     }
+         */
+        ControllerRequest: {
+            scenario: components["schemas"]["Scenario"];
+        };
+        /**
+         * ControllerRow
+         * @description One controller, built for the part and driven over the scenario.
+         */
+        ControllerRow: {
+            /**
+             * Changes
+             * @description Against `lv` simulated, by window and signal [%]: Tables 9 and 10's figures
+             */
+            changes: {
+                [key: string]: {
+                    [key: string]: number | null;
+                };
+            };
+            /**
+             * Checked
+             * @description all limits of the horizon, or a few: the first move's forces and every third deflection
+             * @enum {string}
+             */
+            checked: "all" | "few";
+            /** Checked Rows */
+            checked_rows: number;
+            /**
+             * Code
+             * @description Flash, the compiler's arithmetic included [bytes]
+             */
+            code: number;
+            /**
+             * Constants
+             * @description Flash: tables [bytes]
+             */
+            constants: number;
+            /** Control Horizon */
+            control_horizon: number;
+            /** Fits */
+            fits: boolean;
+            /**
+             * Iterations
+             * @description Its solver stops after so many
+             */
+            iterations: number;
+            /**
+             * Most Iterations
+             * @description That a step of this drive took
+             */
+            most_iterations: number;
+            operations: components["schemas"]["Operations"];
+            /** Prediction Horizon */
+            prediction_horizon: number;
+            /**
+             * Reasons
+             * @description Why it does not fit
+             */
+            reasons: string[];
+            time: components["schemas"]["StepTime"];
+            /**
+             * Unfinished
+             * @description Steps of this drive whose iterations ran out
+             */
+            unfinished: number;
+            /**
+             * Variables
+             * @description RAM without the stack [bytes]
+             */
+            variables: number;
+        };
+        /**
          * CreatedLink
          * @description A new link.
          */
@@ -2548,6 +2760,22 @@ export interface components {
             window: string | null;
         };
         /**
+         * Operations
+         * @description Floating-point operations of one step: a multiplication with its addition is one.
+         */
+        Operations: {
+            /**
+             * Least
+             * @description In this drive; where no limit binds
+             */
+            least: number;
+            /**
+             * Most
+             * @description In this drive
+             */
+            most: number;
+        };
+        /**
          * PaperAnswer
          * @description The reproduction.
          */
@@ -2751,6 +2979,39 @@ export interface components {
             complete: boolean;
             /** Rows */
             rows: components["schemas"]["ReadingRow"][];
+        };
+        /**
+         * RealtimeReport
+         * @description A drive by the clock of this machine, an ordinary operating system: not a control unit's figures.
+         */
+        RealtimeReport: {
+            /**
+             * Changes
+             * @description Against the same drive in lock-step [%], by window and signal
+             */
+            changes: {
+                [key: string]: {
+                    [key: string]: number | null;
+                };
+            };
+            /** @description The program's own time for a step */
+            computing: components["schemas"]["Times"] | null;
+            /**
+             * Deadline
+             * @description The sample time [s]
+             */
+            deadline: number;
+            /** @description From frame to answer, where it was in time; null where none was */
+            latency: components["schemas"]["Times"] | null;
+            /**
+             * Misses
+             * @description Answers that came after it: the actuators held the last command
+             */
+            misses: number;
+            /** Steps */
+            steps: number;
+            /** @description How late the plant itself was woken: jitter */
+            wake_up: components["schemas"]["Times"];
         };
         /**
          * Road
@@ -3159,7 +3420,7 @@ export interface components {
             field: string;
             /**
              * P Value
-             * @description Two-sided probability of such a correlation without any effect
+             * @description Probability of as much without any effect: the smaller of both tests', doubled (Bonferroni)
              */
             p_value: number;
             /**
@@ -3376,6 +3637,16 @@ export interface components {
             rms: number;
         };
         /**
+         * StepTime
+         * @description About how long one step takes on the part [s].
+         */
+        StepTime: {
+            /** Least */
+            least: number;
+            /** Most */
+            most: number;
+        };
+        /**
          * StrategyAnswer
          * @description A strategy: what it does, which parts of the scenario it reads, how it is drawn.
          */
@@ -3525,6 +3796,26 @@ export interface components {
             number: number;
             /** Title */
             title: string;
+        };
+        /**
+         * Times
+         * @description Times [s] with a histogram: `counts[i]` lie between `edges[i]` and `edges[i + 1]`; those outside at the ends.
+         */
+        Times: {
+            /** Counts */
+            counts: number[];
+            /** Deviation */
+            deviation: number;
+            /** Edges */
+            edges: number[];
+            /** Mean */
+            mean: number;
+            /** Median */
+            median: number;
+            /** Most */
+            most: number;
+            /** Percentile 99 */
+            percentile_99: number;
         };
         /**
          * Trial
@@ -4757,6 +5048,294 @@ export interface operations {
             };
         };
     };
+    exportController: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ControllerRequest"];
+            };
+        };
+        responses: {
+            /** @description A zip with README, Makefile and C sources */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/zip": unknown;
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    driveByClock: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ControllerRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RealtimeReport"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    reportController: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["ControllerRequest"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ControllerReport"];
+                };
+            };
+            /** @description Bad Request */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     getFigures: {
         parameters: {
             query?: never;
@@ -5296,6 +5875,81 @@ export interface operations {
             };
         };
     };
+    getPaperReport: {
+        parameters: {
+            query?: {
+                /** @description Braking pitches the body: Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes. */
+                braking_moment?: "on" | "off";
+                /** @description Actuator force limit: The paper gives none. */
+                force_limit?: "5" | "2.5" | "10";
+                /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. */
+                lqr_preview?: "none" | "wheelbase" | "lookahead";
+                /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. */
+                preview?: "lookahead" | "wheelbase" | "none";
+                /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. */
+                road_end?: "150" | "110";
+                /** @description Control interval: The paper does not give it. */
+                sample_time?: "10" | "5" | "20";
+                /** @description Roads 1 to this, each driven by every strategy */
+                seeds?: number;
+                /** @description Travel weight q4: Eq. 16 and the LQR's cost name three weights; a fourth, on travel, is ours. Without it an LQR uses far more travel than a car has. */
+                travel_weight?: "3" | "0";
+                /** @description Table 2's car: Its masses look like a whole car's, its stiffnesses like one wheel's. */
+                vehicle?: "printed" | "half";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": string;
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     getPresets: {
         parameters: {
             query?: never;
@@ -5720,7 +6374,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/html": components["schemas"]["Problem"];
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
             /** @description Unprocessable Entity */
@@ -5729,7 +6383,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/html": components["schemas"]["Problem"];
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
             /** @description Too Many Requests */
@@ -5738,7 +6392,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/html": components["schemas"]["Problem"];
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
             /** @description Internal Server Error */
@@ -5747,7 +6401,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/html": components["schemas"]["Problem"];
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
             /** @description Service Unavailable */
@@ -5756,7 +6410,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/html": components["schemas"]["Problem"];
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
         };

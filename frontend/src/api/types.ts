@@ -75,6 +75,11 @@ export type Comparison = Deep<Schemas["Comparison"]>;
 export type ComparedPoint = Deep<Schemas["ComparedPoint"]>;
 export type TunedFigure = ComparedPoint["training"][string];
 
+export type ControllerReport = Deep<Schemas["ControllerReport"]>;
+export type RealtimeReport = Deep<Schemas["RealtimeReport"]>;
+/** Times with their histogram. */
+export type Times = RealtimeReport["wake_up"];
+
 export type Link = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "view">> & {
   readonly view: SharedView;
   readonly scenario: Scenario;

@@ -14,10 +14,13 @@ import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
 import shell from "../shell/shell.module.css";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
+import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
+import { ExportController } from "./ExportController";
 import classes from "./hil.module.css";
 import { HilForm } from "./HilForm";
+import { RealTime } from "./RealTime";
 import { STRATEGIES, useEcuRun } from "./useEcuRun";
 
 const NO_ERRORS = { fields: {}, general: [] };
@@ -38,6 +41,7 @@ export function EcuPage() {
   }, [error, schema.data]);
   const shown = useMemo(() => STRATEGIES.flatMap((id) => strategies.data?.find((each) => each.id === id) ?? []), [strategies.data]);
   const { summaries, failures } = useMemo(() => split(run?.strategies ?? {}), [run]);
+  const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
   const fault = [schema, strategies, catalogue, figures].find((query) => query.error !== null && !isTransient(query.error))?.error;
 
   return (
@@ -63,6 +67,7 @@ export function EcuPage() {
                   {message}
                 </Alert>
               ))}
+              <ExportController scenario={carried.scenario} />
             </section>
             {failures.map(({ id, reason }) => (
               <Alert key={id} color="red" variant="light" p="xs" role="alert">
@@ -76,6 +81,12 @@ export function EcuPage() {
               </>
             ) : (
               refused === NO_ERRORS && <EcuLoading />
+            )}
+            {carried.scenario && catalogue.data && (
+              <>
+                <BuildReport scenario={carried.scenario} catalogue={catalogue.data} />
+                <RealTime scenario={carried.scenario} catalogue={catalogue.data} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
+              </>
             )}
           </>
         )}

@@ -9,7 +9,7 @@ import { formatPercent } from "../tables/change";
 import { StrategyKey } from "../tables/StrategyKey";
 import tables from "../tables/tables.module.css";
 import { shownUnit } from "../tables/units";
-import { formatResult, prettyUnit } from "../units/format";
+import { formatResult, formatWhole, prettyUnit } from "../units/format";
 import classes from "./hil.module.css";
 import { rowsOf, RULE_PERCENT, type HilRow } from "./rule";
 
@@ -115,6 +115,9 @@ function Verdict({ row: { within, change } }: { readonly row: HilRow }) {
   );
 }
 
+/** Whole numbers stay whole. */
+const shownEvent = (value: number | boolean | null | undefined) => (typeof value !== "number" ? String(value) : Number.isInteger(value) ? formatWhole(value) : formatResult(value));
+
 /** What the loop itself met: held commands, unfinished iterations, clipped values. */
 function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefined; readonly catalogue: Catalogue }) {
   const events = catalogue.events.filter(({ key }) => key.startsWith("ecu_") && summary?.events[key] !== undefined && summary.events[key] !== null);
@@ -125,7 +128,7 @@ function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefin
         <div key={key} title={description} data-event={key}>
           <dt>{label}</dt>
           <dd>
-            {typeof summary.events[key] === "number" ? formatResult(summary.events[key]) : String(summary.events[key])} {prettyUnit(unit)}
+            {shownEvent(summary.events[key])} {prettyUnit(unit)}
           </dd>
         </div>
       ))}

@@ -1,0 +1,165 @@
+/** Whether the controller fits the part: memory and time of the scenario's own and of smaller ones, with what each loses. */
+
+import { Button, Skeleton, Text } from "@mantine/core";
+import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
+import { queryOptions, useQuery } from "@tanstack/react-query";
+import { useState } from "react";
+import { api } from "../api/client";
+import type { Catalogue, ControllerReport, Scenario } from "../api/types";
+import { formatPercent } from "../tables/change";
+import { VIEWS } from "../tables/ComparisonTable";
+import tables from "../tables/tables.module.css";
+import { formatNumber, formatWhole } from "../units/format";
+import { formatTime, kilobytes, largestLoss } from "./effort";
+import classes from "./hil.module.css";
+
+interface Props {
+  readonly scenario: Scenario;
+  readonly catalogue: Catalogue;
+}
+
+const reportQuery = (scenario: Scenario, enabled: boolean) =>
+  queryOptions({ queryKey: ["controller report", scenario], queryFn: ({ signal }) => api.controllerReport(scenario, signal), staleTime: Infinity, enabled });
+
+export function BuildReport({ scenario, catalogue }: Props) {
+  const [wanted, setWanted] = useState<Scenario | null>(null);
+  const report = useQuery(reportQuery(scenario, wanted === scenario));
+  return (
+    <section className={classes.card} aria-label="Build report" aria-busy={report.isFetching || undefined}>
+      <header className={classes.head}>
+        <h2 className={classes.title}>Does it fit a small part?</h2>
+        {!report.data && (
+          <Button size="xs" variant="default" loading={report.isFetching} onClick={() => (wanted === scenario ? void report.refetch() : setWanted(scenario))}>
+            Build and measure
+          </Button>
+        )}
+      </header>
+      {report.data ? (
+        <Report report={report.data} catalogue={catalogue} />
+      ) : (
+        <div className={classes.body}>
+          <Text size="sm" c="dimmed">
+            {report.isFetching
+              ? "The program is built for the part and driven over the road, the scenario’s own and smaller ones: this takes some seconds each."
+              : "Compiles the controller for a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash), counts what a step costs, and does the same with shorter horizons."}
+          </Text>
+          {report.isFetching && <Skeleton height={180} radius={6} />}
+          {report.isError && !report.isFetching && (
+            <Text className={classes.error ?? ""} role="alert">
+              {report.error.message}
+            </Text>
+          )}
+        </div>
+      )}
+    </section>
+  );
+}
+
+function Report({ report, catalogue }: { readonly report: ControllerReport; readonly catalogue: Catalogue }) {
+  const { part, rows, sample_time: step, cycles_per_operation: cycles, spread } = report;
+  const [own, ...smaller] = rows;
+  const fitting = smaller.filter(({ fits }) => fits);
+  const least = fitting.toSorted((a, b) => largestLoss(a.changes) - largestLoss(b.changes))[0];
+  return (
+    <>
+      <Text size="sm" className={classes.body ?? ""} data-testid="fits">
+        {own?.fits
+          ? "The scenario’s own controller fits. "
+          : `The scenario’s own controller does not fit: ${own?.reasons.join("; ") ?? ""}. `}
+        {!own?.fits &&
+          (least
+            ? `Of the smaller ones ${fitting.length === 1 ? "one fits" : `${fitting.length} fit`}; the least loss has Np ${least.prediction_horizon}, Nc ${least.control_horizon}, ${least.checked_rows} limits checked.`
+            : "None of the smaller ones tried does either.")}
+      </Text>
+      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Controllers on the part">
+        <table className={`${tables.table ?? ""} ${classes.report ?? ""}`}>
+          <thead>
+            <tr>
+              <th scope="col" data-left>
+                Np · Nc
+              </th>
+              <th scope="col">Limits checked</th>
+              <th scope="col">Iterations, most</th>
+              <th scope="col">
+                Flash <span className={classes.dim}>of {kilobytes(part.flash)}</span>
+              </th>
+              <th scope="col">
+                RAM with stack <span className={classes.dim}>of {kilobytes(part.ram)}</span>
+              </th>
+              <th scope="col">
+                Operations a step <span className={classes.dim}>least to most</span>
+              </th>
+              <th scope="col">
+                Time a step <span className={classes.dim}>of {formatTime(step)}</span>
+              </th>
+              <th scope="col">Fits</th>
+              {VIEWS.map((view) => (
+                <th key={view.window} scope="col">
+                  {view.statistic === "rms" ? "RMS, rough road" : "Peak, bump"} <span className={classes.dim}>largest change to the simulation</span>
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row, index) => (
+              <tr key={`${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`} data-fits={row.fits}>
+                <th scope="row" data-left>
+                  {row.prediction_horizon} · {row.control_horizon}
+                  {index === 0 && <span className={classes.dim}> the scenario’s</span>}
+                </th>
+                <td>{formatWhole(row.checked_rows)}</td>
+                <td>
+                  {formatWhole(row.iterations)}, {formatWhole(row.most_iterations)} used
+                  {row.unfinished > 0 && <span className={classes.bad}>, {formatWhole(row.unfinished)} unfinished</span>}
+                </td>
+                <td>{kilobytes(row.code + row.constants)}</td>
+                <td>{kilobytes(row.variables + part.stack)}</td>
+                <td>
+                  {formatWhole(row.operations.least)} – {formatWhole(row.operations.most)}
+                </td>
+                <td>
+                  {formatTime(row.time.least)} – {formatTime(row.time.most)}
+                </td>
+                <td>
+                  <Fits fits={row.fits} reasons={row.reasons} />
+                </td>
+                {VIEWS.map(({ window }) => (
+                  <td key={window}>
+                    <Loss changes={row.changes[window] ?? {}} catalogue={catalogue} />
+                  </td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
+        {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
+        (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator that counts cycles as the processor’s manual does.
+      </Text>
+    </>
+  );
+}
+
+function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: readonly string[] }) {
+  const Icon = fits ? IconCheck : IconAlertTriangle;
+  return (
+    <span className={fits ? classes.good : classes.bad} title={reasons.join("\n")}>
+      <Icon size={14} stroke={2} aria-hidden className={classes.icon} /> {fits ? "yes" : "no"}
+      {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
+    </span>
+  );
+}
+
+/** The change that is furthest up, and of what. */
+function Loss({ changes, catalogue }: { readonly changes: Readonly<Record<string, number | null>>; readonly catalogue: Catalogue }) {
+  const known = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
+  const label = (signal: string) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
+  const worst = known.toSorted((a, b) => b.change - a.change)[0];
+  if (!worst) return <>–</>;
+  return (
+    <span title={known.map(({ signal, change }) => `${label(signal)} ${formatPercent(change)}`).join("\n")}>
+      {formatPercent(worst.change)} <span className={classes.lossOf}>{label(worst.signal)}</span>
+    </span>
+  );
+}

@@ -1,0 +1,26 @@
+/** The C sources of this scenario's controller, as a zip. */
+
+import { Button, Text } from "@mantine/core";
+import { IconDownload } from "@tabler/icons-react";
+import type { Scenario } from "../api/types";
+import classes from "./hil.module.css";
+import { useController } from "./useController";
+
+export function ExportController({ scenario }: { readonly scenario: Scenario | undefined }) {
+  const { save, saving, error } = useController();
+  return (
+    <div className={classes.export}>
+      <Button size="xs" variant="default" leftSection={<IconDownload size={15} />} loading={saving} disabled={!scenario} onClick={() => scenario && save(scenario)}>
+        Export controller (C)
+      </Button>
+      <Text size="xs" c="dimmed">
+        A zip: the tables for this scenario, the C99 program without dynamic memory, a Makefile and how to build it.
+      </Text>
+      {error && (
+        <Text className={classes.error ?? ""} role="alert">
+          It could not be exported: {error.message}
+        </Text>
+      )}
+    </div>
+  );
+}

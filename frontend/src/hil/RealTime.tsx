@@ -1,0 +1,168 @@
+/** The drive by the clock: how long answers take, how evenly, and how many come too late. */
+
+import { Button, Progress, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { useMutation } from "@tanstack/react-query";
+import { useEffect, useMemo, useState } from "react";
+import { api } from "../api/client";
+import { isTransient } from "../api/problem";
+import type { Catalogue, RealtimeReport, Scenario, Times } from "../api/types";
+import { Chart } from "../plots/Chart";
+import { PALETTES } from "../plots/palettes";
+import { formatPercent } from "../tables/change";
+import { VIEWS } from "../tables/ComparisonTable";
+import tables from "../tables/tables.module.css";
+import { count, formatNumber, formatWhole } from "../units/format";
+import { formatTime } from "./effort";
+import classes from "./hil.module.css";
+import { histogramFigure } from "./histogram";
+
+interface Props {
+  readonly scenario: Scenario;
+  readonly catalogue: Catalogue;
+  /** The drive takes so long [s], where it is known. */
+  readonly seconds: number | undefined;
+  readonly colour: string;
+}
+
+export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
+  const drive = useMutation({ mutationFn: (wanted: Scenario) => api.driveByClock(wanted), networkMode: "always" });
+  const report = drive.data;
+  const other = drive.isSuccess && drive.variables !== scenario;
+  return (
+    <section className={classes.card} aria-label="In real time" aria-busy={drive.isPending || undefined}>
+      <header className={classes.head}>
+        <h2 className={classes.title}>In real time</h2>
+        <Button size="xs" variant="default" loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
+          {report ? "Drive again" : "Drive in real time"}
+        </Button>
+      </header>
+      <div className={classes.body}>
+        <Text size="sm" c="dimmed">
+          The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed deadline, and the actuators hold the last command. It takes as long as
+          the drive{seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes both sides, not a real-time one: the figures are the server’s at that
+          moment, not an ECU’s.
+        </Text>
+        {drive.isPending && <Waiting seconds={seconds} />}
+        {drive.isError && (
+          <Text className={classes.error ?? ""} role="alert">
+            {isTransient(drive.error) ? `The server has no room for a drive by the clock just now: ${drive.error.message}` : drive.error.message}
+          </Text>
+        )}
+        {other && (
+          <Text size="xs" className={classes.bad} role="status">
+            The scenario has changed since: these figures are of the one before.
+          </Text>
+        )}
+      </div>
+      {report && <Report {...{ report, catalogue, colour }} />}
+    </section>
+  );
+}
+
+const TICK_MS = 250;
+
+/** Building and starting come before the first frame. */
+const BEFORE_S = 1;
+
+function Waiting({ seconds }: { readonly seconds: number | undefined }) {
+  const [passed, setPassed] = useState(0);
+  useEffect(() => {
+    const begin = performance.now();
+    const timer = setInterval(() => setPassed((performance.now() - begin) / 1000), TICK_MS);
+    return () => clearInterval(timer);
+  }, []);
+  const whole = seconds === undefined ? undefined : seconds + BEFORE_S;
+  return (
+    <div className={classes.waiting}>
+      <Progress.Root size={8} transitionDuration={TICK_MS}>
+        <Progress.Section value={whole === undefined ? 100 : Math.min(99, (100 * passed) / whole)} animated={whole === undefined || passed > whole} color="var(--accent)" aria-label="Driven" />
+      </Progress.Root>
+      <Text size="xs" c="dimmed" className={classes.counter ?? ""}>
+        {formatWhole(Math.round(passed))}
+        {whole === undefined ? " s" : ` of about ${formatWhole(Math.round(whole))} s`}
+      </Text>
+    </div>
+  );
+}
+
+const KINDS = [
+  { value: "latency", label: "Latency" },
+  { value: "wake_up", label: "Wake-up" },
+  { value: "computing", label: "Computing" },
+] as const;
+type Kind = (typeof KINDS)[number]["value"];
+
+const MEANING: Readonly<Record<Kind, string>> = {
+  latency: "From a frame’s sending to its answer.",
+  wake_up: "How late the frame itself was sent: the operating system’s jitter.",
+  computing: "What the program itself took, by its own clock.",
+};
+
+function Report({ report, catalogue, colour }: { readonly report: RealtimeReport; readonly catalogue: Catalogue; readonly colour: string }) {
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const [kind, setKind] = useState<Kind>("latency");
+  const spread = report[kind];
+  const figure = useMemo(() => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null), [spread, report.deadline, palette, colour]);
+  return (
+    <>
+      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Times by the clock">
+        <table className={`${tables.table ?? ""} ${classes.report ?? ""}`}>
+          <thead>
+            <tr>
+              <th scope="col" data-left>
+                <span className={report.misses === 0 ? classes.good : classes.bad} data-testid="misses">
+                  {report.misses === 0 ? "No deadline missed" : `${count(report.misses, "deadline")} missed`} in {count(report.steps, "step")}
+                </span>
+              </th>
+              <th scope="col">Mean</th>
+              <th scope="col">Deviation</th>
+              <th scope="col">Median</th>
+              <th scope="col">99 %</th>
+              <th scope="col">Most</th>
+            </tr>
+          </thead>
+          <tbody>
+            {KINDS.map(({ value, label }) => (
+              <SpreadRow key={value} label={label} meaning={MEANING[value]} spread={report[value]} />
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <div className={classes.histogram}>
+        <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
+        {figure ? (
+          <Chart figure={figure} height={230} label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`} />
+        ) : (
+          <Text size="sm" c="dimmed">
+            There is nothing to count: no answer came in time.
+          </Text>
+        )}
+      </div>
+      <p className={classes.lockStep}>
+        <span className={classes.dim}>Against the drive in lock-step: </span>
+        {VIEWS.map(({ window, statistic }) => (
+          <span key={window}>
+            {statistic === "rms" ? "RMS" : "peaks"}{" "}
+            {catalogue.paper_signals
+              .map((signal) => report.changes[window]?.[signal] ?? null)
+              .map((change) => (change === null ? "–" : formatPercent(change)))
+              .join(", ")}
+            {". "}
+          </span>
+        ))}
+      </p>
+    </>
+  );
+}
+
+function SpreadRow({ label, meaning, spread }: { readonly label: string; readonly meaning: string; readonly spread: Times | null }) {
+  const values = spread && [spread.mean, spread.deviation, spread.median, spread.percentile_99, spread.most];
+  return (
+    <tr>
+      <th scope="row" data-left>
+        {label} <span className={classes.dim}>{meaning}</span>
+      </th>
+      {values ? values.map((value, index) => <td key={index}>{formatTime(value)}</td>) : <td colSpan={5}>–</td>}
+    </tr>
+  );
+}
