@@ -12,10 +12,11 @@ from backend.cli import options, output
 from backend.cli.reporting import InputError, note, terminal
 from backend.cli.services import Services
 from backend.cli.tables import aligned
+from sim_core.signals import SIGNALS
 
-_HEADS = ("table", "figure", "strategy", "against", "paper", "ours", "95 %", "verdict")
+_HEADS = ("table", "figure", "strategy", "against", "printed", "change", "ours", "change", "95 %", "verdict")
 _BLIND = ("without preview", "95 %", "verdict")
-_LEFT = {1, 2, 3, 7, 10}
+_LEFT = {1, 2, 3, 9, 12}
 
 
 def paper(
@@ -108,10 +109,12 @@ def _row(cell: Mapping[str, Any]) -> list[str]:
     blind = cell["without_preview"]
     return [
         str(cell["table"]),
-        f"{cell['window']}.{cell['signal']}.{cell['statistic']}",
+        f"{cell['window']}.{cell['signal']}.{cell['statistic']} [{SIGNALS[cell['signal']].unit}]",
         cell["strategy"],
         cell["against"],
+        f"{cell['paper_value']:g} : {cell['paper_base']:g}",
         _claimed(cell),
+        f"{cell['our_value']:.4g} : {cell['our_base']:.4g}",
         *_judged(cell),
         *(["-", "-", "-"] if blind is None else _judged(blind)),
     ]

@@ -15,6 +15,7 @@ from backend.paper import work
 from backend.store import StoredResult
 from sim_core import __version__ as CORE_VERSION
 from sim_core import paper
+from sim_core.signals import SIGNALS
 from tests.html import Element, check, read
 
 SEEDS = 22  # nobody else asks for so many
@@ -122,7 +123,9 @@ def test_the_command_prints_every_cell_and_the_counts(command: Any, told: dict[s
     rows = [line.split() for line in printed.splitlines()[1 : 1 + answer["total"]]]
     for row, cell in zip(rows, answer["cells"], strict=True):
         figure = f"{cell['window']}.{cell['signal']}.{cell['statistic']}"
-        assert row[:4] == [str(cell["table"]), figure, cell["strategy"], cell["against"]]
+        unit = f"[{SIGNALS[cell['signal']].unit}]"
+        assert row[:5] == [str(cell["table"]), figure, unit, cell["strategy"], cell["against"]]
+        assert row[5:8] == [f"{cell['paper_value']:g}", ":", f"{cell['paper_base']:g}"]
         assert f"{cell['our_change']:+.1f}" in row
         claim = cell["misprint"]["follows"] if cell["misprint"] else cell["paper_change"]
         assert f"{claim:+g}" in row
