@@ -1,30 +1,29 @@
 /** The paper's figures, made by us: each is drawn when it comes near the window. */
 
 import { SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
-import { useIntersection } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { memo, useMemo, useState } from "react";
 import type { PaperFigure } from "../api/types";
 import { Chart } from "../plots/Chart";
 import { PALETTES } from "../plots/palettes";
-import { printing } from "../state/printing";
-import { useStore } from "../state/store";
 import { StrategyKey } from "../tables/StrategyKey";
 import type { Choices } from "./choices";
 import classes from "./figures.module.css";
 import { drawn, legendOf, type Scheme } from "./made";
 import { typeset } from "./numbers";
 import paper from "./paper.module.css";
-import { paperFiguresQuery } from "./queries";
+import { attributionQuery, paperFiguresQuery } from "./queries";
+import { useSeen } from "./useSeen";
 import { Fault, Waiting } from "./Waiting";
 
 const HEIGHT = 250;
 /** Two of them side by side on A4 [px]. */
 const PRINTED_WIDTH = 490;
-const NEAR = "300px 0px";
 
 export function Figures({ choices }: { readonly choices: Choices }) {
-  const { data, error, refetch } = useQuery(paperFiguresQuery(choices));
+  // One after the other: the server works on one of them at a time.
+  const { isPending: busy } = useQuery({ ...attributionQuery(choices), notifyOnChangeProps: ["isPending"] });
+  const { data, error, refetch } = useQuery({ ...paperFiguresQuery(choices), enabled: !busy });
   const scheme = useComputedColorScheme("light");
   const [range, setRange] = useState<"whole" | "bump">("whole");
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
@@ -62,11 +61,7 @@ interface PanelProps {
 }
 
 const Panel = memo(function Panel({ figure: { number, title, caption, figure }, scheme, bumpOnly }: PanelProps) {
-  const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
-  const printed = useStore(printing);
-  // What was drawn once stays: scrolling back meets no blank panel.
-  const [seen, setSeen] = useState(false);
-  if (!seen && (printed || entry?.isIntersecting === true)) setSeen(true);
+  const { ref, seen, printed } = useSeen();
   const shown = useMemo(() => (seen ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null), [seen, figure, scheme, bumpOnly]);
   const legend = useMemo(() => legendOf(figure), [figure]);
   return (

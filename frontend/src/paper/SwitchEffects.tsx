@@ -8,6 +8,7 @@ import { withChoice, withoutChoices, type Choices } from "./choices";
 import { typeset } from "./numbers";
 import classes from "./paper.module.css";
 import { effectsQuery } from "./queries";
+import { useSeen } from "./useSeen";
 import { VerdictBar } from "./Verdict";
 import { countsInWords } from "./verdicts";
 import { Fault, Waiting } from "./Waiting";
@@ -21,10 +22,17 @@ interface Props {
 type Row = ReadingEffects["rows"][number];
 
 export function SwitchEffects({ paper: { readings }, choices, onChoose }: Props) {
-  const { data, error, refetch } = useQuery(effectsQuery(choices));
+  const { ref, seen } = useSeen();
+  const { data, error, refetch } = useQuery({ ...effectsQuery(choices), enabled: seen });
   const expected = readings.reduce((sum, { choices: offered }) => sum + offered.length - 1, 0);
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
-  if (!data) return <Waiting what="Turning each switch by itself" height={24 + 40 * expected} />;
+  if (!data) {
+    return (
+      <div ref={ref} className={classes.unprinted}>
+        <Waiting key={String(seen)} what="Turning each switch by itself" height={24 + 40 * expected} />
+      </div>
+    );
+  }
   return (
     <>
       <div className={classes.scroll} tabIndex={0} role="region" aria-label="What each switch does">

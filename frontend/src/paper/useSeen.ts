@@ -1,0 +1,17 @@
+/** Whether a part of the page has come near the window, or is being printed; once so, always so. */
+
+import { useIntersection } from "@mantine/hooks";
+import { useState } from "react";
+import { printing } from "../state/printing";
+import { useStore } from "../state/store";
+
+/** What is this near to the window is as good as in it. */
+const NEAR = "300px 0px";
+
+export function useSeen() {
+  const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
+  const printed = useStore(printing);
+  const [seen, setSeen] = useState(false);
+  if (!seen && (printed || entry?.isIntersecting === true)) setSeen(true);
+  return { ref, seen, printed };
+}

@@ -1,0 +1,203 @@
+"""The paper page as a reader uses it: count, switches, tables, what each part contributes, figures."""
+
+import json
+import re
+from typing import Any
+
+import httpx
+import pytest
+from playwright.sync_api import Locator, Page, Route, expect
+
+from tests.browser.dashboard import Dashboard
+
+FIGURES = [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
+VERDICTS = ("reached", "smaller", "contradicts")
+PATIENCE_MS = 60_000  # the first answer drives every strategy over every road; the contract gives it a minute
+# What the switches do is 12 reproductions more: the backend's tests compute it, here a table of the same shape stands.
+EFFECTS = {
+    "rows": [
+        {
+            "reading": "preview",
+            "choice": "none",
+            "reached": 16,
+            "total": 48,
+            "counts": {"reached": 16, "smaller": 12, "contradicts": 20},
+            "changed": 25,
+        }
+    ],
+    "complete": True,
+}
+
+
+@pytest.fixture
+def paper(dashboard: Dashboard) -> Page:
+    """The page with its count."""
+
+    def effects(route: Route) -> None:
+        route.fulfill(status=200, content_type="application/json", body=json.dumps(EFFECTS))
+
+    dashboard.page.route("**/api/v1/paper/readings*", effects)
+    open_paper(dashboard.page)
+    return dashboard.page
+
+
+def open_paper(page: Page, query: str = "") -> None:
+    page.goto(f"/paper{query}")
+    expect(page.get_by_test_id("count")).to_be_visible(timeout=PATIENCE_MS)
+
+
+def answer(page: Page, query: str = "") -> dict[str, Any]:
+    """The API's answer for the same readings."""
+    base = re.match(r"https?://[^/]+", page.url)
+    assert base is not None
+    found: dict[str, Any] = httpx.get(f"{base[0]}/api/v1/paper{query}", timeout=60).raise_for_status().json()
+    return found
+
+
+def marks(page: Page, verdict: str) -> int:
+    """Rows of the paper's tables with this verdict, by what a reader sees in them."""
+    rows = page.locator("table[data-table] tr[data-verdict]")
+    own = rows.filter(has=page.locator("td[data-own]").get_by_text(verdict))
+    return own.count()
+
+
+def choose(page: Page, reading: str, choice: str) -> None:
+    page.get_by_role("radiogroup", name=reading).get_by_text(choice, exact=True).click()
+
+
+def settled(page: Page) -> Locator:
+    """The page under the readings the switches stand at."""
+    main = page.locator("main")
+    expect(main).to_have_attribute("aria-busy", "false", timeout=PATIENCE_MS)
+    return main
+
+
+def test_the_count_is_what_the_tables_show_and_the_api_says(paper: Page) -> None:
+    api = answer(paper)
+    assert api["total"] == len(api["cells"])
+    for verdict in VERDICTS:
+        assert marks(paper, verdict) == api["counts"][verdict]
+    expect(paper.get_by_test_id("count")).to_contain_text(f"{api['reached']} of {api['total']} cells reached")
+    without = api["without_preview"]["reached"]
+    expect(paper.get_by_test_id("count-without")).to_contain_text(f"{without} of {api['total']}")
+    # What is not reached is named; a name leads to its row.
+    missed = api["total"] - api["reached"]
+    paper.get_by_text(f"The {missed} cells not reached").click()
+    first = paper.locator("details li a").first
+    target = first.get_attribute("href")
+    first.click()
+    expect(paper.locator(f"{target}:target")).to_be_in_viewport()
+
+
+def test_misprints_show_the_value_that_follows(paper: Page) -> None:
+    found = [cell for cell in answer(paper)["cells"] if cell["misprint"]]
+    assert len(found) == 3  # Table 8 rear tyre, Table 9 body acceleration twice: physics.md
+    for cell in found:
+        row = paper.locator(f"#table-{cell['table']}-{cell['strategy']}-{cell['against']}-{cell['signal']}")
+        follows = f"{abs(cell['misprint']['follows']):g}"
+        expect(row).to_contain_text(re.compile(rf"misprint: [−+]{re.escape(follows)}\s%"))
+
+
+def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -> None:
+    before, after = answer(paper), answer(paper, "?preview=none")
+    assert before["reached"] != after["reached"]
+    choose(paper, "Road preview", "None")
+    expect(paper).to_have_url(re.compile(r"/paper\?preview=none$"))
+    settled(paper)
+    count = f"{after['reached']} of {after['total']} cells reached"
+    expect(paper.get_by_test_id("count")).to_contain_text(count)
+    paper.reload()
+    expect(paper.get_by_test_id("count")).to_contain_text(count)
+    expect(paper.get_by_role("radio", name="None").first).to_be_checked()
+    paper.go_back()
+    expect(paper.get_by_test_id("count")).to_contain_text(f"{before['reached']} of")
+    expect(paper.get_by_role("button", name="All as Ridelab reads it")).to_be_disabled()
+    # The table of what each switch does sets one, from wherever the others stand.
+    paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click()
+    expect(paper.get_by_test_id("count")).to_contain_text(count)
+    paper.get_by_role("button", name="Reset 1 switch").click()
+    expect(paper).to_have_url(re.compile(r"/paper$"))
+
+
+def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.goto("/paper?preview=sideways")
+    expect(page.get_by_role("alert")).to_contain_text("does not know")
+    page.get_by_role("button", name="Show it as Ridelab reads it").click()
+    expect(page.get_by_test_id("count")).to_be_visible(timeout=PATIENCE_MS)
+
+
+def test_what_each_part_contributes_can_be_sorted_and_filtered(paper: Page) -> None:
+    expect(paper.get_by_test_id("sentences").locator("li").first).to_contain_text("lower speed", timeout=PATIENCE_MS)
+    shares = paper.get_by_test_id("shares").locator("tbody tr")
+    expect(shares).to_have_count(8)
+    for row in shares.all_inner_texts():
+        parts = [int(text.replace("−", "-")) for text in re.findall(r"([−]?\d+) %", row)]
+        assert abs(sum(parts) - 100) <= 2, row  # three rounded to whole percent: at most 1.5 off
+    table = paper.get_by_test_id("combinations")
+    rows = table.locator("tbody tr")
+    everything = rows.count()
+    paper.get_by_role("combobox", name="Preview").select_option(label="Road ahead")
+    paper.get_by_role("combobox", name="Controller").select_option(label="MPC")
+    expect(paper.get_by_text(f"6 of {everything} combinations")).to_be_visible()
+    head = table.get_by_role("columnheader", name="Travel time")
+    head.get_by_role("button").click()
+    expect(head).to_have_attribute("aria-sort", "ascending")
+    expect(rows.first).to_contain_text("Constant")
+    head.get_by_role("button").click()
+    expect(rows.first).to_contain_text("Planned")
+    expect(table.locator("tr[data-known=lv]")).to_have_count(1)
+
+
+def test_every_figure_is_drawn_when_it_is_scrolled_to(paper: Page) -> None:
+    panels = paper.locator("figure[id^=figure-]")
+    expect(panels).to_have_count(len(FIGURES), timeout=PATIENCE_MS)
+    assert [int(panel.get_attribute("id").split("-")[1]) for panel in panels.all()] == FIGURES  # type: ignore[union-attr]
+    assert paper.locator("figure .scatterlayer .trace").count() == 0
+    for number in FIGURES:
+        panel = paper.locator(f"#figure-{number}")
+        panel.scroll_into_view_if_needed()
+        expect(panel.locator(".scatterlayer .trace").first).to_be_attached()
+    ticks = paper.locator("#figure-14 .xaxislayer-above text, #figure-14 .xtick text")
+    whole = ticks.all_inner_texts()
+    paper.get_by_text("Bump only").click()
+    paper.locator("#figure-14").scroll_into_view_if_needed()
+    expect(ticks.first).not_to_have_text(whole[0])
+
+
+def test_it_works_by_keyboard_and_for_a_screen_reader(dashboard: Dashboard, paper: Page) -> None:
+    page = paper
+    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Paper").focus()
+    expect(page.get_by_role("link", name="Paper")).to_have_attribute("aria-current", "page")
+    radios = page.get_by_role("radiogroup", name="Road preview").get_by_role("radio")
+    for _ in range(40):
+        page.keyboard.press("Tab")
+        if radios.first.evaluate("radio => radio === document.activeElement"):
+            break
+    expect(radios.first).to_be_focused()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    expect(page).to_have_url(re.compile(r"preview=none$"))
+    settled(page)
+    expect(page.get_by_test_id("sentences")).to_be_visible(timeout=PATIENCE_MS)
+    dashboard.expect_accessible()
+
+
+def test_on_a_phone_only_tables_scroll_sideways(paper: Page) -> None:
+    paper.set_viewport_size({"width": 400, "height": 800})
+    expect(paper.locator("figure[id^=figure-]").first).to_be_attached(timeout=PATIENCE_MS)
+    assert paper.evaluate("document.documentElement.scrollWidth") == 400
+    scrolls = "region => region.scrollWidth > region.clientWidth"
+    assert paper.get_by_role("region", name="Table 4").evaluate(scrolls)
+    # The verdict stands under the signal's name, in sight without scrolling.
+    row = paper.locator("table[data-table='4'] tr[data-verdict]").first
+    expect(row.locator("th").get_by_text(re.compile("|".join(VERDICTS)))).to_be_visible()
+    paper.get_by_role("button", name="Pages").click()
+    expect(paper.get_by_role("menuitem", name="Lab")).to_be_visible()
+
+
+def test_the_scenario_opens_in_the_lab(dashboard: Dashboard, paper: Page) -> None:
+    paper.get_by_role("button", name="Open this scenario in the lab").click()
+    expect(paper).to_have_url(re.compile(r"/r/"))
+    dashboard.expect_curves()
+    assert dashboard.stored_run()["scenario"] == answer(paper)["scenario"]
