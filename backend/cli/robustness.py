@@ -131,7 +131,7 @@ def _row(name: str, figure: Mapping[str, Any], percents: Sequence[float], event:
         label(name),
         shown(figure["nominal"], 4),
         *(shown(_quantile(figure, percents, at), 4) for at in (50, 5, 95, 100)),
-        "-" if figure["highest"] is None else str(figure["highest"]["run"]),
+        "-" if figure["highest"] is None or (event and not figure["above_zero"]) else str(figure["highest"]["run"]),
         *([f"{figure['above_zero']} of {figure['n']}"] if event else _compared(figure["margin"], percents)),
         _follows(figure["sensitivity"]),
     ]

@@ -1,4 +1,4 @@
-"""docs/cli.md and docs/api.md: what they show is what the commands print, run here again in order.
+"""docs/cli.md, docs/api.md and docs/robustness.md: what they show is what the commands print, run here again in order.
 
 `UPDATE_DOCS=1 python -m pytest tests/api/test_cli_docs.py` prints the outputs into the pages anew.
 """
@@ -114,7 +114,7 @@ def lasting(text: str) -> str:
     return text
 
 
-@pytest.mark.parametrize("name", ["cli.md", "api.md"])
+@pytest.mark.parametrize("name", ["cli.md", "api.md", "robustness.md"])
 def test_a_page_shows_what_its_commands_print(name: str, client: httpx.Client, tmp_path: Path) -> None:
     page = Page(name, str(client.base_url).rstrip("/"), tmp_path)
     again = page.again()

@@ -6,6 +6,7 @@ import { formatNumber, formatResult, prettyUnit } from "../units/format";
 import classes from "./robustness.module.css";
 import { scaleTo } from "./scale";
 import { quantile, type FigureSummary } from "./summary";
+import styles from "./bars.module.css";
 
 interface Props {
   readonly summary: BatchSummary;
@@ -21,19 +22,19 @@ export function Intervals({ summary, strategies, figure }: Props) {
   const most = Math.max(0, ...rows.flatMap(({ found }) => [found.highest?.value ?? 0, found.nominal ?? 0]));
   const { end, ticks } = scaleTo(most * figure.scale);
   return (
-    <figure className={classes.panel} data-figure={figure.key}>
-      <figcaption className={classes.panelTitle}>
+    <figure className={styles.panel} data-figure={figure.key}>
+      <figcaption className={styles.panelTitle}>
         {figure.label} <span className={classes.dim}>{prettyUnit(figure.unit)}</span>
       </figcaption>
       {rows.map(({ strategy, found }) => (
-        <div key={strategy.id} className={classes.interval}>
-          <span className={classes.intervalName}>{strategy.label}</span>
+        <div key={strategy.id} className={styles.interval}>
+          <span className={styles.intervalName}>{strategy.label}</span>
           <Track {...{ summary, strategy, found, figure, end }} />
         </div>
       ))}
-      <div className={classes.interval} aria-hidden>
-        <span className={classes.intervalName} />
-        <span className={classes.axis}>
+      <div className={styles.interval} aria-hidden>
+        <span className={styles.intervalName} />
+        <span className={styles.axis}>
           {ticks.map((tick) => (
             <span key={tick} style={{ left: `${(100 * tick) / end}%` }}>
               {formatTick(tick)}
@@ -64,12 +65,12 @@ function Track({ summary, strategy, found, figure: { label, unit, scale }, end }
   const said = (value: number | null) => (value === null ? "none" : formatResult(value * scale));
   const words = `${strategy.label}, ${label}: median ${said(p50)}, 5 % ${said(p5)}, 95 % ${said(p95)}, worst ${said(found.highest?.value ?? null)}, nominal ${said(found.nominal)} ${prettyUnit(unit)}`;
   return (
-    <span className={classes.track} role="img" aria-label={words} title={words}>
-      <span className={classes.bar} style={span(p5, p95)} />
-      <span className={classes.box} style={span(p25, p75)} />
-      {p50 !== null && <span className={classes.median} style={{ left: place(p50) }} />}
-      {found.highest && <span className={classes.worst} style={{ left: place(found.highest.value), borderColor: strategy.colour }} />}
-      {found.nominal !== null && <span className={classes.nominal} style={{ left: place(found.nominal) }} />}
+    <span className={styles.track} role="img" aria-label={words} title={words}>
+      <span className={styles.bar} style={span(p5, p95)} />
+      <span className={styles.box} style={span(p25, p75)} />
+      {p50 !== null && <span className={styles.median} style={{ left: place(p50) }} />}
+      {found.highest && <span className={styles.worst} style={{ left: place(found.highest.value), borderColor: strategy.colour }} />}
+      {found.nominal !== null && <span className={styles.nominal} style={{ left: place(found.nominal) }} />}
     </span>
   );
 }

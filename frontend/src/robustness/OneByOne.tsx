@@ -12,10 +12,11 @@ import { tableQuery, useBatch } from "../batch/useBatch";
 import { formatPercent } from "../tables/change";
 import { formatResult, prettyUnit } from "../units/format";
 import { nameOf } from "./names";
-import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./oneByOne";
+import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
 import classes from "./robustness.module.css";
 import { TRAVEL } from "./summary";
 import { useOpenRun, type Opening } from "./useOpenRun";
+import styles from "./bars.module.css";
 
 interface Props {
   readonly id: string;
@@ -111,11 +112,11 @@ function Bars({ tornado: { nominal, bars }, figure, opening, batch }: BarsProps)
   const place = (value: number) => (value - least) / width;
   const base = `${formatResult(nominal * figure.scale)} ${prettyUnit(figure.unit)}`.trim();
   return (
-    <div className={classes.tornado} data-testid="tornado">
-      <div className={classes.tornadoRow} aria-hidden>
+    <div className={styles.tornado} data-testid="tornado">
+      <div className={styles.tornadoRow} aria-hidden>
         <span />
-        <span className={classes.tornadoTrack}>
-          <span className={classes.tornadoBase} style={shares(place(nominal))}>
+        <span className={styles.tornadoTrack}>
+          <span className={styles.tornadoBase} style={shares(place(nominal))}>
             {base}
           </span>
         </span>
@@ -138,10 +139,10 @@ function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, ba
   const change = ({ value }: End) => (nominal === 0 ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}` : formatPercent(100 * (value / nominal - 1)));
   const told = (end: End) => showCell(end.at, field.unit);
   return (
-    <div className={classes.tornadoRow} data-field={field.name}>
-      <span className={classes.tornadoName}>{nameOf(field.name)}</span>
-      <span className={classes.tornadoTrack}>
-        <span className={classes.tornadoLine} style={shares(place(nominal))} />
+    <div className={styles.tornadoRow} data-field={field.name}>
+      <span className={styles.tornadoName}>{nameOf(field.name)}</span>
+      <span className={styles.tornadoTrack}>
+        <span className={styles.tornadoLine} style={shares(place(nominal))} />
         {ends.map(({ side, end }) => {
           const [from, to] = [place(Math.min(nominal, end.value)), place(Math.max(nominal, end.value))];
           const left = end.value < nominal;
@@ -150,7 +151,7 @@ function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, ba
             <button
               key={side}
               type="button"
-              className={classes.tornadoBar}
+              className={styles.tornadoBar}
               data-side={side}
               data-worse={!left || undefined}
               disabled={opening.run !== null}
@@ -159,7 +160,7 @@ function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, ba
               aria-label={`${field.title} ${told(end)}: ${change(end)}; open it in the lab`}
               onClick={() => opening.open({ run, at: typeof end.at === "undefined" ? {} : { [field.name]: end.at } })}
             >
-              <span className={classes.tornadoLabel} data-left={left || undefined}>
+              <span className={styles.tornadoLabel} data-left={left || undefined}>
                 {told(end)} <b>{change(end)}</b>
               </span>
             </button>

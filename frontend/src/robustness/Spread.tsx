@@ -12,6 +12,7 @@ import { PlaceButton } from "./PlaceButton";
 import classes from "./robustness.module.css";
 import { quantile, type FigureSummary } from "./summary";
 import type { Opening } from "./useOpenRun";
+import styles from "./bars.module.css";
 
 interface Props {
   readonly summary: BatchSummary;
@@ -32,7 +33,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
         <SegmentedControl size="xs" aria-label="Figures" value={chosen} data={groups} onChange={setChosen} />
       </div>
       <Key />
-      <div className={classes.panels}>
+      <div className={styles.panels}>
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
@@ -115,21 +116,21 @@ function Row({ summary, strategy, figure, found, opening }: RowProps) {
 
 function Key() {
   return (
-    <Text component="div" size="xs" c="dimmed" className={classes.key ?? ""}>
+    <Text component="div" size="xs" c="dimmed" className={styles.key ?? ""}>
       <span>
-        <i className={classes.keyBar} /> 5 to 95 %
+        <i className={styles.keyBar} /> 5 to 95 %
       </span>
       <span>
-        <i className={classes.keyBox} /> 25 to 75 %
+        <i className={styles.keyBox} /> 25 to 75 %
       </span>
       <span>
-        <i className={classes.keyMedian} /> median
+        <i className={styles.keyMedian} /> median
       </span>
       <span>
-        <i className={classes.keyNominal} /> nominal: the scenario itself
+        <i className={styles.keyNominal} /> nominal: the scenario itself
       </span>
       <span>
-        <i className={classes.keyWorst} /> worst case
+        <i className={styles.keyWorst} /> worst case
       </span>
     </Text>
   );

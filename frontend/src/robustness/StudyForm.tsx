@@ -10,6 +10,7 @@ import { prettyUnit } from "../units/format";
 import classes from "./robustness.module.css";
 import { draftStudy, exactText, type RangeDraft, type StudyDraft } from "./study";
 import { useStudy } from "./useStudy";
+import rows from "./form.module.css";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -35,13 +36,13 @@ export function StudyForm({ defaults, strategies, form, scenario, head, made }: 
         if (estimate && !starting) start();
       }}
     >
-      <div className={classes.part}>{head}</div>
-      <div className={classes.part}>
+      <div className={rows.part}>{head}</div>
+      <div className={rows.part}>
         <h2 className={classes.heading}>What is uncertain</h2>
         <Text size="xs" c="dimmed">
           Anything between the two ends is equally likely. What is switched off stays as the scenario has it.
         </Text>
-        <div className={classes.ranges}>
+        <div className={rows.ranges}>
           {draft.ranges.map((range) => (
             <RangeRow
               key={range.field.name}
@@ -58,9 +59,9 @@ export function StudyForm({ defaults, strategies, form, scenario, head, made }: 
           </Text>
         )}
       </div>
-      <div className={classes.part}>
+      <div className={rows.part}>
         <StrategyChoice strategies={strategies} chosen={draft.strategies} error={errors.strategies} onChange={(ids) => patch({ strategies: ids })} />
-        <div className={classes.numbers}>
+        <div className={rows.numbers}>
           <TextInput
             size="xs"
             label="Samples"
@@ -92,7 +93,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, made }: 
           {message}
         </Alert>
       ))}
-      <div className={classes.footer}>
+      <div className={rows.footer}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
         <Button type="submit" disabled={estimate === undefined} loading={starting}>
           Start
@@ -115,7 +116,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
   const end = (key: "from" | "to", value: string) => (
     <TextInput
       size="xs"
-      className={classes.end ?? ""}
+      className={rows.end ?? ""}
       inputMode="decimal"
       aria-label={`${field.title}, ${key}`}
       value={value}
@@ -125,32 +126,32 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
     />
   );
   return (
-    <div className={classes.range} data-off={!on || undefined} data-field={field.name}>
+    <div className={rows.range} data-off={!on || undefined} data-field={field.name}>
       <Switch
         size="xs"
         checked={on}
         onChange={(event) => onChange({ on: event.currentTarget.checked })}
         label={
           <>
-            <span className={classes.rangeTitle}>{titleOf(field.name, field.title)}</span>
-            <span className={classes.why}>{why}</span>
+            <span className={rows.rangeTitle}>{titleOf(field.name, field.title)}</span>
+            <span className={rows.why}>{why}</span>
           </>
         }
       />
-      <div className={classes.ends}>
+      <div className={rows.ends}>
         {on ? (
           <>
             {end("from", from)}
             <span aria-hidden>–</span>
             {end("to", to)}
-            <span className={classes.unit}>{unit}</span>
+            <span className={rows.unit}>{unit}</span>
           </>
         ) : (
-          <span className={classes.exact}>{exactText(field, scenario)}</span>
+          <span className={rows.exact}>{exactText(field, scenario)}</span>
         )}
       </div>
       {error !== undefined && (
-        <Text id={`${id}-error`} size="xs" className={classes.error} role="alert">
+        <Text id={`${id}-error`} size="xs" className={rows.error} role="alert">
           {error}
         </Text>
       )}

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Batch, RobustnessDefaults } from "../api/types";
 import { FORM } from "../editor/form.fixture";
-import { isOneByOne, tornadoOf } from "./oneByOne";
+import { isOneByOne, tornadoOf } from "./tornado";
 import { scaleTo } from "./scale";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Followed } from "./summary";
