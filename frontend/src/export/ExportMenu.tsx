@@ -1,13 +1,14 @@
 /** Data, pictures and commands of what is shown. */
 
-import { Button, Menu, Modal, Textarea } from "@mantine/core";
-import { IconBrandPython, IconCheck, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "@tabler/icons-react";
+import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
+import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "@tabler/icons-react";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";
 import { useDesk, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { axisKey, makeScene } from "../state/scene";
+import { useController } from "../hil/useController";
 import shell from "../shell/shell.module.css";
 import { asCommand, asCurl, asPython, type Wanted } from "./copyAs";
 import classes from "./export.module.css";
@@ -35,6 +36,7 @@ export function ExportMenu() {
   const form = useQuery(schemaQuery).data;
   const [refused, setRefused] = useState<string | null>(null);
   const { copied, copy } = useCopied(setRefused);
+  const { save, saving, error: unsaved, reset } = useController();
   const runId = shown?.runId ?? null;
 
   const saveImage = (format: "png" | "svg") => {
@@ -64,6 +66,7 @@ export function ExportMenu() {
             leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
             classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
             disabled={!shown}
+            loading={saving}
           >
             {copied ? "Copied" : "Export"}
           </Button>
@@ -102,6 +105,10 @@ export function ExportMenu() {
               {format === "png" ? "PNG picture" : "SVG drawing"}
             </Menu.Item>
           ))}
+          <Menu.Label>As a program</Menu.Label>
+          <Menu.Item leftSection={<IconCpu size={16} />} onClick={() => save(lab.get().history?.present ?? shown?.scenario ?? {})}>
+            Export controller (C)
+          </Menu.Item>
           <Menu.Label>This run again, elsewhere</Menu.Label>
           {COPIES.map(({ label, icon: Icon, write }) => (
             <Menu.Item key={label} leftSection={<Icon size={16} />} onClick={() => copyAs(write)}>
@@ -110,6 +117,9 @@ export function ExportMenu() {
           ))}
         </Menu.Dropdown>
       </Menu>
+      <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported" closeButtonProps={{ "aria-label": "Close" }}>
+        <Text size="sm">{unsaved?.message}</Text>
+      </Modal>
       <Modal opened={refused !== null} onClose={() => setRefused(null)} title="Here it is: select and copy it" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
         <Textarea
           readOnly

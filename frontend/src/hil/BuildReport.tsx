@@ -1,16 +1,16 @@
 /** Whether the controller fits the part: memory and time of the scenario's own and of smaller ones, with what each loses. */
 
-import { Button, Skeleton, Text } from "@mantine/core";
+import { Button, Skeleton, Switch, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";
 import type { Catalogue, ControllerReport, Scenario } from "../api/types";
 import { formatPercent } from "../tables/change";
-import { VIEWS } from "../tables/ComparisonTable";
+import { headingOf, VIEWS } from "../tables/ComparisonTable";
 import tables from "../tables/tables.module.css";
 import { formatNumber, formatWhole } from "../units/format";
-import { formatTime, kilobytes, largestLoss } from "./effort";
+import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
 import classes from "./hil.module.css";
 
 interface Props {
@@ -57,6 +57,7 @@ export function BuildReport({ scenario, catalogue }: Props) {
 
 function Report({ report, catalogue }: { readonly report: ControllerReport; readonly catalogue: Catalogue }) {
   const { part, rows, sample_time: step, cycles_per_operation: cycles, spread } = report;
+  const [all, setAll] = useState(false);
   const [own, ...smaller] = rows;
   const fitting = smaller.filter(({ fits }) => fits);
   const least = fitting.toSorted((a, b) => largestLoss(a.changes) - largestLoss(b.changes))[0];
@@ -93,11 +94,19 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
                 Time a step <span className={classes.dim}>of {formatTime(step)}</span>
               </th>
               <th scope="col">Fits</th>
-              {VIEWS.map((view) => (
-                <th key={view.window} scope="col">
-                  {view.statistic === "rms" ? "RMS, rough road" : "Peak, bump"} <span className={classes.dim}>largest change to the simulation</span>
-                </th>
-              ))}
+              {VIEWS.map((view) =>
+                all ? (
+                  catalogue.paper_signals.map((signal) => (
+                    <th key={`${view.window} ${signal}`} scope="col">
+                      {labelOf(signal, catalogue)} <span className={classes.dim}>{headingOf(view, catalogue)}</span>
+                    </th>
+                  ))
+                ) : (
+                  <th key={view.window} scope="col">
+                    {headingOf(view, catalogue)} <span className={classes.dim}>furthest up</span>
+                  </th>
+                ),
+              )}
             </tr>
           </thead>
           <tbody>
@@ -115,31 +124,40 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
                 <td>{kilobytes(row.code + row.constants)}</td>
                 <td>{kilobytes(row.variables + part.stack)}</td>
                 <td>
-                  {formatWhole(row.operations.least)} – {formatWhole(row.operations.most)}
+                  {formatEnds(row.operations, formatWhole)}
                 </td>
                 <td>
-                  {formatTime(row.time.least)} – {formatTime(row.time.most)}
+                  {formatEnds(row.time, formatTime)}
                 </td>
                 <td>
                   <Fits fits={row.fits} reasons={row.reasons} />
                 </td>
-                {VIEWS.map(({ window }) => (
-                  <td key={window}>
-                    <Loss changes={row.changes[window] ?? {}} catalogue={catalogue} />
-                  </td>
-                ))}
+                {VIEWS.map(({ window }) =>
+                  all ? (
+                    catalogue.paper_signals.map((signal) => <td key={`${window} ${signal}`}>{shownChange(row.changes[window]?.[signal])}</td>)
+                  ) : (
+                    <td key={window}>
+                      <Loss changes={row.changes[window] ?? {}} catalogue={catalogue} />
+                    </td>
+                  ),
+                )}
               </tr>
             ))}
           </tbody>
         </table>
       </div>
+      <Switch size="xs" className={classes.all ?? ""} label="All eight figures" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
       <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
-        {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
+        The last columns: the change to LV in the simulation [%]. {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
         (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator that counts cycles as the processor’s manual does.
       </Text>
     </>
   );
 }
+
+const labelOf = (signal: string, catalogue: Catalogue) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
+
+const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
 
 function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: readonly string[] }) {
   const Icon = fits ? IconCheck : IconAlertTriangle;
@@ -154,12 +172,11 @@ function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: rea
 /** The change that is furthest up, and of what. */
 function Loss({ changes, catalogue }: { readonly changes: Readonly<Record<string, number | null>>; readonly catalogue: Catalogue }) {
   const known = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
-  const label = (signal: string) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
   const worst = known.toSorted((a, b) => b.change - a.change)[0];
   if (!worst) return <>–</>;
   return (
-    <span title={known.map(({ signal, change }) => `${label(signal)} ${formatPercent(change)}`).join("\n")}>
-      {formatPercent(worst.change)} <span className={classes.lossOf}>{label(worst.signal)}</span>
-    </span>
+    <>
+      {formatPercent(worst.change)} <span className={classes.lossOf}>{labelOf(worst.signal, catalogue)}</span>
+    </>
   );
 }

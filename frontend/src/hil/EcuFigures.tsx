@@ -36,7 +36,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
     const shown = fromRun(run, { series: series.data, missing: null }, 0, true);
     return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom });
   }, [run, series.data, strategies, ids, axis, zoom]);
-  const templates = catalogue.paper_signals.flatMap((signal) => Object.values(figures).find(({ layout }) => layout.meta.signal === signal) ?? []);
+  const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
     <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
       <header className={classes.head}>
@@ -68,7 +68,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           The time histories could not be read: {series.error.message}
         </Text>
       )}
-      <div className={plots.grid}>
+      <div className={classes.figures}>
         {scene ? (
           templates.map((template) => (
             <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, scene, palette }} series={scene.series} onZoom={setZoom} />
@@ -79,4 +79,14 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
       </div>
     </section>
   );
+}
+
+/** Drawn from the back to the front: what swings furthest would hide what is compared. */
+const ORDER: readonly string[] = ["lqr", "lv", "lv_hil"];
+
+function templatesOf(catalogue: Catalogue, figures: Props["figures"]): readonly FigureTemplate[] {
+  return catalogue.paper_signals.flatMap((signal) => {
+    const template = Object.values(figures).find(({ layout }) => layout.meta.signal === signal);
+    return template ? [{ ...template, data: template.data.toSorted((a, b) => ORDER.indexOf(a.meta.strategy) - ORDER.indexOf(b.meta.strategy)) }] : [];
+  });
 }

@@ -1,6 +1,6 @@
 /** LV in the ECU beside LV in the simulation: the paper's eight figures and the rule for them. */
 
-import { Text } from "@mantine/core";
+import { Anchor, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import type { Catalogue, FigureTemplate, Strategy, Summary } from "../api/types";
 import { headingOf, VIEWS } from "../tables/ComparisonTable";
@@ -70,6 +70,9 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
           ))}
         </table>
       </div>
+      <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
+        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" href="/paper">the paper page</Anchor>.
+      </Text>
       <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
     </section>
   );

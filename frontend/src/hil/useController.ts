@@ -15,10 +15,10 @@ function saveAs(blob: Blob, name: string): void {
 }
 
 export function useController() {
-  const { mutate, isPending, error } = useMutation({
+  const { mutate, isPending, error, reset } = useMutation({
     mutationFn: (scenario: Scenario) => api.controller(scenario),
     networkMode: "always",
     onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
   });
-  return { save: mutate, saving: isPending, error };
+  return { save: mutate, saving: isPending, error, reset };
 }
