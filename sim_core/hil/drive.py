@@ -65,13 +65,16 @@ def drive_hil(
         scenario.vehicle.wheelbase,
         scenario.mismatch,
     )
-    rate, force = scenario.actuator.rate_limit, scenario.actuator.saturation
+    rate, most = scenario.actuator.rate_limit, scenario.mpc.force_limit
+    saturation = scenario.actuator.saturation
     loop = HilLoop(
         plant=car,
         way=Way(forcing=disturbance @ car.E, preview=preview, stages=stages, per_control=n, step=way.step / n),
         calibration=known,
         hil=scenario.hil,
-        limits=Limits(rate=np.inf if rate is None else rate, force=np.inf if force is None else force),
+        limits=Limits(
+            rate=np.inf if rate is None else rate, force=most if saturation is None else min(most, saturation)
+        ),
     )
     with connect(known) as ecu:
         course = loop.run(ecu)

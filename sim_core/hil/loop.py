@@ -46,7 +46,7 @@ class Way:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
-    """Of the actuators: greatest change of a force [N/s] and greatest force [N]; infinite where there is none."""
+    """Of the actuators: greatest change of a force [N/s], infinite where there is none, and greatest force [N]."""
 
     rate: float
     force: float
@@ -162,4 +162,4 @@ class HilLoop:
         if np.isfinite(limits.rate):
             most = limits.rate * self._way.step
             wanted = present + np.clip(wanted - present, -most, most)
-        return np.clip(wanted, -limits.force, limits.force) if np.isfinite(limits.force) else wanted
+        return wanted if abs(wanted).max() <= limits.force else np.clip(wanted, -limits.force, limits.force)

@@ -17,7 +17,7 @@ from backend import digest, strict_json
 from backend.memory import Memory
 from backend.settings import Settings, SettingsError
 from backend.worker import Outcome
-from sim_core.scenario import Lqr, Mpc, Road, Scenario
+from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 
 
@@ -26,6 +26,7 @@ def test_a_result_depends_on_what_its_strategy_reads_and_nothing_else() -> None:
     edited = {
         "lqr weights": Scenario(lqr=Lqr(weights=(2, 1, 1))),
         "prediction horizon": Scenario(mpc=Mpc(prediction_horizon=25)),
+        "converters": Scenario(hil=Hil(bits=10)),
         "seed": Scenario(road=Road(seed=2)),
     }
     changed = {
@@ -34,7 +35,8 @@ def test_a_result_depends_on_what_its_strategy_reads_and_nothing_else() -> None:
     }
     assert changed == {
         "lqr weights": {"lqr"},
-        "prediction horizon": {"lv", "suspension_only"},
+        "prediction horizon": {"lv", "lv_hil", "suspension_only"},
+        "converters": {"lv_hil"},
         "seed": set(STRATEGIES),
     }
     assert len({digest.result_key(paper, s) for s in STRATEGIES}) == len(STRATEGIES)

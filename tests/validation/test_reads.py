@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from backend.hil.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Lqr, Mpc, Road, Scenario, Speed
-from sim_core.simulation import simulate
+from sim_core.scenario import Bump, Hil, Lqr, Mpc, Road, Scenario, Speed
 from sim_core.strategies import STRATEGIES, part_read
 
 ROOT = Path(__file__).parents[2]
@@ -22,6 +22,7 @@ BASE = Scenario(
     speed=Speed(initial_speed_kmh=45, detection_distance=30),
     mpc=Mpc(prediction_horizon=12, control_horizon=8, force_limit=2500, deflection_limit=0.05),
     lqr=Lqr(preview="lookahead", preview_horizon=12),
+    hil=Hil(bits=24, iterations=2, noise=0.002, jitter=0.004, packet_loss=0.05),
 )
 OTHER = {
     "cosine": "half_sine",
@@ -61,6 +62,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
     place[path[-1]] = altered(place[path[-1]])
     if path[0] == "actuator":
         place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 1200.0}[path[-1]]
+    if path == ("hil", "jitter"):  # whole milliseconds count
+        place[path[-1]] = 0.006
     return Scenario.model_validate(document)
 
 
