@@ -27,11 +27,11 @@ def modelled(calibration: Calibration) -> Iterator[Ecu]:
 
 
 class ModelEcu(Ecu):
-    """Predict, law, checks, dual active-set iterations, converters."""
+    """Predict, law, checks, dual active-set iterations, converters; `previous` is the last command [kN]."""
 
-    def __init__(self, calibration: Calibration) -> None:
+    def __init__(self, calibration: Calibration, previous: FloatArray | None = None) -> None:
         self._known = calibration
-        self._previous = np.zeros(FORCES)  # the last command [kN]
+        self._previous = np.zeros(FORCES) if previous is None else previous
         self._steps = np.concatenate(
             [
                 calibration.input_steps[:STATES],
