@@ -2,6 +2,7 @@
 
 import os
 
+import pytest
 from hypothesis import HealthCheck, Phase, settings
 
 pytest_plugins = ["tests.servers.fixtures"]
@@ -23,3 +24,11 @@ settings.register_profile(
 # To search new examples and shrink what fails: HYPOTHESIS_PROFILE=search python -m pytest tests/validation
 settings.register_profile("search", parent=settings.get_profile("fixed"), derandomize=False, phases=list(Phase))
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fixed"))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Who runs with whom where tests run on several processes: each file together, but the paper's files share runs."""
+    for item in items:
+        together = "api/test_paper" if "/api/test_paper" in item.path.as_posix() else item.path.as_posix()
+        item.add_marker(pytest.mark.xdist_group(together))

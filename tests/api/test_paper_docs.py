@@ -1,0 +1,86 @@
+"""docs/paper.md shows what the service answers; UPDATE_DOCS=1 writes it there."""
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+
+from sim_core.signals import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+PAGE = Path(__file__).parents[2] / "docs" / "paper.md"
+SIGNAL_NAMES = {key: item.label for key, item in SIGNALS.items()}
+
+
+def counts(answer: dict[str, Any]) -> Iterator[str]:
+    def told(reached: int, found: dict[str, int]) -> str:
+        return f"{reached} of {answer['total']} reached, {found['smaller']} smaller, {found['contradicts']} contradict"
+
+    yield f"With the road ahead known to the MPC: **{told(answer['reached'], answer['counts'])}**. Without preview: "
+    yield f"**{told(answer['without_preview']['reached'], answer['without_preview']['counts'])}**."
+
+
+def verdicts(answer: dict[str, Any]) -> Iterator[str]:
+    yield "| table | figure | of | against | paper | ours | 95 % | verdict | without preview |"
+    yield "|---|---|---|---|---:|---:|---|---|---|"
+    for cell in answer["cells"]:
+        claimed = f"{cell['paper_change']:+g} %"
+        if cell["misprint"]:
+            claimed = f"{cell['misprint']['follows']:+g} % (printed {claimed})"
+        blind = cell["without_preview"]
+        blindly = f"{worded(blind)}, {blind['our_change']:+.0f} %" if blind else ""
+        yield (
+            f"| {cell['table']} | {SIGNAL_NAMES[cell['signal']]} | {STRATEGIES[cell['strategy']].label} "
+            f"| {STRATEGIES[cell['against']].label} | {claimed} | {interval(cell)} | {worded(cell)} | {blindly} |"
+        )
+
+
+def interval(cell: dict[str, Any]) -> str:
+    low, high = cell["ci"]
+    return f"{cell['our_change']:+.1f} % | {low:+.1f} to {high:+.1f}"
+
+
+def worded(item: dict[str, Any]) -> str:
+    return item["verdict"] + ("" if item["certain"] else ", uncertain")
+
+
+def readings(answer: dict[str, Any], rows: list[dict[str, Any]]) -> Iterator[str]:
+    names = {item["id"]: item for item in answer["readings"]}
+    yield "| switch | turned to | reached | smaller | contradicts | verdicts changed |"
+    yield "|---|---|---:|---:|---:|---:|"
+    for row in rows:
+        item = names[row["reading"]]
+        label = next(choice["label"] for choice in item["choices"] if choice["id"] == row["choice"])
+        found = row["counts"]
+        numbers = f"{found['reached']} | {found['smaller']} | {found['contradicts']} | {row['changed']}"
+        yield f"| {item['title']} | {label} | {numbers} |"
+
+
+def with_blocks(page: str, blocks: dict[str, Iterator[str]]) -> str:
+    for name, lines in blocks.items():
+        written = "\n".join(line.rstrip() for line in lines)
+        page, times = re.subn(
+            rf"(<!-- {name} -->\n).*?(<!-- end -->)",
+            lambda found, text=written: f"{found[1]}{text}\n{found[2]}",
+            page,
+            flags=re.DOTALL,
+        )
+        assert times == 1, name
+    return page
+
+
+def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
+    answer = client.get("/api/v1/paper", timeout=120).json()
+    page = PAGE.read_text(encoding="utf-8")
+    blocks = {"counts": counts(answer), "verdicts": verdicts(answer)}
+    blocks["sentences"] = (f"- {line}" for line in client.get("/api/v1/paper/attribution").json()["sentences"])
+    if os.environ.get("UPDATE_DOCS"):  # what each switch does takes a minute or two: not in every run
+        while not (found := client.get("/api/v1/paper/readings", timeout=120).json())["complete"]:
+            pass
+        blocks["readings"] = readings(answer, found["rows"])
+        PAGE.write_text(with_blocks(page, blocks), encoding="utf-8")
+    else:
+        assert with_blocks(page, blocks) == page
