@@ -107,7 +107,7 @@ def _compared(
     """One point against the paper's weights, the training roads beside the fresh ones."""
     roads = f"trained on {_spans(answer['seeds'])}, fresh {_spans(answer['fresh_seeds'])}"
     yield f"Trial {point['trial']} against the paper's weights; {roads}"
-    heads = ["mean of", "paper", "trained", "change", "paper, fresh", "fresh", "change, fresh (95 %)", ""]
+    heads = ["mean of", "paper", "tuned", "change", "paper, fresh", "tuned, fresh", "change, fresh (95 %)", ""]
     rows = []
     for figure in figures:
         kind, _, index = figure["key"].partition(".")

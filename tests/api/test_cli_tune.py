@@ -1,0 +1,153 @@
+"""`ridelab tune` against the real service: what it prints is what the service answers."""
+
+import json
+import re
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import httpx
+import pytest
+
+from backend.cli import tuned
+from backend.cli.reporting import InputError
+from backend.client import Ridelab
+from tests.api.test_cli import Cli, command, environment
+
+SCENARIO = {"road": {"length": 62, "bump": {"start": 45}}, "speed": {"detection_distance": 40}}
+ROADS = ("--seeds", "1-2", "--fresh", "11,12-13")
+SHORT = ("--strategy", "lqr", "--trials", "8", "--population", "4", *ROADS)
+
+
+@pytest.fixture
+def cli(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
+    return Cli(capfdbinary)
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Path:
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps(SCENARIO), encoding="utf-8")
+    return path
+
+
+def test_what_was_found_is_printed_and_can_be_written_and_run(cli: Cli, scenario: Path, tmp_path: Path) -> None:
+    out = tmp_path / "tuned.json"
+    limited = ("--limit", "comfort.actuator_peak_power=50000")
+    printed = cli(
+        "tune", scenario, *SHORT, "-o", "peaks@whole:1,2,1", "-o", "bump.front_tyre_load.peak", *limited, "--out", out
+    )
+    tuning_id = re.search(r"^tuning ([\w-]{22}): done, 8 trials, 0 failed$", cli.error, re.MULTILINE)
+    assert tuning_id is not None, cli.error
+    answer = json.loads(cli("tune", "--resume", tuning_id[1], "--json"))
+    assert answer["objectives"][0]["q"] == [1, 2, 1]
+    assert (answer["seeds"], answer["fresh_seeds"]) == ([1, 2], [11, 12, 13])
+    lines = printed.splitlines()
+    assert lines[1] == f"8 trials on roads 1-2, {answer['trials']['feasible']} within the limits"
+    assert lines[3].split("  ")[0] == "weights"
+    assert "Eq. 16 with peaks, whole run, q = 1, 2, 1" in lines[3]
+    assert lines[4].startswith("the paper's")
+    best = answer["best"][0]
+    row = next(line for line in lines if re.search(rf"best 1.* {best['number']} ", line))
+    assert f"{best['values'][0]:.4g}" in row
+    assert ",".join(f"{each:.3g}" for each in best["weights"]["lqr.weights"]) in row
+    point = next(point for point in answer["comparison"]["points"] if point["trial"] == best["number"])
+    change = point["fresh"]["objectives.0"]["change"]
+    shown = f"{change['value']:+.1f} % ({change['low']:+.1f} .. {change['high']:+.1f})  {point['verdict'][0]}"
+    assert any(line.endswith(shown) for line in lines)
+    assert "trained on 1-2, fresh 11-13" in printed
+    assert cli("tune", "--resume", tuning_id[1]) == printed, "shown again, nothing is computed"
+    knee = answer["knee"]
+    assert json.loads(out.read_text())["lqr"]["weights"] == knee["weights"]["lqr.weights"]
+    run = json.loads(cli("run", out, "--strategy", "lqr", "--set", "road.seed=1", "--json"))
+    other = json.loads(cli("run", out, "--strategy", "lqr", "--set", "road.seed=2", "--json"))
+    peaks = [each["strategies"]["lqr"]["metrics"]["bump"]["front_tyre_load"]["peak"] for each in (run, other)]
+    assert sum(peaks) / 2 == pytest.approx(knee["values"][1], rel=1e-13)
+
+
+def test_more_trials_and_none_that_keeps_the_limits(cli: Cli, scenario: Path) -> None:
+    impossible = ("--limit", "comfort.actuator_peak_power=-1")
+    answer = json.loads(cli("tune", scenario, *SHORT, *impossible, "--json", code=1))
+    assert (answer["state"], answer["trials"]["feasible"]) == ("done", 0)
+    printed = cli("tune", "--resume", answer["id"], "--trials", "12", code=1)
+    assert "12 trials on roads 1-2, 0 within the limits" in printed
+    assert "best" not in printed
+
+
+def test_a_detached_one_goes_on_without_the_command(cli: Cli, scenario: Path, client: httpx.Client) -> None:
+    printed = cli("tune", scenario, *SHORT, "--seed", "3", "--detach")
+    tuning_id = printed.strip()
+    assert f"ridelab tune --resume {tuning_id} --server" in cli.error
+    with Ridelab(str(client.base_url)) as ridelab:
+        tuning = ridelab.get_tuning(tuning_id)
+        told: list[int] = []
+        tuning.wait(lambda each: told.append(each.done))
+        assert (tuning.state, tuning.done, tuning.failed, tuning.total) == ("done", 8, 0, 8)
+        assert told == sorted(told)
+        assert len(tuning.trials()) == 8
+        assert tuning.trials()[0] == tuning.paper
+        assert tuning.best[0] in tuning.front
+        assert (tuning.knee, tuning.feasible) == (None, 8)
+        assert tuning.comparison is not None
+        assert repr(tuning) == f"Tuning({tuning_id}: done, 8 done, 0 failed of 8)"
+        assert tuning.resume(12).wait().done == 12
+        same = {"scenario": SCENARIO, "strategy": "lqr", "trials": 2}
+        assert ridelab.tune(same, idempotency_key="tune-once").id == ridelab.tune(same, idempotency_key="tune-once").id
+        assert ridelab.estimate_tuning(same)["generations"] == 1
+
+
+def test_a_dry_run_says_how_much_it_would_be(cli: Cli, scenario: Path) -> None:
+    assert re.fullmatch(r"33 runs in 2 generations, about [\d.e-]+ s\n", cli("tune", scenario, *SHORT, "--dry-run"))
+    assert json.loads(cli("tune", scenario, *SHORT, "--dry-run", "--json"))["runs"] == 8 * 2 + 4 * 3 + 5
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--strategy", "passive"], "strategy: Input should be 'lv', 'suspension_only' or 'lqr'"),
+        (["-o", "paper:1,2"], "objectives[0].q[2]: Field required"),
+        (["-o", "paper:a,b,c"], "--objective paper:Q1,Q2,Q3 takes three numbers"),
+        (["-o", "travel"], "objectives[0].figure: Unknown figure; there are rough_road.body_acceleration.rms"),
+        (["--limit", "travel_time"], "--limit takes FIGURE=MOST"),
+        (["--search", "lqr.weight=1:2"], "lqr.weight: Unknown field; there are lqr.weights"),
+        (["--search", "lqr.weights.0=1:2"], "search: The weights of this strategy are mpc.stage_weights.cruise.0"),
+        (["--seeds", "4-1"], "--seeds takes whole numbers and spans of them"),
+        (["--fresh", "1-4"], "fresh_seeds: A fresh road is none that was trained on"),
+        (["--resume", "x" * 22], "There is no tuning of this id."),
+    ],
+)
+def test_what_cannot_be_used_is_named(cli: Cli, arguments: list[str], said: str) -> None:
+    assert cli("tune", *arguments, code=2) == ""
+    assert cli.error.startswith(said), cli.error
+
+
+def test_seeds_and_objectives_as_they_are_typed() -> None:
+    assert tuned.seeds("1-3, 7,10-10", "--seeds") == [1, 2, 3, 7, 10]
+    assert tuned.seeds(None, "--seeds") is None
+    assert tuned.objective("peaks") == {"kind": "peaks"}
+    assert tuned.objective("paper@bump:1,0,2.5") == {"kind": "paper", "window": "bump", "q": [1, 0, 2.5]}
+    with pytest.raises(InputError):
+        tuned.seeds("1-2000000", "--seeds")
+
+
+def test_ctrl_c_cancels_and_says_how_to_go_on(client: httpx.Client, scenario: Path) -> None:
+    server = str(client.base_url).rstrip("/")
+    arguments = command("tune", str(scenario), "--strategy", "lqr", "--trials", "4000", "--server", server)
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    end = time.monotonic() + 60
+    while True:
+        assert time.monotonic() < end
+        newest = client.get("/api/v1/tunings?limit=1").json()["tunings"]
+        if newest and newest[0]["trials"]["total"] == 4000 and newest[0]["trials"]["done"]:
+            break
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    first, second = said.splitlines()
+    tuning = client.get(f"/api/v1/tunings/{newest[0]['id']}").json()
+    assert tuning["state"] == "cancelled"
+    assert first == f"Cancelled after {tuning['trials']['done']} of 4000 trials, which stay stored"
+    assert second == f"To go on: ridelab tune --resume {tuning['id']} --server {server}"
