@@ -13,7 +13,7 @@ run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
 
 test: setup check ## everything: style, types, import rules, all tests, browser included
-	$(BIN)/python -m pytest tests --ignore tests/drill --numprocesses 2 --dist loadgroup
+	$(BIN)/python -m pytest tests --ignore tests/drill --numprocesses 2 --dist loadfile
 
 drill: setup ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
 	$(BIN)/python -m pytest tests/drill -s
@@ -43,6 +43,7 @@ ecu: setup ## the ECU's program: C sources in build/ecu, the program beside them
 	$(MAKE) --directory build/ecu
 	$(BIN)/python -m backend.hil --program build/ecu/ridelab_ecu
 	$(BIN)/python -m backend.hil
+	$(BIN)/python -m benchmarks.ecu
 
 setup: $(VENV)/.installed $(BIN)/ridelab frontend/dist/index.html
 

@@ -1,0 +1,70 @@
+"""What an operation of the ECU's controller costs on its processor, by emulation: `python -m benchmarks.ecu`.
+
+backend/hil/effort.py has the result as CYCLES_PER_OPERATION and SPREAD; tests/unit/test_ecu_export.py holds it to them.
+"""
+
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from backend.hil import effort, firmware
+from backend.hil.link import ProcessEcu, connected
+from benchmarks.cortex_m3 import CortexM3
+from sim_core.hil.calibration import Calibration, Checked
+from sim_core.hil.ecu import Ecu, Frame, Reply
+from sim_core.scenario import Mpc, Scenario
+from sim_core.simulation import ecu_calibration, simulate_ecu
+
+SIZES: tuple[tuple[int, int, Checked], ...] = ((30, 20, "all"), (30, 20, "few"), (15, 10, "all"), (8, 4, "all"))
+RANKS = (-1, -5, -20, -100)  # the busiest steps, from the end
+
+
+class _Noting(Ecu):
+    def __init__(self) -> None:
+        self.steps: list[tuple[Frame, Reply, int]] = []
+        self._program: ProcessEcu | None = None
+
+    @contextmanager
+    def connect(self, known: Calibration) -> Iterator[Ecu]:
+        with connected(known) as self._program:
+            yield self
+
+    def exchange(self, frame: Frame) -> Reply:
+        assert self._program is not None  # noqa: S101
+        reply = self._program.exchange(frame)
+        self.steps.append((frame, reply, self._program.operations[-1]))
+        return reply
+
+
+def main() -> None:
+    """Emulate quiet and busy steps of several controllers on a drive with tight limits."""
+    ratios = []
+    print("Np  Nc  limits  iterations  operations  instructions     cycles  cycles/operation  stack")
+    for prediction, control, checked in SIZES:
+        mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
+        scenario = Scenario(mpc=mpc)
+        known, noting = ecu_calibration(scenario, checked), _Noting()
+        simulate_ecu(scenario, known, noting.connect)
+        machine = CortexM3(firmware.image(known))
+        machine.call("ridelab_firmware_start")
+        order = sorted(range(1, len(noting.steps)), key=lambda k: noting.steps[k][2])
+        for k in (order[0], *(order[rank] for rank in RANKS)):
+            frame, reply, operations = noting.steps[k]
+            before = np.array(noting.steps[k - 1][1].commands) * known.command_step
+            machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
+            codes = frame.codes.astype("<i4").tobytes()
+            machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + codes)
+            spent = machine.call("ridelab_firmware_step")
+            ratios.append(spent.cycles / operations)
+            print(
+                f"{prediction:<4}{control:<4}{checked:<6}{reply.iterations:>12}{operations:>12}{spent.instructions:>14}"
+                f"{spent.cycles:>11}{ratios[-1]:>18.1f}{spent.stack:>7}"
+            )
+    spread = max(abs(ratio / effort.CYCLES_PER_OPERATION - 1) for ratio in ratios)
+    print(f"{effort.CYCLES_PER_OPERATION:g} cycles an operation are within {100 * spread:.0f} % of these")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,218 @@
+"""The exported sources are complete, the same every time, and what lv_hil drives; what they take on their part."""
+
+import io
+import json
+import re
+import struct
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from backend.hil import build, effort, export, firmware, tables
+from backend.hil.link import connected
+from backend.hil.realtime import PacedEcu, Timing, spread
+from backend.hil.report import Variant
+from benchmarks.cortex_m3 import CortexM3, measured
+from sim_core.hil.calibration import Calibration
+from sim_core.hil.channels import PREVIEW, SENSORS
+from sim_core.hil.ecu import Ecu, Frame, Reply
+from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
+from sim_core.simulation import ecu_calibration, simulate_ecu
+
+SMALL = Scenario(
+    road=Road(length=40, bump=Bump(start=20, width=3, height=0.09)),
+    speed=Speed(initial_speed_kmh=45, target_speed_kmh=30, detection_distance=15),
+    mpc=Mpc(prediction_horizon=10, control_horizon=6, force_limit=1500, deflection_limit=0.03),
+    hil=Hil(bits=16),
+)
+
+
+@pytest.fixture(scope="module")
+def known() -> Calibration:
+    return ecu_calibration(SMALL)
+
+
+@pytest.fixture(scope="module")
+def image(known: Calibration) -> firmware.Image:
+    return firmware.image(known)
+
+
+def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_program(
+    tmp_path: Path, known: Calibration
+) -> None:
+    content = export.zipped(known, SMALL.model_dump_json())
+    assert content == export.zipped(ecu_calibration(SMALL), SMALL.model_dump_json())
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        archive.extractall(tmp_path)
+    folder = tmp_path / export.FOLDER
+    compiler = " ".join(build.compilers()[0])
+    made = subprocess.run(
+        ["make", f"CC={compiler}", "CFLAGS=-std=c99 -O1 -Wall -Wextra -Werror"], cwd=folder, check=False
+    )
+    assert made.returncode == 0
+    assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == SMALL
+    exported = simulate_ecu(SMALL, known, partial(connected, program=folder / "ridelab_ecu"))
+    loaded = simulate_ecu(SMALL, known, connected)
+    assert exported.summary() == loaded.summary()
+    assert all(np.array_equal(exported.series[key], loaded.series[key]) for key in loaded.series)
+    assert loaded.events["limited_steps"] > 5
+
+
+def test_numbers_survive_being_written_as_c(known: Calibration) -> None:
+    text = tables.tables_source(known)
+    for name, values in (("a", known.A), ("bump_gram", known.stages[2].gram), ("cruise_effects", known.stages[0].rows)):
+        body = re.search(rf"float {name}\[(\d+)\] = {{(.*?)}};", text, re.DOTALL)
+        assert body is not None
+        numbers = [np.float32(number.rstrip("f")) for number in re.findall(r"[-+.\de]+f", body[2])]
+        assert len(numbers) == int(body[1]) == values.size
+        assert np.array_equal(np.array(numbers), values.astype(np.float32).ravel())
+
+
+def test_the_header_names_every_channel_with_its_range(known: Calibration) -> None:
+    header = tables.calibration_header(known)
+    for channel in (*SENSORS, *PREVIEW):
+        assert f"{channel.label.lower()}, +-{channel.reach:g} {channel.unit}" in header
+    assert f"0x{tables.fingerprint(known):08x}u" in header
+    other = ecu_calibration(SMALL.model_copy(update={"hil": Hil(bits=15)}))
+    assert tables.fingerprint(other) != tables.fingerprint(known)
+
+
+def test_the_c_code_keeps_the_habits_it_claims() -> None:
+    """No library but the compiler's own, no dynamic memory, no double."""
+    for name in export.CONTROLLER:
+        code = re.sub(r"/\*.*?\*/", "", (build.SOURCES / name).read_text(), flags=re.DOTALL)
+        assert set(re.findall(r"#include <(.*?)>", code)) <= {"stdint.h"}, name
+        assert not re.search(r"\b(malloc|free|double|goto|while)\b", code), name
+        assert not re.search(r"\d\.\d+(?!\d|f|e)", code), f"{name}: a double constant"
+
+
+def test_the_image_holds_what_the_tables_take(known: Calibration, image: firmware.Image) -> None:
+    """Constants are the float32 tables and little else; variables the controller, one input and one output."""
+    numbers = sum(stage.rows.size + stage.gram.size for stage in known.stages)
+    numbers += 11 + 64 + 16 + 24 + known.row_count
+    assert 0 <= image.sections[".rodata"] - (4 * numbers + known.row_count) < 256
+    assert image.flash == image.sections[".text"] + image.sections[".rodata"] + image.sections.get(".data", 0)
+    columns = 10 + 3 * known.intervals
+    least = 4 * (columns + known.row_count + 9 + 3 * known.preview_length + 4)
+    assert least < image.ram < least + 4 * (tables.most_active(known) + 8) ** 2
+    assert len(image.segments[0][1]) == image.sections[".text"]
+
+
+class Noting(Ecu):
+    """Passes frames to the program and keeps them, with the commands and how many operations they took."""
+
+    def __init__(self) -> None:
+        self.seen: list[tuple[Frame, tuple[int, int], int]] = []
+
+    @contextmanager
+    def connect(self, known: Calibration) -> Iterator[Ecu]:
+        with connected(known) as self._program:
+            yield self
+
+    def exchange(self, frame: Frame) -> Reply:
+        reply = self._program.exchange(frame)
+        self.seen.append((frame, reply.commands, self._program.operations[-1]))
+        return reply
+
+
+def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
+    known: Calibration, image: firmware.Image
+) -> None:
+    """The emulated Cortex-M3 gives each command to the bit, and an operation's cycles as `effort` has them."""
+    noting = Noting()
+    simulate_ecu(SMALL, known, noting.connect)
+    frames = noting.seen
+    machine = CortexM3(image)
+    machine.call("ridelab_firmware_start")
+    busiest = max(range(len(frames)), key=lambda k: frames[k][2])
+    ratios, deepest = [], 0
+    for k in (0, 1, busiest - 2, busiest - 1, busiest, busiest + 1):
+        frame, commands, operations = frames[k]
+        before = np.array(frames[k - 1][1] if k else (0, 0)) * known.command_step
+        machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
+        machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + frame.codes.astype("<i4").tobytes())
+        spent = machine.call("ridelab_firmware_step")
+        assert struct.unpack("<2i", machine.read("ridelab_firmware_output", 8)) == commands
+        ratios.append(spent.cycles / (operations * effort.CYCLES_PER_OPERATION))
+        deepest = max(deepest, spent.stack)
+        assert spent.instructions < spent.cycles < 2 * spent.instructions
+    assert max(abs(ratio - 1) for ratio in ratios) <= effort.SPREAD
+    assert deepest <= effort.STM32F103.stack
+
+
+def test_instructions_are_timed_as_the_manual_has_them() -> None:
+    """ADDS 1; LDR 2; PUSH of four 5; UMULL 5; UDIV 12; LDRD 3."""
+    known = {
+        "0818": (1, 1),
+        "0868": (1, 2),
+        "70b5": (1, 5),
+        "a0fb0301": (1, 5),
+        "b0fbf1f0": (1, 12),
+        "d0e90012": (1, 3),
+    }
+    for code, expected in known.items():
+        assert measured(bytes.fromhex(code)) == expected, code
+
+
+def test_a_variant_is_never_more_than_the_scenarios_own() -> None:
+    changed = Variant(prediction=20, control=10, iterations=4).of(SMALL)
+    assert (changed.mpc.prediction_horizon, changed.mpc.control_horizon, changed.hil.iterations) == (10, 6, 4)
+    assert Variant().of(SMALL) == SMALL
+
+
+def test_late_answers_are_misses_and_never_taken_for_a_later_step() -> None:
+    class Slow:
+        """Answers each frame 1.5 periods later."""
+
+        def __init__(self) -> None:
+            self.queue: list[tuple[float, int]] = []
+
+        def send(self, frame: Frame) -> None:
+            self.queue.append((time.monotonic() + 0.03, frame.step))
+
+        def receive(self, deadline: float) -> tuple[int, str] | None:
+            if self.queue and self.queue[0][0] <= deadline:
+                due, step = self.queue.pop(0)
+                time.sleep(max(0.0, due - time.monotonic()))
+                return step, "late"
+            time.sleep(max(0.0, deadline - time.monotonic()))
+            return None
+
+    timing = Timing()
+    ecu = PacedEcu(Slow(), 0.02, timing)  # type: ignore[arg-type]
+    blank = np.zeros(1, dtype=np.int32)
+    assert [ecu.exchange(Frame(step=k, stage=0, codes=blank)) for k in range(4)] == [None] * 4
+    assert timing.misses == 4
+    assert len(timing.lateness) == 4
+    assert timing.latency == []
+
+
+def test_a_histogram_counts_everything_once() -> None:
+    found = spread([0.0, 1e-5, 1e-3, 5.0], 0.01)
+    assert found is not None
+    assert sum(found["counts"]) == 4
+    assert len(found["edges"]) == len(found["counts"]) + 1
+    assert found["counts"][0] == found["counts"][-1] == 1
+    assert found["most"] == 5.0
+    assert spread([], 0.01) is None
+
+
+def test_the_module_prints_the_report_and_refuses_another_scenarios_program(tmp_path: Path) -> None:
+    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-m", "backend.hil", *arguments]
+        return subprocess.run(command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2])
+
+    (tmp_path / "scenario.json").write_text(json.dumps({"road": {"length": 4}}))
+    assert run(str(tmp_path / "scenario.json"), "--export", str(tmp_path / "out")).returncode == 2
+    assert run("--build").stdout.strip() == str(build.program())
+    wrong = run("--program", str(build.program()))
+    assert wrong.returncode == 1
+    assert "ended at its start" in wrong.stderr, "it waits for tables that an exported program has"

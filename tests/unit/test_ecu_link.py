@@ -1,0 +1,206 @@
+"""The connection to the ECU's process: who may drive it, what misbehaving leads to, and that nothing stays."""
+
+import os
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import psutil
+import pytest
+
+from backend.hil import build, drive, link
+from backend.hil.build import EcuError
+from backend.hil.drive import EcuUnavailableError
+from backend.hil.link import connected
+from backend.hil.tables import fingerprint
+from sim_core.hil.calibration import Calibration
+from sim_core.hil.ecu import Frame
+from sim_core.scenario import Mpc, Scenario
+from sim_core.simulation import ecu_calibration
+
+ROOT = Path(__file__).parents[2]
+SMALL = Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2))
+PEER = """#!{python}
+import os, socket, struct, sys, time
+token = os.read(0, 32)
+link = socket.create_connection(("127.0.0.1", int(sys.argv[1])))
+def hello(token, fingerprint):
+    link.sendall(b"RIDELAB1" + token + struct.pack("<I", fingerprint))
+def frame():
+    return link.recv(4096)
+def answer(step, flags=0):
+    link.sendall(struct.pack("<IiiiIfII", step, 0, 0, flags, 0, 0.0, 0, 0))
+FINGERPRINT = {fingerprint}
+{body}
+"""
+
+
+@pytest.fixture(scope="module")
+def known() -> Calibration:
+    return ecu_calibration(SMALL)
+
+
+def frame(known: Calibration, step: int = 0, stage: int = 0) -> Frame:
+    return Frame(step=step, stage=stage, codes=np.zeros(8 + 3 * known.preview_length, dtype=np.int32))
+
+
+def peer(place: Path, known: Calibration, body: str) -> Path:
+    """A program of ours that behaves so."""
+    path = place / "peer"
+    path.write_text(PEER.format(python=sys.executable, fingerprint=fingerprint(known), body=body))
+    path.chmod(0o755)
+    return path
+
+
+@pytest.fixture(autouse=True)
+def nothing_stays(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Whatever happened, no child is left, running or as a zombie, and soon."""
+    monkeypatch.setattr(link, "START", 4.0)
+    monkeypatch.setattr(link, "END", 0.3)
+    before = {child.pid for child in psutil.Process().children()}
+    yield
+    assert {child.pid for child in psutil.Process().children()} <= before
+
+
+def test_the_program_answers_and_forgets_between_connections(known: Calibration) -> None:
+    for _ in range(2):
+        with connected(known) as ecu:
+            codes = frame(known).codes
+            codes[4] = 50
+            first = ecu.exchange(Frame(step=7, stage=2, codes=codes))
+            assert first.commands != (0, 0)
+            assert ecu.exchange(Frame(step=8, stage=2, codes=codes)).commands != first.commands, "it remembers its last"
+            assert len(ecu.operations) == len(ecu.computing_ns) == 2
+
+
+MISBEHAVIOURS = {
+    "ends at once": ("sys.exit(9)", "ended at its start"),
+    "has no token": ("hello(bytes(32), FINGERPRINT); time.sleep(9)", "did not connect in time"),
+    "says nothing": ("time.sleep(9)", "did not connect in time"),
+    "has other tables": ("hello(token, FINGERPRINT ^ 1); time.sleep(9)", "another scenario"),
+    "hangs": ("hello(token, FINGERPRINT); frame(); time.sleep(9)", "did not answer within"),
+    "dies": ("hello(token, FINGERPRINT); frame(); os.kill(os.getpid(), 9)", "ended in the middle"),
+    "answers half": ("hello(token, FINGERPRINT); frame(); link.sendall(bytes(9)); sys.exit()", "ended in the middle"),
+    "answers another step": ("hello(token, FINGERPRINT); frame(); answer(5); time.sleep(9)", "nobody asked"),
+    "answers misuse": ("hello(token, FINGERPRINT); frame(); answer(0, -1); time.sleep(9)", "nobody asked"),
+}
+
+
+@pytest.mark.parametrize(("body", "reason"), MISBEHAVIOURS.values(), ids=MISBEHAVIOURS.keys())
+def test_a_peer_that_misbehaves_is_an_error_and_never_a_wait(
+    tmp_path: Path, known: Calibration, body: str, reason: str
+) -> None:
+    begin = time.monotonic()
+    program = peer(tmp_path, known, body)
+    with pytest.raises(EcuError, match=reason), connected(known, program, patience=1.0) as ecu:
+        ecu.exchange(frame(known))
+    assert time.monotonic() - begin < 8
+
+
+def test_a_program_that_does_not_start_is_an_error(tmp_path: Path, known: Calibration) -> None:
+    with pytest.raises(EcuError, match="does not start"), connected(known, tmp_path / "none"):
+        pass
+
+
+def test_a_stage_that_is_none_is_misuse(known: Calibration) -> None:
+    with pytest.raises(EcuError, match="nobody asked"), connected(known) as ecu:
+        ecu.exchange(frame(known, stage=3))
+
+
+def test_a_stranger_is_turned_away_while_the_program_is_awaited(tmp_path: Path, known: Calibration) -> None:
+    """Somebody else on this machine connects first; the program with the token is served all the same."""
+    stranger = "socket.create_connection(link.getpeername()).sendall(b'RIDELAB1' + bytes(36))"
+    body = f"{stranger}\nhello(token, FINGERPRINT)\nframe(); answer(0); frame()"
+    with connected(known, peer(tmp_path, known, body)) as ecu:
+        assert ecu.exchange(frame(known)).commands == (0, 0)
+
+
+def test_the_port_is_closed_once_the_program_is_there(known: Calibration, monkeypatch: pytest.MonkeyPatch) -> None:
+    ports = []
+    create = socket.create_server
+
+    def noted(*arguments: Any, **options: Any) -> socket.socket:
+        listener = create(*arguments, **options)
+        ports.append(listener.getsockname())
+        return listener
+
+    monkeypatch.setattr(socket, "create_server", noted)
+    with connected(known):
+        assert ports[0][0] == "127.0.0.1"
+        with pytest.raises(ConnectionRefusedError):
+            socket.create_connection(ports[0], timeout=1)
+
+
+def test_the_program_ends_with_a_plant_that_was_killed() -> None:
+    code = (
+        "import os, subprocess, sys\n"
+        "from backend.hil.link import connected\n"
+        "from sim_core.scenario import Mpc, Scenario\n"
+        "from sim_core.simulation import ecu_calibration\n"
+        "import psutil\n"
+        "with connected(ecu_calibration(Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2)))):\n"
+        "    print(psutil.Process().children()[0].pid, flush=True)\n"
+        "    sys.stdin.read()\n"
+    )
+    plant = subprocess.Popen(
+        [sys.executable, "-c", code], cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert plant.stdout is not None
+    pid = int(plant.stdout.readline())
+    assert psutil.pid_exists(pid)
+    plant.send_signal(signal.SIGKILL)
+    plant.communicate()
+    end = time.monotonic() + 10
+    while psutil.pid_exists(pid) and psutil.Process(pid).status() != psutil.STATUS_ZOMBIE:
+        assert time.monotonic() < end, "it outlived its plant"
+        time.sleep(0.02)
+
+
+def test_bad_tables_and_bad_arguments_end_the_program() -> None:
+    program = build.program()
+
+    def code(arguments: list[str], content: bytes) -> int:
+        return subprocess.run(
+            [program, *arguments], input=content, capture_output=True, check=False, timeout=10
+        ).returncode
+
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port = str(listener.getsockname()[1])
+        assert code([], b"") == 2
+        assert code(["0"], bytes(32)) == 2
+        assert code([port], bytes(31)) == 2
+        assert code([port], bytes(32)) == 3
+        huge = struct.pack("<I6i4f", 0, 10_000, 10_000, 10_000, 0, 30, 2047, 1, 5, 1, 1)
+        assert code([port], bytes(32) + huge + bytes(4096)) == 3
+
+
+def test_without_a_compiler_the_strategy_cannot_take_part(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv(build.FOLDER, str(tmp_path))
+    monkeypatch.setattr(build, "compilers", list)
+    build.program.cache_clear()
+    try:
+        with pytest.raises(EcuUnavailableError, match="no C compiler"):
+            drive.simulate(SMALL, "lv_hil")
+        assert drive.simulate(SMALL, "lv").travel_time > 0
+        monkeypatch.setattr(build, "compilers", lambda: [["false"], ["/nowhere/cc"]])
+        with pytest.raises(EcuUnavailableError, match=r"failed \(1\); the compiler does not start"):
+            drive.simulate(SMALL, "lv_hil")
+    finally:
+        build.program.cache_clear()
+
+
+def test_a_folder_of_somebody_else_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.delenv(build.FOLDER, raising=False)
+    monkeypatch.setattr("tempfile.gettempdir", lambda: str(tmp_path))
+    (tmp_path / f"ridelab-ecu-{os.getuid()}").mkdir()
+    (tmp_path / f"ridelab-ecu-{os.getuid()}").chmod(0o777)
+    with pytest.raises(EcuError, match="somebody else's"):
+        build.folder()
+    (tmp_path / f"ridelab-ecu-{os.getuid()}").chmod(0o700)
+    assert build.folder().parent == tmp_path
