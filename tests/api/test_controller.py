@@ -1,0 +1,148 @@
+"""The ECU's program over HTTP: `lv_hil` in runs and batches, its sources, its fit, a drive by the clock."""
+
+import io
+import threading
+import time
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import psutil
+import pytest
+
+from backend.client import Ridelab
+from backend.hil.models import ControllerReport, RealtimeReport
+from backend.settings import Settings
+from sim_core.scenario import Scenario
+from tests.api.conftest import Service, serve
+
+SMALL = {
+    "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
+    "speed": {"initial_speed_kmh": 50, "target_speed_kmh": 50},
+    "mpc": {"prediction_horizon": 6, "control_horizon": 3},
+}
+
+
+def post(service: Service, path: str, scenario: dict[str, Any] | None = None) -> httpx.Response:
+    return service.client.post(f"/api/v1/controller{path}", json={"scenario": scenario or SMALL}, timeout=120)
+
+
+def test_lv_hil_runs_the_program_in_a_process_of_its_own_which_is_gone_afterwards(service: Service) -> None:
+    answer = service.run(["lv_hil", "lv"], SMALL)
+    assert answer.status_code == 200
+    entry = answer.json()["strategies"]["lv_hil"]
+    assert entry["status"] == "ok"
+    assert entry["events"]["ecu_held_commands"] == 0
+    assert answer.json()["strategies"]["lv"]["events"]["ecu_held_commands"] is None
+    names = [process.name() for process in psutil.Process().children(recursive=True)]
+    assert not [name for name in names if name.startswith("ridelab_ecu")]
+
+
+def test_the_live_answer_and_the_time_histories_have_it_too(service: Service) -> None:
+    live = service.live(["lv_hil"], SMALL, points=50).json()["strategies"]["lv_hil"]
+    assert live["status"] == "ok"
+    run_id = service.run(["lv_hil"], SMALL).json()["id"]
+    series = service.client.get(f"/api/v1/runs/{run_id}/series", params={"format": "csv"})
+    assert series.status_code == 200
+    assert len(series.text.splitlines()) > 1000
+
+
+def test_the_archive_is_complete_and_the_same_every_time(service: Service) -> None:
+    first = post(service, "")
+    assert first.status_code == 200
+    assert first.headers["content-type"] == "application/zip"
+    assert first.headers["content-disposition"] == 'attachment; filename="ridelab-controller.zip"'
+    assert post(service, "").content == first.content
+    with zipfile.ZipFile(io.BytesIO(first.content)) as archive:
+        names = {name.removeprefix("ridelab-controller/") for name in archive.namelist()}
+        assert {"README.md", "Makefile", "ridelab_controller.c", "ridelab_tables.c", "host/ridelab_main.c"} <= names
+        scenario = Scenario.model_validate_json(archive.read("ridelab-controller/scenario.json"))
+    assert scenario == Scenario.model_validate(SMALL)
+
+
+def test_the_report_has_the_scenarios_own_controller_first(service: Service) -> None:
+    answer = post(service, "/report")
+    assert answer.status_code == 200, answer.text
+    ControllerReport.model_validate(answer.json(), strict=True)
+    rows = answer.json()["rows"]
+    assert (rows[0]["prediction_horizon"], rows[0]["control_horizon"], rows[0]["checked"]) == (6, 3, "all")
+    assert rows[0]["fits"] is True
+    assert len({(row["prediction_horizon"], row["checked"], row["iterations"]) for row in rows}) == len(rows)
+    for row in rows:
+        assert 0 < row["time"]["least"] <= row["time"]["most"]
+        assert row["fits"] == (not row["reasons"])
+
+
+def test_a_drive_by_the_clock_takes_as_long_as_the_drive(service: Service) -> None:
+    begin = time.monotonic()
+    answer = post(service, "/realtime")
+    assert answer.status_code == 200, answer.text
+    RealtimeReport.model_validate(answer.json(), strict=True)
+    found = answer.json()
+    assert time.monotonic() - begin > found["steps"] * found["deadline"]
+    assert found["steps"] > 150
+    in_time = sum(found["latency"]["counts"]) if found["latency"] else 0
+    assert in_time + found["misses"] == found["steps"] == sum(found["wake_up"]["counts"])
+
+
+def test_one_at_a_time(service: Service) -> None:
+    answers: list[httpx.Response] = []
+    first = threading.Thread(target=lambda: answers.append(post(service, "/realtime")))
+    first.start()
+    time.sleep(0.5)
+    second = post(service, "/report")
+    assert second.status_code == 429
+    assert int(second.headers["retry-after"]) > 0
+    first.join()
+    assert answers[0].status_code == 200
+    assert post(service, "/realtime").status_code == 200
+
+
+def test_a_drive_that_would_take_too_long_is_refused(service: Service) -> None:
+    answer = post(service, "/realtime", {"road": {"length": 1500}})
+    assert answer.status_code == 422
+    assert "at most 60 s" in answer.json()["detail"]
+
+
+def test_the_client_asks_for_all_three(service: Service) -> None:
+    with Ridelab(str(service.client.base_url)) as ridelab:
+        assert ridelab.controller(SMALL)[:2] == b"PK"
+        assert ridelab.realtime(SMALL)["steps"] > 150
+
+
+@pytest.fixture
+def without_compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Service]:
+    """A service that has nowhere to build the program."""
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("RIDELAB_ECU_DIR", str(tmp_path / "file" / "below"))
+    yield from serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1))
+
+
+def test_without_the_program_the_strategy_fails_with_the_reason_and_is_tried_again(
+    without_compiler: Service, tmp_path: Path
+) -> None:
+    first = without_compiler.run(["lv_hil", "passive"], SMALL).json()
+    assert first["strategies"]["passive"]["status"] == "ok"
+    assert first["strategies"]["lv_hil"]["status"] == "failed"
+    assert "no folder" in first["strategies"]["lv_hil"]["reason"]
+    assert (
+        without_compiler.client.get(f"/api/v1/runs/{first['id']}").json()["strategies"].keys()
+        == first["strategies"].keys()
+    )
+    report = post(without_compiler, "/report")
+    assert (report.status_code, report.json()["type"].rpartition(":")[2]) == (503, "ecu-unavailable")
+    body = {"scenario": SMALL, "strategies": ["lv_hil"], "sweep": {"grid": {"road.seed": [1]}}}
+    batch = without_compiler.client.post("/api/v1/batches", json=body).json()
+    end = time.monotonic() + 60
+    while batch["state"] not in ("done", "failed") and time.monotonic() < end:
+        time.sleep(0.2)
+        batch = without_compiler.client.get(f"/api/v1/batches/{batch['id']}").json()
+    assert (batch["state"], batch["failed"]) == ("done", 1)
+
+    (tmp_path / "file").unlink()  # now it can be built
+    second = without_compiler.run(["lv_hil", "passive"], SMALL).json()
+    assert second["strategies"]["lv_hil"]["status"] == "ok"
+    assert second["strategies"]["passive"]["cached"] is True
+    assert second["id"] != first["id"]
