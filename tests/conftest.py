@@ -1,9 +1,11 @@
 """Settings all tests share."""
 
 import os
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, Phase, settings
+from xdist.scheduler import LoadFileScheduling
 
 pytest_plugins = ["tests.servers.fixtures"]
 
@@ -26,9 +28,13 @@ settings.register_profile("search", parent=settings.get_profile("fixed"), derand
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fixed"))
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Who runs with whom where tests run on several processes: each file together, but the paper's files share runs."""
-    for item in items:
-        together = "api/test_paper" if "/api/test_paper" in item.path.as_posix() else item.path.as_posix()
-        item.add_marker(pytest.mark.xdist_group(together))
+class Together(LoadFileScheduling):
+    """On several processes each file's tests run on one, and so do the paper's, which share what they compute."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        file: str = super()._split_scope(nodeid)
+        return "tests/api/test_paper" if file.startswith("tests/api/test_paper") else file
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Together:
+    return Together(config, log)
