@@ -6,6 +6,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from statistics import fmean
 from typing import Any
 
 from pydantic import ValidationError
@@ -13,10 +14,12 @@ from pydantic import ValidationError
 from backend.hil import build, drive, export
 from backend.hil.build import EcuError
 from backend.hil.link import connected
-from backend.hil.realtime import changes
+from backend.hil.realtime import CELLS, changes
 from backend.hil.report import report
 from sim_core.errors import RidelabError
+from sim_core.margins import change
 from sim_core.scenario import Scenario
+from sim_core.signals import PAPER_SIGNALS
 from sim_core.simulation import ecu_calibration, simulate_ecu
 
 
@@ -26,6 +29,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("scenario", nargs="?", type=Path, help="JSON file; without one the paper's")
     parser.add_argument("--build", action="store_true", help="only build the program for this machine, and say where")
     parser.add_argument("--export", type=Path, metavar="DIR", help="write the C sources there")
+    parser.add_argument("--seeds", type=int, metavar="N", help="lv_hil against lv over roads 1 to N")
     parser.add_argument("--program", type=Path, metavar="FILE", help="drive this program, built from an export")
     chosen = parser.parse_args(arguments)
     try:
@@ -39,6 +43,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(f"C sources in {chosen.export}; make builds them")
         if chosen.program is not None:
             _drive(scenario, chosen.program)
+        elif chosen.seeds is not None:
+            _compare(scenario, chosen.seeds)
         elif chosen.export is None:
             for line in lines(report(scenario)):
                 print(line)
@@ -59,6 +65,24 @@ def _drive(scenario: Scenario, program: Path) -> None:
     for window, row in changes(result, drive.simulate(scenario, "lv")).items():
         cells = ", ".join(f"{key} {_percent(value)}" for key, value in row.items())
         print(f"against lv simulated, {window}: {cells}")
+
+
+def _compare(scenario: Scenario, seeds: int) -> None:
+    """Changes of the means over the roads and those of single roads; chance in the loop has the road's seed."""
+    found: dict[tuple[str, str, str], list[tuple[float, float]]] = {}
+    for seed in range(1, seeds + 1):
+        road, hil = (part.model_copy(update={"seed": seed}) for part in (scenario.road, scenario.hil))
+        seeded = scenario.model_copy(update={"road": road, "hil": hil})
+        one, base = (drive.simulate(seeded, name).metrics for name in ("lv_hil", "lv"))
+        for window, statistic in CELLS:
+            for key in PAPER_SIGNALS:
+                pair = (one[window][key][statistic], base[window][key][statistic])
+                found.setdefault((window, statistic, key), []).append(pair)
+    for (window, statistic, key), pairs in found.items():
+        mean = change(fmean(pair[0] for pair in pairs), fmean(pair[1] for pair in pairs))
+        single = [change(*pair) for pair in pairs]
+        roads = f"single roads {min(single):+.1f} to {max(single):+.1f} %"
+        print(f"{statistic:<5}{window:<11}{key:<20}{mean:>+7.1f} %   {roads}")
 
 
 def lines(content: Mapping[str, Any]) -> list[str]:

@@ -29,7 +29,10 @@ values = ["{batch}"]
 values = ["{link}"]
 
 [[operations]]
-include-operation-id = ["createRun", "live", "createBatch", "createLink", "getSeries", "getBatchTable"]
+include-operation-id = [
+    "createRun", "live", "createBatch", "createLink", "getSeries", "getBatchTable",
+    "exportController", "reportController", "driveByClock",
+]
 checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]
 
 [[operations]]
