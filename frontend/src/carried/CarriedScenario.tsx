@@ -31,14 +31,14 @@ export function CarriedScenario({ carried: { origin, scenario, presets, error, c
         error={wrong}
         disabled={disabled || presets.length === 0}
         data={[
-          ...(run === null ? [] : [{ value: "run", label: "The lab’s" }]),
+          ...(run === null ? [] : [{ value: "run", label: "From a run" }]),
           ...presets.map(({ id, label }) => ({ value: `preset ${id}`, label })),
         ]}
         onChange={({ currentTarget: { value } }) => choose(value === "run" ? { run, preset: null } : { run: null, preset: value.slice("preset ".length) })}
       />
       <Text size="xs" c="dimmed" className={classes.text ?? ""}>
         {scenario && form ? otherThanPaper(scenario, form) : "\u00a0"}{" "}
-        <Anchor size="xs" href={origin.run === null ? "/" : runAddress(origin.run)}>
+        <Anchor size="xs" underline="always" href={origin.run === null ? "/" : runAddress(origin.run)}>
           {origin.run === null ? "Make another in the lab" : "Change it in the lab"}
         </Anchor>
       </Text>
