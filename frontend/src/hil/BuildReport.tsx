@@ -80,7 +80,7 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
                 Np · Nc
               </th>
               <th scope="col">Limits checked</th>
-              <th scope="col">Iterations, most</th>
+              <th scope="col">Iterations</th>
               <th scope="col">
                 Flash <span className={classes.dim}>of {kilobytes(part.flash)}</span>
               </th>
@@ -118,7 +118,7 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
                 </th>
                 <td>{formatWhole(row.checked_rows)}</td>
                 <td>
-                  {formatWhole(row.iterations)}, {formatWhole(row.most_iterations)} used
+                  {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
                   {row.unfinished > 0 && <span className={classes.bad}>, {formatWhole(row.unfinished)} unfinished</span>}
                 </td>
                 <td>{kilobytes(row.code + row.constants)}</td>
@@ -148,7 +148,8 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
       </div>
       <Switch size="xs" className={classes.all ?? ""} label="All eight figures" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
       <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
-        The last columns: the change to LV in the simulation [%]. {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
+        The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own, they are the first move’s forces and every third deflection of the horizon.{" "}
+        {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
         (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator that counts cycles as the processor’s manual does.
       </Text>
     </>

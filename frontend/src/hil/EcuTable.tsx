@@ -71,7 +71,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
         </table>
       </div>
       <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
-        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" href="/paper">the paper page</Anchor>.
+        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" underline="always" href="/paper">the paper page</Anchor>.
       </Text>
       <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
     </section>

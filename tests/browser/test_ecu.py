@@ -1,0 +1,164 @@
+"""The ECU page: what the loop changes, whether the program fits, a drive by the clock, the sources."""
+
+import re
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.dashboard import WINDOWS, Dashboard
+from tests.browser.server import Server
+
+LONG_MS = 60_000  # computing on a busy machine
+SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
+# Two to three seconds by the clock.
+SHORT = {
+    "road": {"length": 40, "bump": {"start": 20, "height": 0.05}},
+    "speed": {"initial_speed_kmh": 80, "target_speed_kmh": 80, "detection_distance": 15},
+}
+
+
+def run(server: Server, scenario: dict[str, Any]) -> dict[str, Any]:
+    body = {"scenario": scenario, "strategies": ["lv", "lv_hil", "lqr"]}
+    answer: dict[str, Any] = httpx.post(f"{server.url}/api/v1/runs", json=body, timeout=60).raise_for_status().json()
+    return answer
+
+
+def changes(answer: dict[str, Any]) -> list[float]:
+    """Of `lv_hil` against `lv` [%], in the page's order."""
+    lv, hil = (answer["strategies"][name]["metrics"] for name in ("lv", "lv_hil"))
+    return [
+        100 * (hil[window][signal][statistic] / lv[window][signal][statistic] - 1)
+        for window, statistic in WINDOWS.items()
+        for signal in SIGNALS
+    ]
+
+
+def expect_rule(page: Page, answer: dict[str, Any]) -> None:
+    """The count at the top and the marks are what the rule of ±8 % makes of the API's figures."""
+    within = [abs(change) <= 8 for change in changes(answer)]
+    expect(page.get_by_test_id("hil-count")).to_have_text(f"{sum(within)} of 8 within ±8\u00a0%", timeout=LONG_MS)
+    marks = page.locator("tr[data-cell] td[data-within]").evaluate_all(
+        "cells => cells.map(cell => cell.dataset.within)"
+    )
+    assert marks == [str(each).lower() for each in within]
+
+
+def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    page.goto("/ecu")
+    expect(page.get_by_text("This is software in the loop with the ECU’s code, not a bench")).to_be_visible()
+    expect_rule(page, run(server, {}))
+    expect(page.locator(".scatterlayer .trace").first).to_be_visible()
+
+    bits = page.get_by_role("textbox", name="Converter bits")
+    bits.fill("3")
+    bits.press("Enter")
+    expect(page.get_by_role("alert")).to_have_text("Must be from 4 to 24")
+    bits.fill("6")
+    bits.press("Enter")
+    expect(page).to_have_url(re.compile(r"/ecu\?run="), timeout=LONG_MS)
+    rough = run(server, {"hil": {"bits": 6}})
+    assert any(abs(change) > 8 for change in changes(rough))
+    expect_rule(page, rough)
+    page.reload()
+    expect(bits).to_have_value("6")
+    expect_rule(page, rough)
+    dashboard.expect_accessible()
+
+
+@pytest.mark.parametrize("width", [400, 820])
+def test_nothing_is_wider_than_the_window(dashboard: Dashboard, width: int) -> None:
+    page = dashboard.page
+    page.set_viewport_size({"width": width, "height": 860})
+    page.goto("/ecu")
+    expect(page.get_by_test_id("hil-count")).to_be_visible(timeout=LONG_MS)
+    assert page.evaluate("document.documentElement.scrollWidth") == width
+
+
+def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    page.goto(f"/ecu?run={run(server, SHORT)['id']}")
+    card = page.get_by_role("region", name="In real time")
+    expect(card).to_contain_text("An ordinary operating system wakes both sides")
+    expect(page.get_by_test_id("hil-count")).to_be_visible(timeout=LONG_MS)
+    with page.expect_response("**/controller/realtime", timeout=LONG_MS) as answer:
+        card.get_by_role("button", name="Drive in real time").click()
+        expect(card.get_by_role("progressbar", name="Driven")).to_be_visible()
+    report = answer.value.json()
+    misses = report["misses"]
+    told = "No deadline missed" if misses == 0 else f"{misses} deadline{'' if misses == 1 else 's'} missed"
+    expect(page.get_by_test_id("misses")).to_have_text(f"{told} in {report['steps']} steps")
+    expect(card.locator(".barlayer .point")).to_have_count(len(report["latency"]["counts"]))
+    card.get_by_text("Computing", exact=True).last.click()
+    expect(card.get_by_role("img", name="Histogram of computing")).to_be_visible()
+    page.get_by_label("Scenario", exact=True).select_option("preset paper")
+    expect(card).to_contain_text("The scenario has changed since")
+
+
+def made_up_report() -> dict[str, Any]:
+    """Two controllers, so that the page needs no compiler for ten seconds; tests/api checks the real report's shape."""
+    row = {
+        "prediction_horizon": 30, "control_horizon": 20, "checked": "all", "checked_rows": 100, "iterations": 30,
+        "code": 9572, "constants": 241080, "variables": 9348, "operations": {"least": 10306, "most": 10518},
+        "time": {"least": 0.0295, "most": 0.0301}, "most_iterations": 1, "unfinished": 0, "fits": False,
+        "reasons": ["the longest step takes about 30.1 ms of 10 ms"],
+        "changes": {window: dict.fromkeys(SIGNALS, 1.0) for window in WINDOWS},
+    }  # fmt: skip
+    small = row | {"prediction_horizon": 10, "control_horizon": 5, "fits": True, "reasons": [], "unfinished": 5}
+    return {
+        "part": {"name": "STM32F103xE", "clock": 72e6, "flash": 524288, "ram": 65536, "stack": 1024},
+        "sample_time": 0.01, "cycles_per_operation": 206.0, "spread": 0.17, "rows": [row, small],
+    }  # fmt: skip
+
+
+def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    asked: list[int] = []
+
+    def answer(route: Any) -> None:
+        asked.append(1)
+        if len(asked) == 1:
+            problem = {"title": "Service Unavailable", "status": 503, "detail": "The program cannot be built here"}
+            route.fulfill(status=503, json=problem, headers={"content-type": "application/problem+json"})
+        else:
+            route.fulfill(json=made_up_report())
+
+    page.route("**/controller/report", answer)
+    page.goto("/ecu")
+    card = page.get_by_role("region", name="Build report")
+    card.get_by_role("button", name="Build and measure").click()
+    expect(card.get_by_role("alert")).to_have_text("The program cannot be built here")
+    card.get_by_role("button", name="Build and measure").click()
+    expect(card.get_by_test_id("fits")).to_contain_text(
+        "The scenario’s own controller does not fit: the longest step takes about 30.1 ms of 10 ms. "
+        "Of the smaller ones one fits; the least loss has Np 10, Nc 5, 100 limits checked."
+    )
+    expect(card.locator("tr[data-fits=true]")).to_contain_text("5 unfinished")
+    expect(card.locator("tr[data-fits=false] td")).to_have_count(9)
+    card.get_by_text("All eight figures").click()
+    expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
+    dashboard.expect_accessible()
+
+
+def test_the_controller_is_taken_along(dashboard: Dashboard, tmp_path: Path) -> None:
+    """From here and from the lab: the same sources for the same scenario."""
+    page = dashboard.page
+    page.goto("/ecu")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Export controller (C)").click()
+    download.value.save_as(tmp_path / "here.zip")
+    assert download.value.suggested_filename == "ridelab-controller.zip"
+    with zipfile.ZipFile(tmp_path / "here.zip") as archive:
+        assert archive.testzip() is None
+        assert {"ridelab-controller/Makefile", "ridelab-controller/ridelab_controller.c"} <= set(archive.namelist())
+
+    dashboard.open()
+    page.get_by_role("button", name="Export").click()
+    with page.expect_download() as download:
+        page.get_by_role("menuitem", name="Export controller (C)").click()
+    download.value.save_as(tmp_path / "lab.zip")
+    assert (tmp_path / "lab.zip").read_bytes() == (tmp_path / "here.zip").read_bytes()

@@ -1,0 +1,178 @@
+"""Tunings: put together, estimated, started, followed, cancelled, resumed, looked at, loaded into the lab."""
+
+import re
+from typing import Any
+
+import httpx
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import Server
+
+LONG_MS = 60_000  # computing on a busy machine
+
+
+def submit(server: Server, **wish: Any) -> str:
+    """A tuning of the LQR, which is quick, as a script begins it; its id."""
+    body = {"strategy": "lqr", "seeds": [1], "fresh_seeds": [101, 102], "trials": 8, "population": 4, **wish}
+    tuning: str = httpx.post(f"{server.url}/api/v1/tunings", json=body, timeout=60).raise_for_status().json()["id"]
+    return tuning
+
+
+def stored(server: Server, tuning: str) -> dict[str, Any]:
+    answer: dict[str, Any] = httpx.get(f"{server.url}/api/v1/tunings/{tuning}").raise_for_status().json()
+    return answer
+
+
+def expect_state(page: Page, text: str) -> None:
+    expect(page.get_by_test_id("tuning-state")).to_have_text(text, timeout=LONG_MS)
+
+
+def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) -> None:
+    dashboard.open()
+    page, first = dashboard.page, dashboard.page.url
+    dashboard.type_into("Width", "3")
+    expect(page).not_to_have_url(first)
+    dashboard.expect_curves()
+    run = dashboard.run_id
+    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Tuner").click()
+    expect(page).to_have_url(re.compile(rf"/tuner\?run={run}$"))
+    expect(page.get_by_text("Other than the paper: Width 3\u00a0m.")).to_be_visible()
+
+    page.get_by_role("radiogroup", name="Strategy").get_by_text("LQR").click()
+    page.get_by_role("textbox", name="Training roads").fill("1")
+    page.get_by_role("textbox", name="Fresh roads").fill("101-102")
+    page.get_by_role("textbox", name="Trials").fill("12")
+    page.get_by_role("textbox", name="At once").fill("6")
+    # 12 sets of weights and the passive car on 1 road; then the paper's and the best on all 3, the passive car on 2.
+    expect(page.get_by_test_id("tuning-estimate")).to_contain_text(re.compile(r"^\d+ runs in 2 generations, "))
+    page.get_by_role("button", name="Start").click()
+
+    expect(page).to_have_url(re.compile(r"/tuner/[\w-]{22}$"))
+    expect_state(page, "Done")
+    expect(page.get_by_test_id("tuning-counts")).to_have_text("12 of 12 trials")
+    tuning = stored(server, page.url.split("/")[-1])
+    assert tuning["scenario"]["road"]["bump"]["width"] == 3
+    assert tuning["trials"]["total"] == 12
+    best, paper = tuning["best"][0], tuning["paper"]
+    expect(page.get_by_role("region", name="History").locator(".scatterlayer .point").first).to_be_visible()
+    shown = page.get_by_role("region", name="Best points", exact=True).locator("td[data-cell='objectives.0']")
+    values = shown.evaluate_all("cells => cells.map(cell => Number(cell.dataset.value))")
+    assert values == [paper["values"][0], best["values"][0]]
+    assert values[1] <= values[0]  # the paper's weights are a trial themselves
+
+    fresh = page.get_by_role("region", name="On fresh roads").locator("tr[data-figure='objectives.0'] td")
+    compared = tuning["comparison"]["points"]
+    expected = [point[roads]["objectives.0"]["mean"] for point in compared for roads in ("training", "fresh")]
+    assert fresh.evaluate_all("cells => cells.map(cell => Number(cell.dataset.value))") == expected
+
+    page.get_by_role("button", name=re.compile("^Load in lab: .*Best")).click()
+    dashboard.expect_curves()
+    scenario = dashboard.stored_run()["scenario"]
+    assert scenario["lqr"]["weights"] == best["weights"]["lqr.weights"]
+    assert scenario["road"]["bump"]["width"] == 3
+
+
+def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.goto("/tuner")
+    start = page.get_by_role("button", name="Start")
+    expect(start).to_be_enabled()
+    page.get_by_role("textbox", name="Fresh roads").fill("4-9")
+    expect(page.get_by_text("A fresh road is none that was trained on")).to_be_visible()
+    expect(start).to_be_disabled()
+    page.get_by_role("textbox", name="Fresh roads").fill("101-110")
+    page.get_by_label("Brake, Pitch acceleration, from").fill("60")
+    expect(page.get_by_role("alert")).to_have_text("Brake, Pitch acceleration: From has to be less than to")
+    dashboard.expect_accessible()
+    page.get_by_label("Tune Brake, Pitch acceleration").uncheck()
+    expect(page.get_by_role("group", name="Brake")).to_contain_text("stays 6")
+    expect(start).to_be_enabled()
+    page.get_by_role("combobox", name="Add a limit").fill("travel over")
+    page.get_by_role("listbox").get_by_role("option", name="Travel over the limit").click()
+    page.get_by_label("Travel over the limit, whole run, at most").fill("none")
+    expect(page.get_by_role("group", name="Limit: Travel over the limit").get_by_role("alert")).to_have_text(
+        "Needs a number"
+    )
+    page.get_by_role("button", name="Remove the limit of Travel").click()
+
+    page.get_by_role("textbox", name="Training roads").fill("1-64")  # allowed by the fields, not by the server
+    page.get_by_role("textbox", name="Trials").fill("5000")
+    expect(page.get_by_role("alert")).to_contain_text("limit", timeout=LONG_MS)
+    expect(start).to_be_disabled()
+
+
+def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    objectives = [{"kind": "paper"}, {"kind": "peaks"}]
+    limits = [{"figure": "events.travel_exceeded_mm", "at_most": 1000}]
+    tuning = submit(server, objectives=objectives, limits=limits, trials=16, population=8)
+    page.goto(f"/tuner/{tuning}")
+    expect_state(page, "Done")
+    answer = stored(server, tuning)
+    plot = page.get_by_role("region", name="Pareto front")
+    expect(plot).to_have_attribute("data-front", str(len(answer["front"])))
+    expect(plot).to_have_attribute("data-trials", "16")
+    looked = page.get_by_role("region", name="Point looked at")
+    point = answer["front"][0]
+    looked.get_by_label("Weights of trial").select_option(str(point["number"]))
+    weights = looked.locator("td[data-weight]").evaluate_all("cells => cells.map(cell => Number(cell.dataset.value))")
+    assert weights == point["weights"]["lqr.weights"]
+    other = next(trial for trial in answer["front"] if trial["number"] != point["number"])
+    place = sorted(answer["front"], key=lambda trial: trial["values"][0]).index(other)
+    drawn = plot.locator(".scatterlayer .trace").filter(has=page.locator(".point"))
+    front = drawn.nth(drawn.count() - 3).locator(".point")  # then the named points, and the ring
+    expect(front).to_have_count(len(answer["front"]))
+    front.nth(place).click(force=True)
+    expect(looked).to_have_attribute("data-trial", str(other["number"]))
+    dashboard.expect_accessible()
+
+    page.set_viewport_size({"width": 400, "height": 860})
+    assert page.evaluate("document.documentElement.scrollWidth") == 400
+
+
+def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    tuning = submit(server, trials=3000, population=8)
+    page.goto(f"/tuner/{tuning}")
+    expect_state(page, "Searching")
+    expect(page.get_by_test_id("tuning-counts")).to_contain_text(
+        re.compile(r"^[1-9]\d* of 3000 trials"), timeout=LONG_MS
+    )
+    page.get_by_role("button", name="Cancel").click()
+    expect_state(page, "Cancelled: what its complete generations found stays")
+    done = stored(server, tuning)["trials"]["done"]
+    expect(page.get_by_text("The comparison is made once the search is complete")).to_be_visible()
+    page.get_by_label("Trials in all").fill("10")
+    expect(page.get_by_role("button", name="Resume")).to_be_disabled()
+    page.get_by_label("Trials in all").fill("3000")
+    page.get_by_role("button", name="Resume").click()
+    expect_state(page, "Searching")
+    page.wait_for_function(
+        "done => Number(document.querySelector('[data-testid=tuning-counts]').textContent.split(' ')[0]) > done",
+        arg=done,
+        timeout=LONG_MS,
+    )
+    page.get_by_role("button", name="Cancel").click()
+    expect_state(page, "Cancelled: what its complete generations found stays")
+
+    page.get_by_role("link", name="New tuning, earlier tunings").click()
+    entry = page.get_by_role("region", name="Earlier tunings").locator(f"a[href='/tuner/{tuning}']")
+    expect(entry).to_contain_text("cancelled")
+
+
+@pytest.mark.parametrize("path", ["/tuner/AAAAAAAAAAAAAAAAAAAAAA", "/tuner/x"])
+def test_an_unknown_tuning_says_so(dashboard: Dashboard, path: str) -> None:
+    dashboard.page.goto(path)
+    expect(dashboard.page.get_by_role("heading", name="There is no tuning at this address")).to_be_visible()
+
+
+def test_an_unknown_run_leaves_the_presets(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    page.goto("/tuner?run=AAAAAAAAAAAAAAAAAAAAAA")
+    expect(page.get_by_text("There is no run at this address: choose another scenario")).to_be_visible()
+    page.get_by_label("Scenario", exact=True).select_option("preset paper")
+    expect(page.get_by_text("As in the paper.")).to_be_visible()
+    expect(page).to_have_url(re.compile(r"/tuner\?preset=paper$"))
+    expect(page.get_by_role("button", name="Start")).to_be_enabled()
