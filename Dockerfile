@@ -26,8 +26,7 @@ RUN /opt/ridelab/bin/python -m compileall -q sim_core backend \
     && chown 10001:10001 /data
 # The ECU's program: /app is read-only later, and /tmp runs no programs.
 RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -m backend.hil --build && rm -rf ecu/zig
-ENV RIDELAB_ECU_DIR=/app/ecu
-ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data
+ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu
 USER 10001:10001
 VOLUME /data
 EXPOSE 8000
