@@ -140,13 +140,13 @@ class Admission:
             "bodies": self._bodies.held,
         }
 
-    def check(self, scenario: Scenario, strategies: Iterable[str]) -> None:
-        """Refuse a request that is too big for anybody.
+    def check(self, scenario: Scenario, strategies: Iterable[str], beside: float = 0.0) -> None:
+        """Refuse a request that is too big for anybody; what it costs beside the runs counts too [s of one core].
 
         Raises:
             ProblemError: 422, naming limit and estimate.
         """
-        cost = sum(estimate(scenario, strategy) for strategy in strategies)
+        cost = beside + sum(estimate(scenario, strategy) for strategy in strategies)
         if cost > self._max_request_cost:
             message = (
                 f"The estimated cost of {cost:.3g} s of computing is over the limit of {self._max_request_cost:g} s "

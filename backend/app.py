@@ -101,7 +101,9 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
         app.state.paper = Paper(store=store, workers=workers, results=results, admission=admission)
-        app.state.controllers = Controllers(workers=workers, admission=admission)
+        app.state.controllers = Controllers(
+            workers=workers, admission=admission, max_request_cost=settings.max_request_cost
+        )
         app.state.links = Links(store=store, workers=workers, admission=admission)
         app.state.batches = Batches(store=store, workers=workers, admission=admission, driver=driver, settings=settings)
         tuner = TuningDriver(store=store, batches=app.state.batches, driver=driver)

@@ -12,14 +12,16 @@ from sim_core.scenario import Scenario
 from sim_core.workload import duration
 
 STRATEGY = "lv_hil"
+BUILDING = 1.0  # one controller for its part [s of one core]
 
 
 class Controllers:
     """The one service of controllers; its methods belong to the event loop."""
 
-    def __init__(self, *, workers: Workers, admission: Admission) -> None:
+    def __init__(self, *, workers: Workers, admission: Admission, max_request_cost: float) -> None:
         self._workers = workers
         self._admission = admission
+        self._longest = min(LONGEST, 2 * max_request_cost)  # a drive by the clock holds a worker and mostly waits [s]
         # One at a time: a drive by the clock wants a core to itself, and a report builds and drives many programs.
         self._long = Places(what="controller reports or real-time drives", per_client=1, total=1)
 
@@ -39,7 +41,7 @@ class Controllers:
         Raises:
             ProblemError: 422, 429 or 503.
         """
-        return await self._alone(work.report, scenario, client, len(VARIANTS))
+        return await self._alone(work.report, scenario, client, len(VARIANTS), BUILDING * len(VARIANTS))
 
     async def drive_by_clock(self, scenario: Scenario, client: str) -> dict[str, Any]:
         """`RealtimeReport`, after as long as the drive takes.
@@ -48,15 +50,17 @@ class Controllers:
             ProblemError: 422, 429 or 503.
         """
         time = duration(scenario, STRATEGY)
-        if time > LONGEST:
-            message = f"The drive may take {time:.0f} s; a drive by the clock at most {LONGEST:.0f} s"
+        if time > self._longest:
+            message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
             errors = [{"pointer": "/scenario", "message": message}]
             raise ProblemError(422, f"{message}.", kind="cost-limit", errors=errors)
         return await self._alone(work.drive_by_clock, scenario, client, 2)
 
-    async def _alone(self, function: Any, scenario: Scenario, client: str, drives: int) -> dict[str, Any]:
+    async def _alone(
+        self, function: Any, scenario: Scenario, client: str, drives: int, beside: float = 0.0
+    ) -> dict[str, Any]:
         names = [STRATEGY] * drives
-        self._admission.check(scenario, names)
+        self._admission.check(scenario, names, beside)
         key = client_key(client)
         self._long.check(key)
         with self._long.taken(key), self._admission.computing(client, scenario, names):
