@@ -158,11 +158,10 @@ def test_every_figure_is_drawn_when_it_is_scrolled_to(paper: Page) -> None:
         panel = paper.locator(f"#figure-{number}")
         panel.scroll_into_view_if_needed()
         expect(panel.locator(".scatterlayer .trace").first).to_be_attached()
-    ticks = paper.locator("#figure-14 .xaxislayer-above text, #figure-14 .xtick text")
-    whole = ticks.all_inner_texts()
+    ticks = paper.locator("#figure-14 .xtick text")
+    expect(ticks.first).to_have_text("0")
     paper.get_by_text("Bump only").click()
-    paper.locator("#figure-14").scroll_into_view_if_needed()
-    expect(ticks.first).not_to_have_text(whole[0])
+    expect(ticks.first).not_to_have_text("0")
 
 
 def test_it_works_by_keyboard_and_for_a_screen_reader(dashboard: Dashboard, paper: Page) -> None:

@@ -36,7 +36,7 @@ export function Rules({ rules }: Pick<Paper, "rules">) {
 
 export function Errata({ errata }: Pick<Paper, "errata">) {
   return (
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label="Errata">
+    <div className={classes.scroll} tabIndex={0} role="region" aria-label="What is printed, what is used here">
       <table className={`${classes.table ?? ""} ${classes.errata ?? ""}`} data-testid="errata">
         <thead>
           <tr>

@@ -99,6 +99,9 @@ function Missed({ paper, words }: Props) {
           </li>
         ))}
       </ul>
+      <p className={classes.why}>
+        Why each does not come out is in <code>docs/paper.md</code>, beside this program’s source, under “What does not reproduce, and why”.
+      </p>
     </details>
   );
 }
