@@ -38,7 +38,7 @@ export function Contributions({ choices, words }: Props) {
       </Text>
       <ShareBars shares={data.shares} words={words} />
       <h3 className={classes.subtitle}>Every combination</h3>
-      <Text className={classes.text}>Means over the same {data.seeds} roads. Slowing down always helps comfort: the travel time says what it costs.</Text>
+      <Text className={classes.text}>Means over the same {data.seeds} roads. Slowing down helps comfort; the travel time says what it costs.</Text>
       <FairTable rows={data.rows} words={words} />
       <h3 className={classes.subtitle}>At equal speed</h3>
       <Text className={classes.text}>
