@@ -52,6 +52,7 @@ def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboa
     page.goto("/ecu")
     expect(page.get_by_text("This is software in the loop with the ECU’s code, not a bench")).to_be_visible()
     expect_rule(page, run(server, {}))
+    page.get_by_role("region", name="Time histories").locator("section").first.scroll_into_view_if_needed()
     expect(page.locator(".scatterlayer .trace").first).to_be_visible()
 
     bits = page.get_by_role("textbox", name="Converter bits")
@@ -139,7 +140,7 @@ def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
     )
     expect(card.locator("tr[data-fits=true]")).to_contain_text("5 unfinished")
     expect(card.locator("tr[data-fits=false] td")).to_have_count(9)
-    card.get_by_text("All eight figures").click()
+    card.get_by_role("switch", name="All eight figures").check()
     expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
     dashboard.expect_accessible()
 

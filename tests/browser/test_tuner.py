@@ -99,7 +99,7 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
 
     page.get_by_role("textbox", name="Training roads").fill("1-64")  # allowed by the fields, not by the server
     page.get_by_role("textbox", name="Trials").fill("5000")
-    expect(page.get_by_role("alert")).to_contain_text("limit", timeout=LONG_MS)
+    expect(page.get_by_text(re.compile(r"runs are over the limit of"))).to_be_visible(timeout=LONG_MS)
     expect(start).to_be_disabled()
 
 
