@@ -28,7 +28,7 @@ def paper(
             show_default=False,
         ),
     ] = None,
-    seeds: Annotated[int, typer.Option(metavar="N", min=20, max=200, help="Roads that every strategy drives.")] = 20,
+    seeds: Annotated[int, typer.Option(metavar="N", min=20, max=100, help="Roads that every strategy drives.")] = 20,
     report: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="Write all of it as one HTML file, figures too.", show_default=False),

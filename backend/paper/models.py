@@ -11,7 +11,7 @@ from sim_core.scenario import Scenario
 
 Verdict = Literal["reached", "smaller", "contradicts"]
 Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
-Seeds = Annotated[int, Field(ge=20, le=200, description="Roads 1 to this, each driven by every strategy")]
+Seeds = Annotated[int, Field(ge=20, le=100, description="Roads 1 to this, each driven by every strategy")]
 
 
 class Counts(Answer):

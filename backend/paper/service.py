@@ -2,6 +2,7 @@
 
 import asyncio
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
@@ -25,7 +26,8 @@ from sim_core.scenario import Scenario
 AT_ONCE = 4  # roads one worker task drives
 HISTORY_POINTS = 1200
 RETRY_AFTER = 30
-PATIENCE = 20.0  # an answer in rows waits so long for more of them [s]
+MOST_UNDER_WAY = 8  # computations, of all visitors
+PATIENCE = 20.0  # after so long an answer in rows begins no further one [s]
 
 
 class Paper:
@@ -37,6 +39,7 @@ class Paper:
         self._results = results
         self._admission = admission
         self._under_way: dict[str, asyncio.Task[Any]] = {}
+        self._waiting: Counter[asyncio.Task[Any]] = Counter()
         # A visitor's what-if finds a worker free: this work takes one of them at a time.
         self._turn = asyncio.Semaphore(1)
 
@@ -59,18 +62,14 @@ class Paper:
         """
         default = paper.default_choices()
         base = paper.judge(await self._values(default, seeds, client))
-        end, rows, complete = time.monotonic() + PATIENCE, [], True
-        for reading in READINGS.values():
-            for choice in reading.choices[1:]:
-                task = self._values({**default, reading.id: choice.id}, seeds, client)
-                try:
-                    async with asyncio.timeout(max(0.01, end - time.monotonic())):
-                        values = await task
-                except TimeoutError:
-                    complete = False
-                    break
-                rows.append(answers.reading_row(reading.id, choice.id, base, paper.judge(values)))
-        return {"rows": rows, "complete": complete}
+        end, rows = time.monotonic() + PATIENCE, []
+        choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
+        for reading, choice in choices:
+            judged = paper.judge(await self._values({**default, reading: choice}, seeds, client))
+            rows.append(answers.reading_row(reading, choice, base, judged))
+            if time.monotonic() > end:
+                break
+        return {"rows": rows, "complete": len(rows) == len(choices)}
 
     async def attribution(self, seeds: int, client: str) -> dict[str, Any]:
         """What each part contributes, as `AttributionAnswer`.
@@ -115,12 +114,27 @@ class Paper:
         if key in stored:
             rows: list[Any] = stored[key].summary["rows"]
             return rows
+        self._admission.check(Scenario(), paper.STRATEGIES)  # one road's worth: who allows no more has no paper page
         with self._admission.computing(client, Scenario(), paper.STRATEGIES):
             task = self._under_way.get(key)
             if task is None:
+                if len(self._under_way) >= MOST_UNDER_WAY:
+                    detail = "The service is full: too much of the paper page is being computed."
+                    raise ProblemError(503, detail, kind="full", retry_after=RETRY_AFTER)
                 task = self._under_way[key] = asyncio.create_task(self._compute(key, name, function, given, seeds))
-                task.add_done_callback(lambda _: self._under_way.pop(key, None))
-            return await asyncio.shield(task)
+            self._waiting[task] += 1
+            try:
+                return await asyncio.shield(task)
+            finally:
+                self._leave(key, task)
+
+    def _leave(self, key: str, task: asyncio.Task[Any]) -> None:
+        """One request less waits; what nobody waits for any more is called off."""
+        self._waiting[task] -= 1
+        if not self._waiting[task]:
+            del self._waiting[task]
+            self._under_way.pop(key, None)
+            task.cancel()
 
     async def _compute(
         self, key: str, name: str, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int

@@ -32,6 +32,7 @@ values = ["{link}"]
 include-operation-id = [
     "createRun", "live", "createBatch", "createLink", "getSeries", "getBatchTable",
     "exportController", "reportController", "driveByClock",
+    "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
 checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]
 

@@ -1,6 +1,7 @@
 """The paper page's answers against runs asked for one by one."""
 
 import statistics
+import time
 from typing import Any
 
 import httpx
@@ -100,3 +101,21 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
         assert item["caption"]
         assert item["figure"]["data"], item["number"]
         assert all(len(trace["y"]["bdata"]) > 50 for trace in item["figure"]["data"])
+
+
+def test_what_nobody_waits_for_any_more_is_called_off(service: Service) -> None:
+    """A visitor who leaves takes the work along: 100 roads would keep a worker busy for a minute."""
+    paper = service.app.state.paper
+    with pytest.raises(httpx.ReadTimeout):
+        service.client.get(PAPER, params={"seeds": "100", "force_limit": "10"}, timeout=1)
+    end = time.monotonic() + 10
+    while paper._under_way:
+        assert time.monotonic() < end
+        time.sleep(0.05)
+
+
+def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("backend.paper.service.MOST_UNDER_WAY", 0)
+    response = service.client.get(PAPER, params={"seeds": "21"})
+    assert (response.status_code, response.json()["type"]) == (503, "urn:problem-type:ridelab:full")
+    assert response.headers["retry-after"]
