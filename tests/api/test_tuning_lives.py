@@ -1,0 +1,224 @@
+"""What can happen to a tuning: refused, repeated, cancelled, resumed, in trouble of every kind, another core."""
+
+import math
+import time
+from typing import Any
+
+import httpx
+import pytest
+from pydantic import TypeAdapter
+from sqlalchemy import update
+from sqlalchemy.exc import OperationalError
+
+from backend.compute import WorkersBusyError
+from backend.problems import ProblemError
+from backend.store.tables import tunings
+from backend.tuner import batching, driver, models
+from backend.tuner.measure import Failure
+from tests.api.tuning import REQUEST, SCENARIO, begin, events, get, trials, wait_for
+
+
+@pytest.fixture(scope="module")
+def tuning(client: httpx.Client) -> dict[str, Any]:
+    """A finished one of two objectives."""
+    found = wait_for(client, begin(client, "the-first")["id"])
+    assert found["state"] == "done", found["reason"]
+    return found
+
+
+def test_a_repeated_key_answers_the_same_tuning_and_another_body_is_refused(
+    client: httpx.Client, tuning: dict[str, Any]
+) -> None:
+    assert begin(client, "the-first") == tuning
+    answer = client.post("/api/v1/tunings", json={**REQUEST, "trials": 25}, headers={"Idempotency-Key": "the-first"})
+    assert answer.status_code == 409
+
+
+def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None:
+    short = wait_for(client, begin(client, trials=8)["id"])
+    path = f"/api/v1/tunings/{short['id']}/resume"
+    assert client.post(path).status_code == 409
+    refused = client.post(path, params={"trials": 7})
+    assert (refused.status_code, refused.json()["errors"][0]["parameter"]) == (422, "trials")
+    assert client.post(path, params={"trials": 24}).json()["comparison"] is None
+    longer = wait_for(client, short["id"])
+    assert (longer["state"], longer["trials"]["done"]) == ("done", 24)
+    whole = wait_for(client, begin(client, "the-first")["id"])
+    assert trials(client, short["id"]) == trials(client, whole["id"]), "as if it had been asked for at once"
+    assert longer["comparison"]["points"] == whole["comparison"]["points"]
+
+
+def test_cancel_takes_two_seconds_and_resume_loses_nothing(client: httpx.Client) -> None:
+    wanted = {"objectives": [{"kind": "paper"}], "limits": [], "trials": 4000, "scenario": {**SCENARIO, "lqr": {}}}
+    tuning_id = begin(client, **wanted)["id"]
+    path = f"/api/v1/tunings/{tuning_id}"
+    wait_for(client, tuning_id, generation=2)
+    assert client.post(f"{path}/resume").json()["state"] == "running", "it has not ended: nothing to do"
+    assert client.post(f"{path}/resume", params={"trials": 4001}).status_code == 409
+    begun = time.monotonic()
+    cancelled = client.post(f"{path}/cancel").json()
+    assert cancelled["state"] == "cancelled"
+    batch = client.get(f"/api/v1/batches/{cancelled['batch']}").json()
+    assert batch["state"] in ("cancelled", "done")
+    assert time.monotonic() - begun < 2
+    assert client.post(f"{path}/cancel").json() == cancelled, "cancelling again changes nothing"
+    done = cancelled["trials"]["done"]
+    client.post(f"{path}/resume", params={"trials": done + 8}).raise_for_status()
+    resumed = wait_for(client, tuning_id)
+    assert (resumed["state"], resumed["trials"]["done"], resumed["own"]) == ("done", done + 8, None)
+    whole = wait_for(client, begin(client, **{**wanted, "trials": done + 8})["id"])
+    assert trials(client, tuning_id) == trials(client, whole["id"])
+    assert resumed["history"] == whole["history"]
+    assert (resumed["knee"], len(resumed["front"]), len(resumed["best"])) == (None, 1, 1)
+
+
+def test_a_batch_cancelled_from_outside_is_a_reason_and_resume_goes_on(client: httpx.Client) -> None:
+    tuning_id = begin(client, trials=1000, population=128, limits=[], objectives=[{"kind": "peaks"}])["id"]
+    while (found := get(client, tuning_id))["state"] != "failed":
+        assert found["state"] in ("queued", "running")
+        if found["batch"] is not None:
+            client.post(f"/api/v1/batches/{found['batch']}/cancel")
+    assert found["reason"] == "One of its batches was cancelled"
+    client.post(f"/api/v1/tunings/{tuning_id}/resume", params={"trials": 16 + found["trials"]["done"]})
+    assert wait_for(client, tuning_id)["state"] == "done"
+
+
+def test_a_smooth_road_has_no_share_of_the_passive_cars(client: httpx.Client) -> None:
+    smooth = {**SCENARIO, "road": {**SCENARIO["road"], "roughness": 0}}
+    wanted = {"scenario": smooth, "objectives": [{"kind": "paper", "window": "rough_road"}], "limits": []}
+    failed = wait_for(client, begin(client, **wanted)["id"])
+    assert failed["state"] == "failed"
+    assert "body acceleration is zero (rough road)" in failed["reason"]
+    assert failed["front"] == failed["history"] == []
+    assert failed["best"] == [None]
+
+
+def failing(monkeypatch: pytest.MonkeyPatch, *positions: int) -> None:
+    """These runs of every batch count as failed, as runs that the core refuses or that lose their process do."""
+    measure = batching._measure
+
+    def measured(rows: Any, *more: Any) -> Any:
+        lost = Failure(reason="The computation ended unexpectedly, twice")
+        return [
+            lost if row.position in positions else each for row, each in zip(rows, measure(rows, *more), strict=True)
+        ]
+
+    monkeypatch.setattr(batching, "_measure", measured)
+
+
+def test_failed_trials_say_why_and_the_others_count(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    failing(monkeypatch, 7, 9)  # the second road of the fourth set of weights, and of the fifth
+    found = wait_for(client, begin(client, trials=8)["id"])
+    assert (found["state"], found["trials"]["done"], found["trials"]["failed"]) == ("done", 6, 2)
+    lost = [each for each in trials(client, found["id"]) if each["status"] == "failed"]
+    assert [each["number"] for each in lost] == [3, 4]
+    assert lost[0]["reason"] == "Road 2: The computation ended unexpectedly, twice"
+    assert [lost[0][name] for name in ("feasible", "values", "limits")] == [False, None, None]
+    # The comparison runs each set on two roads and four fresh ones: the next set's second and fourth are lost.
+    paper, other, *_ = found["comparison"]["points"]
+    assert (paper["failures"], [text[:8] for text in other["failures"]]) == ([], ["Road 2: ", "Road 12:"])
+    first = other["training"]["objectives.0"]
+    assert first["mean"] == first["worst"], "of the one road that is left"
+    assert (first["change"]["low"], first["change"]["high"]) == (None, None)
+    assert other["fresh"]["objectives.0"]["change"]["low"] is not None
+
+
+def test_where_nothing_can_run_the_tuning_fails_with_the_reason(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    failing(monkeypatch, *range(16))
+    found = wait_for(client, begin(client, trials=24)["id"])
+    reason = "No set of weights could be run. Road 1: The computation ended unexpectedly, twice"
+    assert (found["state"], found["reason"], found["generation"]) == ("failed", reason, 0)
+
+
+def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
+    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    errors: list[Exception] = [
+        ProblemError(503, "The service is full."),
+        OperationalError("INSERT", {}, Exception("disk full")),
+        WorkersBusyError(),
+    ]
+    create = service.app.state.batches.create
+
+    async def unreliable(*args: Any) -> Any:
+        if errors:
+            raise errors.pop(0)
+        return await create(*args)
+
+    monkeypatch.setattr(driver, "PAUSE", 0.01)
+    monkeypatch.setattr(service.app.state.batches, "create", unreliable)
+    assert wait_for(client, begin(client, trials=8)["id"])["state"] == "done"
+    errors.append(ValueError("a bug"))
+    failed = wait_for(client, begin(client, trials=8)["id"])
+    assert (failed["state"], failed["reason"]) == ("failed", driver.UNFORESEEN)
+    errors.append(ProblemError(422, "It is too big now."))
+    client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
+    assert wait_for(client, failed["id"])["reason"] == "It is too big now."
+    client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
+    assert wait_for(client, failed["id"])["state"] == "done"
+
+
+def test_another_core_version_begins_anew(service: Any, client: httpx.Client, tuning: dict[str, Any]) -> None:
+    again = wait_for(client, begin(client, trials=16)["id"])
+    with service.app.state.store.writing() as connection:
+        connection.execute(update(tunings).where(tunings.c.id == again["id"]).values(core_version="0.0.1"))
+    client.post(f"/api/v1/tunings/{again['id']}/resume", params={"trials": 24}).raise_for_status()
+    found = wait_for(client, again["id"])
+    assert (found["core_version"], found["trials"]["done"], len(found["history"])) == (tuning["core_version"], 24, 3)
+    assert trials(client, again["id"]) == trials(client, tuning["id"])
+    assert [event["event"] for event in events(client, again["id"])].count("restart") == 1
+
+
+def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client) -> None:
+    before = client.get("/api/v1/tunings", params={"limit": 500}).json()
+    answer = client.post("/api/v1/tunings", json={**REQUEST, "dry_run": True})
+    assert answer.status_code == 200
+    found = answer.json()
+    TypeAdapter(models.TuningEstimate).validate_python(found)
+    # 24 sets on two roads, at most five compared on four fresh ones, and the passive car on all six.
+    assert (found["runs"], found["generations"]) == (24 * 2 + 5 * 4 + 6, 3)
+    assert 0 < found["estimated_seconds"] < math.inf
+    assert client.get("/api/v1/tunings", params={"limit": 500}).json() == before
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer"),
+    [
+        ({"strategy": "passive"}, "/strategy"),
+        ({"objectives": [{"kind": "paper", "figure": "travel_time"}]}, "/objectives/0/figure"),
+        ({"objectives": [{"kind": "figure", "figure": "no.such"}]}, "/objectives/0/figure"),
+        ({"objectives": [{"kind": "paper"}, {"kind": "paper"}]}, "/objectives"),
+        ({"limits": [{"figure": "travel_time", "at_most": "1"}]}, "/limits/0/at_most"),
+        ({"search": {"mpc.stage_weights.bump.0": [0.1, 1]}}, "/search"),
+        ({"search": {"<script>": [0.1, 1]}}, "/search"),
+        ({"search": {"lqr.weights.0": [1, 0.1]}}, "/search/lqr.weights.0"),
+        ({"fresh_seeds": [1, 11]}, "/fresh_seeds"),
+        ({"seeds": [1, 1]}, "/seeds"),
+        ({"trials": 5001}, "/trials"),
+        ({"scenario": {"road": {"bump": {"height": 3}}}}, "/scenario/road/bump/height"),
+        ({"scenario": {"road": {"length": 3000}, "mpc": {"solver": "osqp"}}, "strategy": "lv"}, "/scenario"),
+        ({"weights": [1, 1, 1]}, ""),
+        ({"seeds": list(range(200, 264)), "trials": 5000}, "/trials"),
+    ],
+)
+def test_what_cannot_be_tuned_is_refused_with_its_place(
+    client: httpx.Client, body: dict[str, Any], pointer: str
+) -> None:
+    answer = client.post("/api/v1/tunings", json={**REQUEST, **body})
+    assert answer.status_code == 422, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.json()["errors"][0]["pointer"] == pointer
+    assert "<script>" not in answer.text
+
+
+def test_unknown_ids_are_not_found(client: httpx.Client) -> None:
+    for method, below in (
+        ("GET", ""),
+        ("GET", "/trials"),
+        ("GET", "/events"),
+        ("POST", "/cancel"),
+        ("POST", "/resume"),
+    ):
+        assert client.request(method, f"/api/v1/tunings/{'x' * 22}{below}").status_code == 404

@@ -1,0 +1,65 @@
+"""A small tuning over HTTP, for tests: the request, and what waits for it and reads it."""
+
+import json
+import time
+from typing import Any
+
+import httpx
+
+# Nobody else's road, and a short one.
+SCENARIO: dict[str, Any] = {
+    "road": {"length": 61, "bump": {"start": 45}},
+    "speed": {"detection_distance": 40},
+    "lqr": {"weights": [2, 1, 1]},
+}
+SEEDS, FRESH = [1, 2], [11, 12, 13, 14]
+REQUEST: dict[str, Any] = {
+    "scenario": SCENARIO,
+    "strategy": "lqr",
+    "objectives": [{"kind": "paper", "q": [1, 2, 1]}, {"kind": "figure", "figure": "bump.front_tyre_load.peak"}],
+    "limits": [{"figure": "comfort.actuator_peak_power", "at_most": 2500}],
+    "seeds": SEEDS,
+    "fresh_seeds": FRESH,
+    "trials": 24,
+    "population": 8,
+    "seed": 5,
+}
+
+
+def begin(client: httpx.Client, key: str | None = None, **more: Any) -> dict[str, Any]:
+    headers = {"Idempotency-Key": key} if key else {}
+    answer = client.post("/api/v1/tunings", json={**REQUEST, **more}, headers=headers)
+    assert answer.status_code == 202, answer.text
+    assert answer.headers["location"] == f"/api/v1/tunings/{answer.json()['id']}"
+    found: dict[str, Any] = answer.json()
+    return found
+
+
+def get(client: httpx.Client, tuning_id: str, below: str = "") -> Any:
+    return client.get(f"/api/v1/tunings/{tuning_id}{below}").raise_for_status().json()
+
+
+def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000, seconds: float = 120) -> dict[str, Any]:
+    """The tuning once it has ended, or has so many generations."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        found: dict[str, Any] = get(client, tuning_id)
+        if found["state"] not in ("queued", "running") or found["generation"] >= generation:
+            return found
+        time.sleep(0.05)
+    raise TimeoutError("The tuning did not end")
+
+
+def trials(client: httpx.Client, tuning_id: str) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = get(client, tuning_id, "/trials")["trials"]
+    return found
+
+
+def events(client: httpx.Client, tuning_id: str, **options: Any) -> list[dict[str, Any]]:
+    text = client.get(f"/api/v1/tunings/{tuning_id}/events", timeout=120, **options).text
+    found = []
+    for block in text.split("\n\n"):
+        fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))
+        if "data" in fields:
+            found.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
+    return found
