@@ -18,8 +18,8 @@ ROOT = Path(__file__).parents[2]
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
 BASE = Scenario(
-    road=Road(length=60, bump=Bump(start=40, width=3, height=0.09)),
-    speed=Speed(initial_speed_kmh=45, detection_distance=30),
+    road=Road(length=34, bump=Bump(start=22, width=3, height=0.09)),
+    speed=Speed(initial_speed_kmh=36, detection_distance=16),
     mpc=Mpc(prediction_horizon=12, control_horizon=8, force_limit=2500, deflection_limit=0.05),
     lqr=Lqr(preview="lookahead", preview_horizon=12),
     hil=Hil(bits=24, iterations=2, noise=0.002, jitter=0.004, packet_loss=0.05),
