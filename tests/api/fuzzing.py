@@ -25,12 +25,15 @@ values = ["{run}"]
 [dictionaries.batch]
 values = ["{batch}"]
 
+[dictionaries.tuning]
+values = ["{tuning}"]
+
 [dictionaries.link]
 values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "createBatch", "createLink", "getSeries", "getBatchTable",
+    "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBatchTable",
     "exportController", "reportController", "driveByClock",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
@@ -45,6 +48,10 @@ include-path-regex = "/batches/\\\\{{id\\\\}}"
 parameters."path.id" = {{ dictionary = "batch", probability = 0.5 }}
 
 [[operations]]
+include-path-regex = "/tunings/\\\\{{id\\\\}}"
+parameters."path.id" = {{ dictionary = "tuning", probability = 0.5 }}
+
+[[operations]]
 include-path-regex = "/links/"
 parameters."path.slug" = {{ dictionary = "link", probability = 0.5 }}
 """
@@ -53,16 +60,19 @@ SCENARIO = {"road": {"length": 120, "bump": {"start": 80}}}
 
 
 def seed(client: httpx.Client) -> dict[str, str]:
-    """A stored run, a finished batch and a link, so that paths lead somewhere: their ids."""
+    """A stored run, a finished batch, a tuning and a link, so that paths lead somewhere: their ids."""
     run = _good(client.post("/api/v1/runs", json={"scenario": SCENARIO, "strategies": ["lv", "passive"]}))
     sweep = {"grid": {"road.bump.height": [0.05, 0.1]}}
     batch = _good(client.post("/api/v1/batches", json={"scenario": SCENARIO, "strategies": ["lqr"], "sweep": sweep}))
+    short = {"road": {"length": 30, "bump": {"start": 15}}, "speed": {"target_speed_kmh": 45}}
+    small = {"scenario": short, "strategy": "lqr", "trials": 2, "seeds": [1], "fresh_seeds": [2, 3]}
+    tuning = _good(client.post("/api/v1/tunings", json=small))
     link = _good(client.post("/api/v1/links", json={"run_id": run["id"], "view": {"baseline": "passive"}}))
     end = time.monotonic() + 120
     while _good(client.get(f"/api/v1/batches/{batch['id']}"))["state"] != "done":
         assert time.monotonic() < end
         time.sleep(0.1)
-    return {"run": run["id"], "batch": batch["id"], "link": link["slug"]}
+    return {"run": run["id"], "batch": batch["id"], "tuning": tuning["id"], "link": link["slug"]}
 
 
 def fuzz(client: httpx.Client, folder: Path, *arguments: str, deterministic: bool) -> None:
