@@ -6,7 +6,7 @@ from fastapi import Depends, Header, Path, Query, Request, Response
 from fastapi.responses import StreamingResponse
 
 from backend.models import Problem
-from backend.routes import router
+from backend.routes import ScenarioRoute, router
 from backend.routes.batches import IdempotencyKey
 from backend.routes.deps import Client, json_answer
 from backend.tuner import models as models_tuner
@@ -26,7 +26,7 @@ EVENT = {  # each one of the stream
     "required": ["id", "event", "data"],
 }
 
-beginning = router("tunings", 400, 409, 413, 415, 422, 429, 503)
+beginning = router("tunings", 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 tunings = router("tunings", 404, 422, 503)
 
 

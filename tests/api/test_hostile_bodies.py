@@ -151,7 +151,7 @@ def test_one_client_sends_only_so_many_long_bodies_at_once(service: Any, client:
         assert time.monotonic() < end + 10
 
 
-@pytest.mark.parametrize("path", ["runs", "live", "batches", "links"])
+@pytest.mark.parametrize("path", ["runs", "live", "batches", "tunings", "links"])
 @pytest.mark.parametrize("encoding", ["gzip", "deflate", "br", "GZIP", "identity, gzip", "x"])
 def test_compressed_bodies_are_not_unpacked(client: httpx.Client, path: str, encoding: str) -> None:
     body = gzip.compress(b'{"strategies": ["passive"]}' + b" " * 10_000_000)
@@ -170,7 +170,7 @@ def test_a_body_that_says_it_is_as_it_is_is_read(client: httpx.Client) -> None:
 @pytest.mark.parametrize(
     "kind", ["text/plain", "application/xml", "application/jsonp", "multipart/form-data; boundary=x"]
 )
-@pytest.mark.parametrize("path", ["batches", "links"])
+@pytest.mark.parametrize("path", ["batches", "tunings", "links"])
 def test_every_body_has_to_be_json(client: httpx.Client, path: str, kind: str) -> None:
     assert client.post(f"/api/v1/{path}", content="{}", headers={"Content-Type": kind}).status_code == 415
 
@@ -196,7 +196,7 @@ UNREADABLE = [
 
 
 @pytest.mark.parametrize(("body", "status"), UNREADABLE, ids=[str(body[:30]) for body, _ in UNREADABLE])
-@pytest.mark.parametrize("path", ["runs", "live", "batches", "links"])
+@pytest.mark.parametrize("path", ["runs", "live", "batches", "tunings", "links"])
 def test_every_route_reads_its_body_as_strictly(client: httpx.Client, path: str, body: bytes, status: int) -> None:
     response = client.post(f"/api/v1/{path}", content=body, headers=JSON)
     assert response.status_code == status, response.text
