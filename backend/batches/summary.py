@@ -15,9 +15,9 @@ from pydantic import ValidationError
 from scipy import stats
 
 from backend.batches.plan import scenario_at
+from backend.hil.drive import simulate
 from sim_core.errors import RidelabError
 from sim_core.result import FloatArray
-from sim_core.simulation import simulate
 from sim_core.stability import least_damping
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance
@@ -59,16 +59,17 @@ class Study:
 
 def dampings(
     base: Mapping[str, Any], schema_version: int, changes: Sequence[str], strategies: Sequence[str]
-) -> list[list[float | None]]:
-    """Least damping of each strategy's loop at each of those points (`changes` is JSON text)."""
-    found: list[list[float | None]] = []
-    for text in changes:
+) -> FloatArray:
+    """Least damping of each strategy's loop at each of those points (`changes` is JSON text); NaN: not known."""
+    found = np.full((len(changes), len(strategies)), np.nan)
+    for point, text in enumerate(changes):
         try:
             scenario = scenario_at(base, orjson.loads(text), schema_version)
-        except (ValidationError, RidelabError):
-            found.append([None] * len(strategies))
+        except (ValidationError, RidelabError):  # another version ran it
             continue
-        found.append([_damping(scenario, name) for name in strategies])
+        for index, name in enumerate(strategies):
+            ratio = _damping(scenario, name)
+            found[point, index] = np.nan if ratio is None else ratio
     return found
 
 
