@@ -212,7 +212,7 @@ class Generation(Answer):
     )
 
 
-class Change(Answer):
+class TunedChange(Answer):
     """Change of a mean against the paper's weights, paired by road, with its 95 % interval [%]."""
 
     value: float
@@ -220,12 +220,12 @@ class Change(Answer):
     high: float | None
 
 
-class Figures(Answer):
+class TunedFigures(Answer):
     """One figure of one set of weights over some roads."""
 
     mean: float
     worst: float = Field(description="The largest over the roads")
-    change: Change | None = Field(description="Null for the paper's weights themselves and against zero")
+    change: TunedChange | None = Field(description="Null for the paper's weights themselves and against zero")
 
 
 class ComparedFigure(Answer):
@@ -242,8 +242,8 @@ class ComparedPoint(Answer):
     trial: int
     roles: list[str] = Field(description="paper, scenario, best.0 (of the first objective), knee")
     weights: dict[str, float | list[float]]
-    training: dict[str, Figures] = Field(description="By the figures' keys, over the training roads")
-    fresh: dict[str, Figures] = Field(description="The same over the fresh roads")
+    training: dict[str, TunedFigures] = Field(description="By the figures' keys, over the training roads")
+    fresh: dict[str, TunedFigures] = Field(description="The same over the fresh roads")
     verdict: list[Literal["better", "worse", "unclear"]] | None = Field(
         description="An objective each, on the fresh roads against the paper's weights: whether the interval of the "
         "change lies below zero, above it, or holds it; null for the paper's own"
@@ -259,7 +259,7 @@ class Comparison(Answer):
     points: list[ComparedPoint] = Field(description="The paper's weights first")
 
 
-class Counts(Answer):
+class TrialCounts(Answer):
     """Trials."""
 
     total: int
@@ -283,7 +283,7 @@ class TuningSummary(Answer):
     fresh_seeds: list[int]
     population: int
     seed: int
-    trials: Counts
+    trials: TrialCounts
     generation: int = Field(description="Generations that are complete")
     batch: str | None = Field(description="The batch it waits for, or waited for last")
     core_version: str

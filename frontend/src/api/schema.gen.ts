@@ -835,93 +835,6 @@ export interface components {
             shares: components["schemas"]["Share"][];
         };
         /**
-         * Figures
-         * @description Plotly figures by name, in the order of display.
-         */
-        backend__models__Figures: {
-            /** Figures */
-            figures: {
-                [key: string]: {
-                    [key: string]: unknown;
-                };
-            };
-        };
-        /**
-         * Change
-         * @description Change of one combination against another [%].
-         */
-        backend__paper__models__Change: {
-            /**
-             * Ci
-             * @description 95 % interval [%]
-             */
-            ci: number[];
-            /** Our Change */
-            our_change: number;
-            /** Signal */
-            signal: string;
-            /** Statistic */
-            statistic: string;
-            /** Window */
-            window: string;
-        };
-        /**
-         * Counts
-         * @description How many cells got each verdict.
-         */
-        backend__paper__models__Counts: {
-            /** Contradicts */
-            contradicts: number;
-            /** Reached */
-            reached: number;
-            /** Smaller */
-            smaller: number;
-        };
-        /**
-         * Change
-         * @description Change of a mean against the paper's weights, paired by road, with its 95 % interval [%].
-         */
-        backend__tuner__models__Change: {
-            /** High */
-            high: number | null;
-            /**
-             * Low
-             * @description Null on one road
-             */
-            low: number | null;
-            /** Value */
-            value: number;
-        };
-        /**
-         * Counts
-         * @description Trials.
-         */
-        backend__tuner__models__Counts: {
-            /** Done */
-            done: number;
-            /** Failed */
-            failed: number;
-            /** Feasible */
-            feasible: number;
-            /** Total */
-            total: number;
-        };
-        /**
-         * Figures
-         * @description One figure of one set of weights over some roads.
-         */
-        backend__tuner__models__Figures: {
-            /** @description Null for the paper's weights themselves and against zero */
-            change: components["schemas"]["backend__tuner__models__Change"] | null;
-            /** Mean */
-            mean: number;
-            /**
-             * Worst
-             * @description The largest over the roads
-             */
-            worst: number;
-        };
-        /**
          * Batch
          * @description A batch as it stands; `done` runs succeeded, `failed` runs did not and say why in their rows.
          */
@@ -1528,6 +1441,25 @@ export interface components {
             without_preview: components["schemas"]["Judgement"] | null;
         };
         /**
+         * Change
+         * @description Change of one combination against another [%].
+         */
+        Change: {
+            /**
+             * Ci
+             * @description 95 % interval [%]
+             */
+            ci: number[];
+            /** Our Change */
+            our_change: number;
+            /** Signal */
+            signal: string;
+            /** Statistic */
+            statistic: string;
+            /** Window */
+            window: string;
+        };
+        /**
          * Column
          * @description Who is compared with whom.
          */
@@ -1619,7 +1551,7 @@ export interface components {
              * @description The same over the fresh roads
              */
             fresh: {
-                [key: string]: components["schemas"]["backend__tuner__models__Figures"];
+                [key: string]: components["schemas"]["TunedFigures"];
             };
             /**
              * Roles
@@ -1631,7 +1563,7 @@ export interface components {
              * @description By the figures' keys, over the training roads
              */
             training: {
-                [key: string]: components["schemas"]["backend__tuner__models__Figures"];
+                [key: string]: components["schemas"]["TunedFigures"];
             };
             /** Trial */
             trial: number;
@@ -1796,6 +1728,18 @@ export interface components {
             variables: number;
         };
         /**
+         * Counts
+         * @description How many cells got each verdict.
+         */
+        Counts: {
+            /** Contradicts */
+            contradicts: number;
+            /** Reached */
+            reached: number;
+            /** Smaller */
+            smaller: number;
+        };
+        /**
          * CreatedLink
          * @description A new link.
          */
@@ -1842,7 +1786,7 @@ export interface components {
             /** Against */
             against: string;
             /** Cells */
-            cells: components["schemas"]["backend__paper__models__Change"][];
+            cells: components["schemas"]["Change"][];
             /** Label */
             label: string;
             /** Strategy */
@@ -1910,6 +1854,18 @@ export interface components {
             value: number;
             /** Window */
             window: string;
+        };
+        /**
+         * Figures
+         * @description Plotly figures by name, in the order of display.
+         */
+        Figures: {
+            /** Figures */
+            figures: {
+                [key: string]: {
+                    [key: string]: unknown;
+                };
+            };
         };
         /**
          * FigureSummary
@@ -2784,7 +2740,7 @@ export interface components {
             cells: components["schemas"]["Cell"][];
             /** Core Version */
             core_version: string;
-            counts: components["schemas"]["backend__paper__models__Counts"];
+            counts: components["schemas"]["Counts"];
             /** Errata */
             errata: components["schemas"]["Erratum"][];
             /** Reached */
@@ -2962,7 +2918,7 @@ export interface components {
             changed: number;
             /** Choice */
             choice: string;
-            counts: components["schemas"]["backend__paper__models__Counts"];
+            counts: components["schemas"]["Counts"];
             /** Reached */
             reached: number;
             /** Reading */
@@ -3860,6 +3816,20 @@ export interface components {
             };
         };
         /**
+         * TrialCounts
+         * @description Trials.
+         */
+        TrialCounts: {
+            /** Done */
+            done: number;
+            /** Failed */
+            failed: number;
+            /** Feasible */
+            feasible: number;
+            /** Total */
+            total: number;
+        };
+        /**
          * Trials
          * @description Every trial, in order.
          */
@@ -3868,6 +3838,36 @@ export interface components {
             trials: components["schemas"]["Trial"][];
             /** Tuning */
             tuning: string;
+        };
+        /**
+         * TunedChange
+         * @description Change of a mean against the paper's weights, paired by road, with its 95 % interval [%].
+         */
+        TunedChange: {
+            /** High */
+            high: number | null;
+            /**
+             * Low
+             * @description Null on one road
+             */
+            low: number | null;
+            /** Value */
+            value: number;
+        };
+        /**
+         * TunedFigures
+         * @description One figure of one set of weights over some roads.
+         */
+        TunedFigures: {
+            /** @description Null for the paper's weights themselves and against zero */
+            change: components["schemas"]["TunedChange"] | null;
+            /** Mean */
+            mean: number;
+            /**
+             * Worst
+             * @description The largest over the roads
+             */
+            worst: number;
         };
         /**
          * Tuning
@@ -3959,7 +3959,7 @@ export interface components {
             step: "search" | "comparison";
             /** Strategy */
             strategy: string;
-            trials: components["schemas"]["backend__tuner__models__Counts"];
+            trials: components["schemas"]["TrialCounts"];
         };
         /**
          * TuningEstimate
@@ -4312,7 +4312,7 @@ export interface components {
             step: "search" | "comparison";
             /** Strategy */
             strategy: string;
-            trials: components["schemas"]["backend__tuner__models__Counts"];
+            trials: components["schemas"]["TrialCounts"];
         };
         /**
          * TypedArray
@@ -4434,7 +4434,7 @@ export interface components {
          * @description The same count without the road ahead.
          */
         WithoutPreview: {
-            counts: components["schemas"]["backend__paper__models__Counts"];
+            counts: components["schemas"]["Counts"];
             /** Reached */
             reached: number;
         };
@@ -5351,7 +5351,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["backend__models__Figures"];
+                    "application/json": components["schemas"]["Figures"];
                 };
             };
             /** @description Internal Server Error */
@@ -6218,7 +6218,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["backend__models__Figures"];
+                    "application/json": components["schemas"]["Figures"];
                 };
             };
             /** @description Not Found */

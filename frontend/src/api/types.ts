@@ -73,7 +73,7 @@ export type Weights = Trial["weights"];
 export type Generation = Deep<Schemas["Generation"]>;
 export type Comparison = Deep<Schemas["Comparison"]>;
 export type ComparedPoint = Deep<Schemas["ComparedPoint"]>;
-export type TunedFigure = ComparedPoint["training"][string];
+export type TunedFigure = Deep<Schemas["TunedFigures"]>;
 
 export type ControllerReport = Deep<Schemas["ControllerReport"]>;
 export type RealtimeReport = Deep<Schemas["RealtimeReport"]>;

@@ -48,6 +48,16 @@ export function FreshTable({ tuning, objectives, figures }: Props) {
         {gains.map((gain) => (
           <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
         ))}
+        {comparison.points.flatMap(({ trial, failures }) =>
+          failures.map((failure) => (
+            <li key={`${trial} ${failure}`} data-keeps="worse">
+              <IconAlertTriangle size={16} stroke={2} aria-hidden />
+              <span>
+                Trial {trial} could not be run on every road; what is left out: {failure}
+              </span>
+            </li>
+          )),
+        )}
       </ul>
       <div className={tables.scroll} tabIndex={0} role="region" aria-label="The paper’s and the tuned weights over training and fresh roads">
         <table className={`${tables.table ?? ""} ${classes.fresh ?? ""}`}>
