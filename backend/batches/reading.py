@@ -32,10 +32,11 @@ async def summarised(
     async for rows in pages:
         await asyncio.to_thread(gathered.add, rows)
     origin = (batch.scenario, batch.schema_version)
-    damping: list[list[float | None]] = []
-    for first in range(0, len(gathered.changes), POINTS_A_CALL):
-        some = gathered.changes[first : first + POINTS_A_CALL]
-        damping += await workers.call(summary.dampings, *origin, some, batch.strategies)
+    ran, damping = gathered.ran(), np.full((len(gathered.changes), len(batch.strategies)), np.nan)
+    for first in range(0, len(ran), POINTS_A_CALL):
+        some = ran[first : first + POINTS_A_CALL]
+        texts = [gathered.changes[point] for point in some]
+        damping[some] = await workers.call(summary.dampings, *origin, texts, batch.strategies)
     summaries, nominal_damping = await workers.call(summary.nominal, *origin, batch.strategies)
     study = gathered.study(damping, summaries, nominal_damping)
     return {
@@ -76,16 +77,20 @@ class _Gathered:
                     value = at(found, FIGURES[key][0])
                     self._values[key][point, index] = np.nan if value is None else value
 
+    def ran(self) -> list[int]:
+        """The points at which some strategy has succeeded."""
+        found: list[int] = np.flatnonzero((self._status == "ok").any(axis=1)).tolist()
+        return found
+
     def study(
         self,
-        damping: Sequence[Sequence[float | None]],
+        damping: FloatArray,
         summaries: Mapping[str, Mapping[str, Any]],
         nominal_damping: Mapping[str, float | None],
     ) -> summary.Study:
         """All of it, with what the workers found."""
         changes = [orjson.loads(text) for text in self.changes]
         scenario = scenario_at(self._batch.scenario, {}, self._batch.schema_version).model_dump(mode="json")
-        ratios = np.array(damping, dtype=np.float64).reshape(self._status.shape)  # None becomes NaN
         names, fields = self._batch.strategies, self._batch.fields
         return summary.Study(
             strategies=names,
@@ -94,7 +99,7 @@ class _Gathered:
             figures=self._values,
             fields={name: [change.get(name) for change in changes] for name in fields},
             read={name: robustness.read(name, fields, scenario) for name in names},
-            damping=np.where(self._status == "ok", ratios, np.nan),
+            damping=np.where(self._status == "ok", damping, np.nan),
             nominal={
                 name: {key: at(found, FIGURES[key][0]) for key in self._figures} for name, found in summaries.items()
             },

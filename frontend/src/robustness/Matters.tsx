@@ -88,7 +88,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
               {rows.map(({ field, found: cells }) => (
                 <tr key={field} data-field={field}>
                   <th scope="row" className={classes.left}>
-                    <span className={classes.fieldName}>{nameOf(field)}</span>
+                    <span className={classes.fieldName}>{nameOf(field, batch.fields)}</span>
                   </th>
                   {[...figures.map(({ key }) => key), ...(margins ? [] : [STABILITY])].map((key) => (
                     <FollowCell key={key} figure={key} followed={cells[key]} />

@@ -140,7 +140,7 @@ function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, ba
   const told = (end: End) => showCell(end.at, field.unit);
   return (
     <div className={styles.tornadoRow} data-field={field.name}>
-      <span className={styles.tornadoName}>{nameOf(field.name)}</span>
+      <span className={styles.tornadoName}>{nameOf(field.name, [field])}</span>
       <span className={styles.tornadoTrack}>
         <span className={styles.tornadoLine} style={shares(place(nominal))} />
         {ends.map(({ side, end }) => {

@@ -17,6 +17,9 @@ import { AIRBORNE, summaryQuery, TRAVEL } from "./summary";
 import { Unstable } from "./Unstable";
 import { useOpenRun } from "./useOpenRun";
 
+/** Fewer finished points are no spread to look at. */
+const LEAST_POINTS = 10;
+
 interface Props {
   readonly batch: Batch;
   readonly figures: readonly Figure[];
@@ -41,23 +44,27 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       </Text>
     );
   }
-  if (!summary) {
+  const finished = summary ? Math.min(...Object.values(summary.strategies).map(({ ok }) => ok)) : 0;
+  if (!summary || (!ended && finished < LEAST_POINTS)) {
     if (ended && batch.done === 0 && batch.failed === 0) return <Text c="dimmed">No run has finished: there is nothing to read.</Text>;
     return (
       <div className={classes.results} aria-busy aria-label="Reading the study">
-        {batch.done > 0 ? null : <Text size="sm" c="dimmed">The first figures stand here as soon as some runs have finished.</Text>}
+        {!ended && (
+          <Text size="sm" c="dimmed">
+            The first figures stand here as soon as {LEAST_POINTS} points have run under each strategy.
+          </Text>
+        )}
         <Skeleton height={220} radius={8} />
         <Skeleton height={420} radius={8} />
       </div>
     );
   }
-  const finished = Math.min(...Object.values(summary.strategies).map(({ ok }) => ok));
   const shared = { summary, strategies, opening };
   return (
-    <div className={classes.results} data-testid="study-results" data-final={ended || undefined}>
+    <div className={classes.results} data-testid="study-results" data-final={(ended && !query.isPlaceholderData) || undefined} aria-busy={query.isPlaceholderData}>
       {finished < summary.points && (
         <Text size="sm" className={classes.warning} role="status">
-          {ended ? "" : "So far: "}at least {formatWhole(finished)} of {formatWhole(summary.points)} points have run under each strategy; the figures below are of those.
+          {ended ? "At" : "So far at"} least {formatWhole(finished)} of {formatWhole(summary.points)} points have run under each strategy; the figures below are of those.
         </Text>
       )}
       {opening.error !== null && (

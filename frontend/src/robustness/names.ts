@@ -1,5 +1,7 @@
 /** Short names of the fields a study varies, where there is no room for their titles. */
 
+import type { Batch } from "../api/types";
+
 const NAMES: Readonly<Record<string, string>> = {
   "mismatch.body_mass": "body mass",
   "mismatch.springs": "springs",
@@ -14,5 +16,6 @@ const NAMES: Readonly<Record<string, string>> = {
   "road.seed": "road",
 };
 
-/** Any other field by the end of its dotted name. */
-export const nameOf = (field: string): string => NAMES[field] ?? field.replace(/^.*\./, "").replace(/_/g, " ");
+/** Any other field by its title where it is known, else by the end of its dotted name. */
+export const nameOf = (field: string, fields: Batch["fields"] = []): string =>
+  NAMES[field] ?? fields.find(({ name }) => name === field)?.title ?? field.replace(/^.*\./, "").replace(/_/g, " ");
