@@ -34,6 +34,7 @@ values = ["{link}"]
 [[operations]]
 include-operation-id = [
     "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBatchTable",
+    "getBatchSummary",
     "exportController", "reportController", "driveByClock",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
