@@ -152,6 +152,18 @@ def test_the_comparison_by_hand(client: httpx.Client, tuning: dict[str, Any]) ->
             assert sure[point["verdict"][index]]
 
 
+def test_a_tunings_batches_are_there_but_not_among_those_that_people_handed_in(
+    client: httpx.Client, tuning: dict[str, Any]
+) -> None:
+    body = {"scenario": SCENARIO, "strategies": ["passive"], "sweep": {"list": [{}]}}
+    asked = client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": "tuning-x"}).json()["id"]
+    listed = {batch["id"] for batch in client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]}
+    assert asked in listed
+    assert tuning["comparison"]["batch"] not in listed
+    batch = client.get(f"/api/v1/batches/{tuning['comparison']['batch']}").json()
+    assert (batch["state"], batch["total"]) == ("done", len(tuning["comparison"]["points"]) * (len(SEEDS) + len(FRESH)))
+
+
 def test_the_same_request_gives_the_same_trials(client: httpx.Client, tuning: dict[str, Any]) -> None:
     again = wait_for(client, begin(client, "another-key")["id"])
     assert again["id"] != tuning["id"]

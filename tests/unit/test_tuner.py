@@ -193,7 +193,7 @@ def test_what_is_asked_next_lies_in_range_and_where_trials_were_good() -> None:
         assert all(low <= point[name] <= high for name, (low, high) in search.ranges.items())
     assert sum(point["lqr.weights.0"] > 4 for point in asked) <= 4, "of 32 random ones 12 would be"
     away = np.mean([sum(math.log(each) ** 2 for each in point.values()) for point in asked])
-    assert away < 0.6 * np.mean([each.values for each in trials]), "measured 0.3"
+    assert away < 0.6 * np.mean([each.values for each in trials]), "measured 0.19"
 
 
 def test_optuna_is_imported_for_a_tuning_only() -> None:
