@@ -3,7 +3,7 @@
 import { NativeSelect, Select } from "@mantine/core";
 import type { Batch, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
-import shell from "../shell/shell.module.css";
+import bar from "../shell/toolbar.module.css";
 import { prettyUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { fullName, type Figure } from "./figures";
@@ -49,7 +49,7 @@ export function PlotTools({ batch, strategies, markers, figures, x, y, view, onV
             <button
               key={strategy.id}
               type="button"
-              className={shell.chip}
+              className={bar.chip}
               aria-pressed={on}
               onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
             >

@@ -3,6 +3,7 @@
 import type { Paper } from "../api/types";
 import { Inline } from "./Inline";
 import classes from "./paper.module.css";
+import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
 import { VERDICTS } from "./verdicts";
 
@@ -36,8 +37,8 @@ export function Rules({ rules }: Pick<Paper, "rules">) {
 
 export function Errata({ errata }: Pick<Paper, "errata">) {
   return (
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label="What is printed, what is used here">
-      <table className={`${classes.table ?? ""} ${classes.errata ?? ""}`} data-testid="errata">
+    <div className={tables.scroll} tabIndex={0} role="region" aria-label="What is printed, what is used here">
+      <table className={`${tables.table ?? ""} ${tables.errata ?? ""}`} data-testid="errata">
         <thead>
           <tr>
             {["Place", "Printed", "Here"].map((name) => (
@@ -50,7 +51,7 @@ export function Errata({ errata }: Pick<Paper, "errata">) {
         <tbody>
           {errata.map(({ place, printed, here }) => (
             <tr key={`${place} ${printed}`}>
-              <th scope="row" className={classes.rowName}>
+              <th scope="row" className={tables.rowName}>
                 <Inline text={place} />
               </th>
               <td>

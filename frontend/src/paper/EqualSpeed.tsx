@@ -2,10 +2,10 @@
 
 import type { Attribution } from "../api/types";
 import { formatPercent } from "../tables/change";
-import tables from "../tables/tables.module.css";
+import changes from "../tables/tables.module.css";
 import { metricKey } from "./fair";
 import { spreadOf, typeset } from "./numbers";
-import paper from "./paper.module.css";
+import tables from "./tables.module.css";
 import { WindowHeads } from "./WindowHeads";
 import type { Words } from "./words";
 
@@ -20,16 +20,16 @@ export function EqualSpeed({ pairs, words }: Props) {
   const [first] = pairs;
   if (!first) return null;
   return (
-    <div className={paper.scroll} tabIndex={0} role="region" aria-label="At the same speed">
-      <table className={paper.table} data-testid="equal-speed">
+    <div className={tables.scroll} tabIndex={0} role="region" aria-label="At the same speed">
+      <table className={tables.table} data-testid="equal-speed">
         <thead>
           <WindowHeads before={1} metrics={first.cells} words={words} />
           <tr>
-            <th scope="col" className={paper.sticky}>
+            <th scope="col" className={tables.sticky}>
               At the same speed plan
             </th>
             {first.cells.map((cell) => (
-              <th key={metricKey(cell)} scope="col" className={paper.number}>
+              <th key={metricKey(cell)} scope="col" className={tables.number}>
                 {words.signal(cell.signal)}
               </th>
             ))}
@@ -38,11 +38,11 @@ export function EqualSpeed({ pairs, words }: Props) {
         <tbody>
           {pairs.map(({ label, cells }) => (
             <tr key={label}>
-              <th scope="row" className={paper.sticky} data-wide>
+              <th scope="row" className={tables.sticky} data-wide>
                 {typeset(label)}
               </th>
               {cells.map((cell) => (
-                <td key={metricKey(cell)} className={paper.number}>
+                <td key={metricKey(cell)} className={tables.number}>
                   <Sure cell={cell} />
                 </td>
               ))}
@@ -60,11 +60,11 @@ function Sure({ cell: { our_change: change, ci } }: { readonly cell: Change }) {
   const verdict = high < 0 ? "better" : low > 0 ? "worse" : "same";
   return (
     <>
-      <span className={tables.change} data-verdict={verdict}>
+      <span className={changes.change} data-verdict={verdict}>
         <span aria-hidden>{verdict === "better" ? "▼" : verdict === "worse" ? "▲" : "≈"}</span> {formatPercent(change)}
         <span className="visually-hidden">, {verdict === "same" ? "no certain difference" : verdict}</span>
       </span>
-      <span className={paper.spread}>{spreadOf(change, ci)}</span>
+      <span className={tables.spread}>{spreadOf(change, ci)}</span>
     </>
   );
 }

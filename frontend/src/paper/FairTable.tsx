@@ -8,7 +8,7 @@ import { formatPercent } from "../tables/change";
 import { count, formatFixed, formatResult } from "../units/format";
 import { ANY, filtered, FILTERS, inOrder, metricKey, NO_FILTER, partOf, type Filter, type Order } from "./fair";
 import classes from "./parts.module.css";
-import paper from "./paper.module.css";
+import tables from "./tables.module.css";
 import { WindowHeads } from "./WindowHeads";
 import type { Words } from "./words";
 
@@ -57,8 +57,8 @@ export function FairTable({ rows, words }: Props) {
           {listed.length === rows.length ? count(rows.length, "combination") : `${listed.length} of ${count(rows.length, "combination")}`}
         </Text>
       </div>
-      <div className={paper.scroll} tabIndex={0} role="region" aria-label="Combinations of controller, speed, preview and weights">
-        <table className={`${paper.table ?? ""} ${paper.combinations ?? ""}`} data-testid="combinations">
+      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Combinations of controller, speed, preview and weights">
+        <table className={`${tables.table ?? ""} ${tables.combinations ?? ""}`} data-testid="combinations">
           <thead>
             <WindowHeads before={FILTERS.length + 2} metrics={metrics} words={words} />
             <tr>
@@ -75,7 +75,7 @@ export function FairTable({ rows, words }: Props) {
               </Head>
               {metrics.map((metric) => (
                 <Head key={metricKey(metric)} column={metricKey(metric)} number {...heads}>
-                  {words.signal(metric.signal)} {shown === "value" && <span className={paper.unit}>{words.unit(metric.signal).unit}</span>}
+                  {words.signal(metric.signal)} {shown === "value" && <span className={tables.unit}>{words.unit(metric.signal).unit}</span>}
                 </Head>
               ))}
             </tr>
@@ -104,7 +104,7 @@ interface HeadProps {
 function Head({ column, order, onSort, number = false, sticky = false, children }: HeadProps) {
   const sorted = order?.column === column ? order : null;
   const Icon = sorted === null ? IconArrowsSort : sorted.descending ? IconSortDescending : IconSortAscending;
-  const look = [number ? paper.number : "", sticky ? paper.sticky : ""].join(" ");
+  const look = [number ? tables.number : "", sticky ? tables.sticky : ""].join(" ");
   return (
     <th scope="col" className={look} aria-sort={sorted === null ? "none" : sorted.descending ? "descending" : "ascending"}>
       <UnstyledButton className={classes.sort ?? ""} data-number={number || undefined} onClick={() => onSort(column)}>
@@ -125,22 +125,22 @@ function Row({ row, shown, words }: RowProps) {
   const comfort = row.comfort[COMFORT];
   return (
     <tr data-combination={row.id} data-known={row.is ?? undefined}>
-      <th scope="row" className={paper.sticky}>
+      <th scope="row" className={tables.sticky}>
         {partOf(row, "controller")}
         {row.is !== null && <span className={classes.known}>{words.strategy(row.is)}</span>}
       </th>
       <td>{partOf(row, "speed")}</td>
       <td>{partOf(row, "preview")}</td>
       <td>{partOf(row, "weights")}</td>
-      <td className={paper.number}>{formatFixed(row.travel_time, 1)}</td>
-      <td className={paper.number}>
+      <td className={tables.number}>{formatFixed(row.travel_time, 1)}</td>
+      <td className={tables.number}>
         {comfort ? formatResult(comfort.value) : "–"}
         {comfort && shown === "value" && <Interval {...comfort} scale={1} />}
       </td>
       {row.metrics.map((metric) => {
         const { scale } = words.unit(metric.signal);
         return (
-          <td key={metricKey(metric)} className={paper.number}>
+          <td key={metricKey(metric)} className={tables.number}>
             {shown === "change" ? formatPercent(metric.change_vs_passive) : formatResult(metric.value * scale)}
             {shown === "value" && <Interval {...metric} scale={scale} />}
           </td>

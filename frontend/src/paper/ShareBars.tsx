@@ -3,7 +3,7 @@
 import { formatPercent } from "../tables/change";
 import { formatFixed } from "../units/format";
 import classes from "./parts.module.css";
-import paper from "./paper.module.css";
+import tables from "./tables.module.css";
 import { PARTS, scaleOf, segmentsOf, type Share } from "./shares";
 import type { Words } from "./words";
 
@@ -15,18 +15,18 @@ interface Props {
 export function ShareBars({ shares, words }: Props) {
   const scale = scaleOf(shares);
   return (
-    <div className={paper.scroll} tabIndex={0} role="region" aria-label="Shares of LV’s gain">
-      <table className={paper.table} data-testid="shares">
+    <div className={tables.scroll} tabIndex={0} role="region" aria-label="Shares of LV’s gain">
+      <table className={tables.table} data-testid="shares">
         <thead>
           <tr>
-            <th scope="col" className={paper.sticky}>
+            <th scope="col" className={tables.sticky}>
               Figure
             </th>
-            <th scope="col" className={paper.number}>
+            <th scope="col" className={tables.number}>
               Whole change
             </th>
             {PARTS.map(({ part, label }) => (
-              <th key={part} scope="col" className={paper.number}>
+              <th key={part} scope="col" className={tables.number}>
                 <span className={classes.partName}>
                   <span className={classes.swatch} data-part={part} aria-hidden />
                   {label}
@@ -41,14 +41,14 @@ export function ShareBars({ shares, words }: Props) {
         <tbody>
           {shares.map((share) => (
             <tr key={`${share.window} ${share.signal}`}>
-              <th scope="row" className={paper.sticky} data-line>
-                {words.signal(share.signal)} <span className={paper.unit}>{words.view(share)}</span>
+              <th scope="row" className={tables.sticky} data-line>
+                {words.signal(share.signal)} <span className={tables.unit}>{words.view(share)}</span>
               </th>
-              <td className={paper.number}>
+              <td className={tables.number}>
                 <b>{formatPercent(share.total_change)}</b>
               </td>
               {PARTS.map(({ part }) => (
-                <td key={part} className={paper.number}>
+                <td key={part} className={tables.number}>
                   {formatFixed(share[part], 0)} %
                 </td>
               ))}

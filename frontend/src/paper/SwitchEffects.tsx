@@ -6,7 +6,7 @@ import type { Paper, PaperReading, ReadingEffects } from "../api/types";
 import { count } from "../units/format";
 import { withChoice, withoutChoices, type Choices } from "./choices";
 import { typeset } from "./numbers";
-import classes from "./paper.module.css";
+import tables from "./tables.module.css";
 import { effectsQuery } from "./queries";
 import { useSeen } from "./useSeen";
 import { VerdictBar } from "./Verdict";
@@ -28,28 +28,28 @@ export function SwitchEffects({ paper: { readings }, choices, onChoose }: Props)
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
   if (!data) {
     return (
-      <div ref={ref} className={classes.unprinted}>
+      <div ref={ref} className={tables.unprinted}>
         <Waiting key={String(seen)} what="Turning each switch by itself" height={24 + 40 * expected} />
       </div>
     );
   }
   return (
     <>
-      <div className={classes.scroll} tabIndex={0} role="region" aria-label="What each switch does">
-        <table className={`${classes.table ?? ""} ${classes.effects ?? ""}`} data-testid="effects">
+      <div className={tables.scroll} tabIndex={0} role="region" aria-label="What each switch does">
+        <table className={`${tables.table ?? ""} ${tables.effects ?? ""}`} data-testid="effects">
           <thead>
             <tr>
               <th scope="col">Switch, alone</th>
-              <th scope="col" className={classes.number}>
+              <th scope="col" className={tables.number}>
                 Cells reached
               </th>
-              <th scope="col" className={classes.barColumn}>
+              <th scope="col" className={tables.barColumn}>
                 Reached, smaller, contradicts
               </th>
-              <th scope="col" className={classes.number}>
+              <th scope="col" className={tables.number}>
                 Other verdict
               </th>
-              <th scope="col" className={classes.unprinted}>
+              <th scope="col" className={tables.unprinted}>
                 <span className="visually-hidden">Try it</span>
               </th>
             </tr>
@@ -77,17 +77,17 @@ function EffectRow({ row, reading, onTry }: { readonly row: Row; readonly readin
   const [title, choice] = [typeset(reading.title), typeset(label)];
   return (
     <tr>
-      <th scope="row" className={classes.rowName}>
+      <th scope="row" className={tables.rowName}>
         {title}: <b>{choice}</b>
       </th>
-      <td className={classes.number}>
+      <td className={tables.number}>
         <b>{row.reached}</b> of {row.total}
       </td>
-      <td className={classes.barColumn} title={countsInWords(row.counts)}>
+      <td className={tables.barColumn} title={countsInWords(row.counts)}>
         <VerdictBar counts={row.counts} />
       </td>
-      <td className={classes.number}>{row.changed === 0 ? "none" : count(row.changed, "cell")}</td>
-      <td className={classes.unprinted}>
+      <td className={tables.number}>{row.changed === 0 ? "none" : count(row.changed, "cell")}</td>
+      <td className={tables.unprinted}>
         <Button size="compact-xs" variant="default" aria-label={`Try ${title}: ${choice}`} onClick={onTry}>
           Try
         </Button>

@@ -7,6 +7,7 @@ import { formatPercent } from "../tables/change";
 import { formatResult } from "../units/format";
 import { printedChange, printedValue, spreadOf } from "./numbers";
 import classes from "./paper.module.css";
+import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
 import { cellId } from "./verdicts";
 import type { Words } from "./words";
@@ -21,7 +22,7 @@ export function Tables({ paper, words }: Props) {
     <>
       <Text className={classes.text}>
         The paper’s columns are as printed; ours are means over {paper.seeds} roads, changes with their 95 % interval in percentage points. A{" "}
-        <span className={classes.misprintWord}>misprint</span> is a printed change that does not follow from the absolutes printed beside it; the verdict is taken
+        <span className={tables.misprintWord}>misprint</span> is a printed change that does not follow from the absolutes printed beside it; the verdict is taken
         against the one that does. The absolutes are not the measure: the parameters the paper prints do not give its own passive car (
         <Anchor href="#errata" size="sm">
           errata
@@ -48,29 +49,29 @@ interface TableProps {
 function Table({ table, cells, words }: TableProps) {
   const [first] = cells;
   return (
-    <div className={classes.tableBlock} id={`table-${table.number}`}>
+    <div className={tables.tableBlock} id={`table-${table.number}`}>
       <h3 className={classes.subtitle}>
-        Table {table.number} <span className={classes.subtitleRest}>{table.title}</span>
+        Table {table.number} <span className={tables.subtitleRest}>{table.title}</span>
       </h3>
-      <div className={classes.scroll} tabIndex={0} role="region" aria-label={`Table ${table.number}`}>
-        <table className={`${classes.table ?? ""} ${classes.comparison ?? ""}`} data-table={table.number}>
+      <div className={tables.scroll} tabIndex={0} role="region" aria-label={`Table ${table.number}`}>
+        <table className={`${tables.table ?? ""} ${tables.comparison ?? ""}`} data-table={table.number}>
           <caption className="visually-hidden">{table.title}</caption>
           <thead>
             <tr>
-              <th scope="col" className={classes.sticky}>
+              <th scope="col" className={tables.sticky}>
                 {first ? words.view(first) : ""}
               </th>
-              <th scope="colgroup" colSpan={3} className={classes.group}>
+              <th scope="colgroup" colSpan={3} className={tables.group}>
                 Paper
               </th>
-              <th scope="colgroup" colSpan={3} className={classes.group}>
+              <th scope="colgroup" colSpan={3} className={tables.group}>
                 Here
               </th>
-              <th scope="col" className={classes.group} data-own>
+              <th scope="col" className={tables.group} data-own>
                 Verdict
               </th>
-              <th scope="col" className={classes.group}>
-                <IconEyeOff size={13} stroke={2} aria-hidden className={classes.inlineIcon} /> Without preview
+              <th scope="col" className={tables.group}>
+                <IconEyeOff size={13} stroke={2} aria-hidden className={tables.inlineIcon} /> Without preview
               </th>
             </tr>
           </thead>
@@ -100,20 +101,20 @@ function Pair({ strategy, against, cells, words }: PairProps) {
   const columns = [strategy, against, "Change"];
   return (
     <tbody>
-      <tr className={classes.pair}>
-        <th scope="rowgroup" className={classes.sticky}>
+      <tr className={tables.pair}>
+        <th scope="rowgroup" className={tables.sticky}>
           {strategy}
-          <span className={classes.against}>against {against}</span>
+          <span className={tables.against}>against {against}</span>
         </th>
         {["paper", "here"].map((side) =>
           columns.map((name, index) => (
-            <th key={`${side} ${name}`} scope="col" className={classes.number} data-first={index === 0 || undefined}>
+            <th key={`${side} ${name}`} scope="col" className={tables.number} data-first={index === 0 || undefined}>
               {name}
             </th>
           )),
         )}
-        <td className={classes.verdictCell} data-own />
-        <td className={classes.verdictCell} />
+        <td className={tables.verdictCell} data-own />
+        <td className={tables.verdictCell} />
       </tr>
       {cells.length === 0 ? <NotHere /> : cells.map((cell) => <Row key={cell.signal} cell={cell} words={words} />)}
     </tbody>
@@ -123,7 +124,7 @@ function Pair({ strategy, against, cells, words }: PairProps) {
 function NotHere() {
   return (
     <tr>
-      <td className={classes.notHere} colSpan={9}>
+      <td className={tables.notHere} colSpan={9}>
         This server cannot run this comparison.
       </td>
     </tr>
@@ -135,40 +136,40 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
   const without = cell.without_preview;
   return (
     <tr id={cellId(cell)} data-verdict={cell.verdict}>
-      <th scope="row" className={classes.sticky}>
-        {words.signal(cell.signal)} <span className={classes.unit}>{unit}</span>
+      <th scope="row" className={tables.sticky}>
+        {words.signal(cell.signal)} <span className={tables.unit}>{unit}</span>
         {/* Where the table is wider than the window, the verdict stands where it is in sight. */}
-        <span className={classes.nearVerdict}>
+        <span className={tables.nearVerdict}>
           <VerdictMark verdict={cell.verdict} certain={cell.certain} />
         </span>
       </th>
-      <td className={classes.number} data-first>
+      <td className={tables.number} data-first>
         {printedValue(cell.paper_value, scale)}
       </td>
-      <td className={classes.number}>{printedValue(cell.paper_base, scale)}</td>
-      <td className={classes.number}>
+      <td className={tables.number}>{printedValue(cell.paper_base, scale)}</td>
+      <td className={tables.number}>
         <PrintedChange cell={cell} />
       </td>
-      <td className={classes.number} data-first>
+      <td className={tables.number} data-first>
         {formatResult(cell.our_value * scale)}
       </td>
-      <td className={classes.number}>{formatResult(cell.our_base * scale)}</td>
-      <td className={classes.number}>
-        <b>{formatPercent(cell.our_change)}</b> <span className={classes.spread}>{spreadOf(cell.our_change, cell.ci)}</span>
+      <td className={tables.number}>{formatResult(cell.our_base * scale)}</td>
+      <td className={tables.number}>
+        <b>{formatPercent(cell.our_change)}</b> <span className={tables.spread}>{spreadOf(cell.our_change, cell.ci)}</span>
       </td>
-      <td className={classes.verdictCell} data-own>
+      <td className={tables.verdictCell} data-own>
         <VerdictMark verdict={cell.verdict} certain={cell.certain} />
       </td>
-      <td className={classes.verdictCell} data-without>
+      <td className={tables.verdictCell} data-without>
         {without ? (
-          <span className={classes.without}>
+          <span className={tables.without}>
             <VerdictMark verdict={without.verdict} certain={without.certain} />
-            <span className={classes.spread}>
+            <span className={tables.spread}>
               {formatPercent(without.our_change)} {spreadOf(without.our_change, without.ci)}
             </span>
           </span>
         ) : (
-          <span className={classes.spread}>no preview in it</span>
+          <span className={tables.spread}>no preview in it</span>
         )}
       </td>
     </tr>
@@ -178,10 +179,10 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
 function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly cell: PaperCell }) {
   if (!misprint) return <>{printedChange(printed)}</>;
   return (
-    <span className={classes.misprint}>
+    <span className={tables.misprint}>
       <s>{printedChange(misprint.printed)}</s>
-      <span className={classes.misprintMark}>
-        <IconAlertTriangle size={12} stroke={2} aria-hidden className={classes.inlineIcon} /> misprint: {printedChange(misprint.follows)} follows
+      <span className={tables.misprintMark}>
+        <IconAlertTriangle size={12} stroke={2} aria-hidden className={tables.inlineIcon} /> misprint: {printedChange(misprint.follows)} follows
       </span>
     </span>
   );

@@ -1,6 +1,6 @@
 /** The row over a table's figures that says which statistic over which window they are. */
 
-import paper from "./paper.module.css";
+import tables from "./tables.module.css";
 import type { Words } from "./words";
 
 interface Props {
@@ -17,7 +17,7 @@ export function WindowHeads({ before, metrics, words }: Props) {
     <tr>
       <td colSpan={before} />
       {[...new Set(titles)].map((title) => (
-        <th key={title} scope="colgroup" colSpan={titles.filter((each) => each === title).length} className={paper.windowHead}>
+        <th key={title} scope="colgroup" colSpan={titles.filter((each) => each === title).length} className={tables.windowHead}>
           {title}
         </th>
       ))}

@@ -10,6 +10,7 @@ import type { Scene } from "../state/scene";
 import { StrategyKey } from "../tables/StrategyKey";
 import { bumpRange } from "./bumpRange";
 import classes from "./shell.module.css";
+import bar from "./toolbar.module.css";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -24,12 +25,12 @@ const StrategyChips = memo(function StrategyChips({ strategies }: { readonly str
   const toggle = (id: string) =>
     lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => chosen.includes(other) !== (other === id)));
   return (
-    <div className={classes.chips} role="group" aria-label="Strategies">
+    <div className={bar.chips} role="group" aria-label="Strategies">
       {strategies.map((strategy) => (
         <Tooltip key={strategy.id} label={strategy.description} multiline w={240} openDelay={500}>
           <button
             type="button"
-            className={classes.chip}
+            className={bar.chip}
             disabled={summaries !== undefined && !(strategy.id in summaries)}
             aria-pressed={chosen.includes(strategy.id)}
             onClick={() => toggle(strategy.id)}
@@ -48,10 +49,10 @@ export function Toolbar({ strategies, scene }: Props) {
   const view = useView();
   const bump = scene && bumpRange(scene);
   return (
-    <div className={classes.toolbar}>
+    <div className={bar.toolbar}>
       <StrategyChips strategies={strategies} />
       <span className={classes.grow} />
-      <div className={classes.tools}>
+      <div className={bar.tools}>
         <SegmentedControl
           size="xs"
           aria-label="Plots over"

@@ -12,6 +12,7 @@ import { ofKey, type Shown } from "./figures";
 import { gainsOf, type Gain, type Keeps } from "./gain";
 import { roleName } from "./points";
 import classes from "./tuner.module.css";
+import results from "./results.module.css";
 
 interface Props {
   readonly tuning: Tuning;
@@ -44,7 +45,7 @@ export function FreshTable({ tuning, objectives, figures }: Props) {
   return (
     <section className={classes.card} aria-label="On fresh roads">
       <h2 className={classes.cardTitle}>On fresh roads: {tuning.seeds.length} trained on, {tuning.fresh_seeds.length} fresh</h2>
-      <ul className={classes.gains}>
+      <ul className={results.gains}>
         {gains.map((gain) => (
           <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
         ))}
@@ -60,7 +61,7 @@ export function FreshTable({ tuning, objectives, figures }: Props) {
         )}
       </ul>
       <div className={tables.scroll} tabIndex={0} role="region" aria-label="The paper’s and the tuned weights over training and fresh roads">
-        <table className={`${tables.table ?? ""} ${classes.fresh ?? ""}`}>
+        <table className={`${tables.table ?? ""} ${results.fresh ?? ""}`}>
           <thead>
             <tr>
               <td />
@@ -153,7 +154,7 @@ function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
         {formatPercent(value)}
         <span className="visually-hidden">, {verdict === "same" ? "unclear" : verdict}</span>
       </span>
-      <span className={classes.interval}>{low === null || high === null ? "one road" : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}</span>
+      <span className={results.interval}>{low === null || high === null ? "one road" : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}</span>
     </>
   );
 }

@@ -10,6 +10,7 @@ import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { weightAt, type Tunable } from "./space";
 import classes from "./tuner.module.css";
+import results from "./results.module.css";
 import type { Load } from "./useLoad";
 
 interface Props {
@@ -28,13 +29,13 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
     <section className={classes.card} aria-label="Best points">
       <h2 className={classes.cardTitle}>Best points, on the roads trained on</h2>
       <div className={tables.scroll} tabIndex={0} role="region" aria-label="Best points and their weights">
-        <table className={`${tables.table ?? ""} ${classes.points ?? ""}`}>
+        <table className={`${tables.table ?? ""} ${results.points ?? ""}`}>
           <thead>
             <tr>
               <td />
               {points.map(({ trial, names }) => (
                 <th key={trial.number} scope="col" data-trial={trial.number}>
-                  <span className={classes.pointName}>{names.join(", ")}</span>
+                  <span className={results.pointName}>{names.join(", ")}</span>
                   <span className={classes.dim}>trial {trial.number}</span>
                   <Button size="compact-xs" variant="default" loading={load.loading === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.load(trial)}>
                     Load in lab
@@ -71,7 +72,7 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
               </tr>
             ))}
             {triples.map(({ pointer, title, items }) => (
-              <tr key={pointer} className={classes.weightsRow}>
+              <tr key={pointer} className={results.weightsRow}>
                 <Name label={title} unit={items.map((item) => item.title.toLowerCase()).join(" · ")} />
                 {points.map(({ trial }) => (
                   <td key={trial.number} className={tables.cell} data-weights={dotted(pointer)}>
@@ -81,7 +82,7 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
               </tr>
             ))}
             {single && (
-              <tr className={classes.weightsRow}>
+              <tr className={results.weightsRow}>
                 <Name label={single.title} unit="1" />
                 {points.map(({ trial }) => (
                   <td key={trial.number} className={tables.cell}>

@@ -11,6 +11,7 @@ import type { Point } from "./points";
 import { SearchCard } from "./SearchCard";
 import type { Tunable } from "./space";
 import classes from "./tuner.module.css";
+import results from "./results.module.css";
 import type { Load } from "./useLoad";
 import { trialsQuery } from "./useTuning";
 import { WeightsOf } from "./WeightsOf";
@@ -35,11 +36,11 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
   const opening = points.find(({ names }) => names.includes("Balanced")) ?? points.at(-1);
   const picked = all.find(({ number }) => number === chosen) ?? points.find(({ trial }) => trial.number === chosen)?.trial ?? opening?.trial ?? null;
   return (
-    <div className={classes.plotRow}>
+    <div className={results.plotRow}>
       <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setChosen} />
       {picked && (
         <section className={classes.card} aria-label="Point looked at" data-trial={picked.number}>
-          <div className={classes.picked}>
+          <div className={results.picked}>
             <NativeSelect
               size="xs"
               label="Weights of trial"
@@ -72,7 +73,7 @@ function options(points: readonly Point[], front: readonly Trial[], picked: Tria
 
 function Values({ tuning, objectives, limits, trial }: Pick<Props, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
   return (
-    <dl className={classes.values}>
+    <dl className={results.values}>
       {objectives.map(({ label, unit, scale }, index) => (
         <div key={label}>
           <dt>{label}</dt>

@@ -15,6 +15,7 @@ import { count, formatExact, formatWhole, parseInput } from "../units/format";
 import { ofLimit, ofObjective } from "./figures";
 import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
+import results from "./results.module.css";
 import { tuningQuery } from "./useTuning";
 
 interface Props {
@@ -46,13 +47,13 @@ export function TuningState({ tuning, form, strategies, figures, connected, left
   const comparing = tuning.state === "running" && tuning.step === "comparison";
   return (
     <section className={classes.card} aria-label="Progress" data-state={tuning.state} data-step={tuning.step}>
-      <div className={classes.stateBody}>
-        <div className={classes.stateLine}>
+      <div className={results.stateBody}>
+        <div className={results.stateLine}>
           <Text size="sm" fw={650} role="status" data-testid="tuning-state">
             {comparing ? "Comparing on the roads" : STATE[tuning.state]}
             {tuning.reason !== null && `: ${tuning.reason}`}
           </Text>
-          <Text size="sm" className={classes.counts} data-testid="tuning-counts">
+          <Text size="sm" className={results.counts} data-testid="tuning-counts">
             {formatWhole(done + failed)} of {count(total, "trial")}
             {failed > 0 && <span className={classes.failed}>, {formatWhole(failed)} failed</span>}
             {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
@@ -117,7 +118,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
   });
   return (
     <form
-      className={classes.resume}
+      className={results.resume}
       onSubmit={(event) => {
         event.preventDefault();
         if (!wrong) resume.mutate(wanted);
@@ -165,7 +166,7 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
     ["Handed in", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
   ];
   return (
-    <dl className={classes.facts}>
+    <dl className={results.facts}>
       {facts.map(([term, text]) => (
         <div key={term}>
           <dt>{term}</dt>

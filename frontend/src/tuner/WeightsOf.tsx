@@ -4,7 +4,7 @@ import type { Weights } from "../api/types";
 import { dotted } from "../sweep/fields";
 import { formatInput } from "../units/format";
 import { weightAt, type Tunable } from "./space";
-import classes from "./tuner.module.css";
+import results from "./results.module.css";
 
 interface Props {
   readonly weights: Weights;
@@ -17,7 +17,7 @@ export function WeightsOf({ weights, beside, tunable: { triples, travel } }: Pro
   const travelName = travel ? dotted(travel.pointer) : "";
   const withTravel = travel !== null && weightAt(weights, travelName) !== undefined;
   return (
-    <table className={classes.weights}>
+    <table className={results.weights}>
       <caption className="visually-hidden">Weights</caption>
       <thead>
         <tr>
@@ -54,7 +54,7 @@ function Weight({ name, weights, beside }: { readonly name: string } & Pick<Prop
   return (
     <td data-weight={name} data-value={value ?? ""}>
       {value === undefined ? "–" : formatInput(value)}
-      {paper !== undefined && paper !== value && <span className={classes.was}>{formatInput(paper)}</span>}
+      {paper !== undefined && paper !== value && <span className={results.was}>{formatInput(paper)}</span>}
     </td>
   );
 }
