@@ -291,7 +291,7 @@ def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard:
     assert marked.evaluate_all("rows => rows.map(row => row.dataset.run)") == airborne
     expect(page.get_by_test_id("airborne-note")).to_contain_text(f"{len(airborne)} of the 8 runs shown")
     chips = page.get_by_role("group", name="Strategies")
-    expect(chips.get_by_role("button", name="Passive").locator("svg[data-marker=cross]")).to_be_visible()
+    expect(chips.get_by_role("button", name="Passive").locator("svg[data-marker=x]")).to_be_visible()
     dashboard.expect_accessible()
 
     page.locator(".scatterlayer .trace").nth(3).locator(".point").last.hover(force=True)
