@@ -33,7 +33,7 @@ values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBatchTable",
+    "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getRunReport", "getBatchTable",
     "getBatchSummary",
     "exportController", "reportController", "driveByClock",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",

@@ -1,4 +1,4 @@
-"""Robustness: a study over the lab's scenario put together, followed, read, shared by its address, opened at its worst."""
+"""Robustness: a study over the lab's scenario started, followed, read, shared by its address, opened at its worst."""
 
 import re
 from typing import Any
