@@ -33,8 +33,8 @@ values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getRunReport", "getBatchTable",
-    "getBatchSummary",
+    "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getRunReport",
+    "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
