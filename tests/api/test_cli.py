@@ -19,6 +19,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from backend.cli import app
+from sim_core import __version__
 from sim_core.__main__ import main as core_main
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -70,7 +71,7 @@ def test_run_prints_the_cores_own_table(cli: Cli, scenario: Path, capfdbinary: p
     sys.stdout.flush()
     expected = timeless(capfdbinary.readouterr().out.decode())
     assert timeless(printed)[: len(expected)] == expected
-    assert printed.startswith(f"Ridelab core 0.1.0, {scenario}; changes against Passive")
+    assert printed.startswith(f"Ridelab core {__version__}, {scenario}; changes against Passive")
 
 
 def test_a_run_can_be_named_in_every_way(cli: Cli, client: httpx.Client, scenario: Path, tmp_path: Path) -> None:
@@ -84,9 +85,9 @@ def test_a_run_can_be_named_in_every_way(cli: Cli, client: httpx.Client, scenari
     assert run["units"]["bump.body_acceleration.peak"] == "m/s^2"
     slug = client.post("/api/v1/links", json={"run_id": run_id}).json()["slug"]
     for name in (run_id, address, saved, slug, address.replace(f"/r/{run_id}", f"/s/{slug}")):
-        assert "Equal within the tolerance: 134 figures of lv, passive" in cli("compare", name, run_id), name
+        assert "Equal within the tolerance: 140 figures of lv, passive" in cli("compare", name, run_id), name
     changed = cli("compare", run_id, saved, "--strategy", "lv")
-    assert "67 figures" in changed
+    assert "70 figures" in changed
     assert cli("open", run_id, "--print") == f"{address}\n"
     assert cli("open", slug, "--print").endswith(f"/s/{slug}\n")
     assert cli("open", scenario, "--set", "road.seed=3", "-s", "lv,passive", "--print") == f"{address}\n"
@@ -115,7 +116,7 @@ def test_a_refusal_names_the_field(cli: Cli, scenario: Path) -> None:
     assert cli("run", "--set", "road.bump.start=149", code=2) == ""
     assert cli.error.startswith("road.bump.start: The bump must end before the road does")
     assert cli("run", "--strategy", "best", code=2) == ""
-    assert cli.error.startswith("strategies[0]: Unknown strategy; there are lv, lqr")
+    assert cli.error.startswith("strategies[0]: Unknown strategy; there are lv, lv_hil, lqr")
 
 
 @pytest.mark.parametrize("file_format", ["csv", "json", "parquet"])
@@ -374,7 +375,7 @@ def test_serve_is_the_service_itself(elsewhere: Path) -> None:
 def test_the_installed_command_is_this_one() -> None:
     installed = Path(sys.executable).parent / "ridelab"
     run = subprocess.run([installed, "--version"], cwd="/", capture_output=True, text=True, check=False)
-    assert (run.returncode, run.stdout) == (0, "Ridelab 0.1.0\n"), run.stderr
+    assert (run.returncode, run.stdout) == (0, f"Ridelab {__version__}\n"), run.stderr
 
 
 def test_strategies_are_all_of_them_unless_named(cli: Cli, scenario: Path) -> None:

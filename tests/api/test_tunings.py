@@ -45,7 +45,7 @@ def by_hand(client: httpx.Client, weights: Any, seeds: list[int]) -> tuple[list[
 @pytest.fixture(scope="module")
 def tuning(client: httpx.Client) -> dict[str, Any]:
     """A finished one of two objectives."""
-    answer = begin(client, "the-first")
+    answer = begin(client, "the-one-read")
     assert (answer["state"], answer["trials"]["done"], answer["paper"]) == ("queued", 0, None)
     found = wait_for(client, answer["id"])
     assert found["state"] == "done", found["reason"]
@@ -55,7 +55,7 @@ def tuning(client: httpx.Client) -> dict[str, Any]:
 def test_answers_have_their_models_shape(client: httpx.Client, tuning: dict[str, Any]) -> None:
     for model, found in (
         (models.Tuning, tuning),
-        (models.Tuning, begin(client, "the-first")),
+        (models.Tuning, begin(client, "the-one-read")),
         (models.Tunings, client.get("/api/v1/tunings").json()),
         (models.Trials, get(client, tuning["id"], "/trials")),
     ):

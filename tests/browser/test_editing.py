@@ -170,4 +170,4 @@ def test_strategies_are_switched_by_chips(dashboard: Dashboard) -> None:
         dashboard.chip(name).click()
     expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
     dashboard.page.get_by_role("button", name="Show all strategies").click()
-    expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(5)
+    expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(6)

@@ -123,7 +123,7 @@ def test_other_forms_of_a_sweep(tmp_path: Path) -> None:
         ({"grid": ["road.bump.height=a:b:3"]}, "road.bump.height: a is not a number"),
         ({"grid": ["road.bump.height=0:nan:3"]}, "road.bump.height: Input should be a finite number"),
         ({"grid": ["road.seed=1", "road.seed=2"]}, "road.seed: given twice"),
-        ({"ranges": ["road.seed=1"], "samples": 2}, "road.seed: --latin-hypercube takes"),
+        ({"ranges": ["road.seed=1"], "samples": 2}, "road.seed: a range is LOW:HIGH"),
     ],
 )
 def test_sweeps_that_cannot_be(options: dict[str, Any], said: str) -> None:
