@@ -53,10 +53,13 @@ class PacedEcu(Ecu):
         sent = time.monotonic()
         self._timing.lateness.append(sent - due)
         self._link.send(frame)
-        while (answer := self._link.receive(due + self._step)) is not None:
-            step, reply = answer
+        deadline = due + self._step
+        while (answer := self._link.receive(deadline)) is not None:
+            now, (step, reply) = time.monotonic(), answer
+            if now > deadline:  # it may have lain there while this side was not woken
+                break
             if step == frame.step:
-                self._timing.latency.append(time.monotonic() - sent)
+                self._timing.latency.append(now - sent)
                 return reply  # an earlier one came too late, and is of no use any more
         self._timing.misses += 1
         return None

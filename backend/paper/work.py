@@ -6,11 +6,12 @@ from typing import Any
 from backend.hil.drive import simulate
 from sim_core.attribution import COMFORT_FIGURES, VARIANTS
 from sim_core.paper import STRATEGIES, figures_of, scenario_for
-from sim_core.scenario import Bump, Road, Scenario, Speed
+from sim_core.scenario import Road, Scenario, Speed
 from sim_core.signals import PAPER_SIGNALS
 from sim_core.simulation import simulate as simulate_core
 from sim_core.strategies import Strategy
 
+ROAD_END = 110  # Eq. 3 [m]
 SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
 
 
@@ -33,8 +34,7 @@ def _one(scenario: Scenario, strategy: Strategy) -> dict[str, Any]:
 def peaks_over_speed(seeds: Sequence[int]) -> list[dict[str, list[list[float]]]]:
     """For each seed: `rough` (the paper's road) and `smooth` (the bump alone), peaks on the bump of the passive car.
 
-    Each a row for every speed of SPEEDS_KMH, a column for every one of PAPER_SIGNALS. The road begins 30 m before the
-    bump: at constant speed nothing before matters.
+    Each a row for every speed of SPEEDS_KMH, a column for every one of PAPER_SIGNALS; the paper's road, to its end.
     """
     return [{"rough": _peaks(64e-6, seed), "smooth": _peaks(0, seed)} for seed in seeds]
 
@@ -43,7 +43,7 @@ def _peaks(roughness: float, seed: int) -> list[list[float]]:
     rows = []
     for speed in SPEEDS_KMH:
         scenario = Scenario(
-            road=Road(roughness=roughness, seed=seed, length=60, bump=Bump(start=30)),
+            road=Road(roughness=roughness, seed=seed, length=ROAD_END),
             speed=Speed(initial_speed_kmh=speed),
         )
         metrics = simulate(scenario, "passive").metrics["bump"]

@@ -8,6 +8,7 @@ import httpx
 import pytest
 
 from backend.paper import models
+from backend.paper.work import SPEEDS_KMH, peaks_over_speed
 from sim_core.paper import FIGURES
 from tests.api.conftest import Service
 
@@ -91,6 +92,13 @@ def test_what_each_part_contributes(client: httpx.Client) -> None:
     times = {row["travel_time"] for row in rows.values() if row["speed"] == "constant"}
     assert len(times) == 1
     assert len(found["equal_speed"][0]["cells"]) == len(FIGURES)
+
+
+def test_peaks_over_speed_are_those_of_the_tables_where_both_are(answer: dict[str, Any]) -> None:
+    """Figures 3-6 at 50 km/h and Table 5's passive car drive the same roads; the road ends later there."""
+    at_50 = [run["rough"][SPEEDS_KMH.index(50)] for run in peaks_over_speed(range(1, 21))]
+    bases = [cell["our_base"] for cell in answer["cells"] if (cell["table"], cell["strategy"]) == (5, "speed_only")]
+    assert [statistics.fmean(column) for column in zip(*at_50, strict=True)] == pytest.approx(bases, rel=1e-9)
 
 
 def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
