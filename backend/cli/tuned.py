@@ -70,6 +70,10 @@ def lines(answer: Mapping[str, Any]) -> Iterator[str]:
     yield f"{trials['done']} trials on roads {_spans(answer['seeds'])}{within}"
     yield ""
     yield from _points(answer)
+    best = [trial["number"] for trial in answer["best"] if trial is not None]
+    if best and answer["paper"] is not None and set(best) == {answer["paper"]["number"]}:
+        yield ""
+        yield "No weights that were tried are better than the paper's; --resume with more --trials searches on."
     comparison = answer["comparison"]
     for point in comparison["points"] if comparison is not None else []:
         if point["verdict"] is not None:
