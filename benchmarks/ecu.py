@@ -32,7 +32,7 @@ class _Noting(Ecu):
             yield self
 
     def exchange(self, frame: Frame) -> Reply:
-        assert self._program is not None  # noqa: S101
+        assert self._program is not None  # noqa: S101  # entered before it is asked
         reply = self._program.exchange(frame)
         self.steps.append((frame, reply, self._program.operations[-1]))
         return reply

@@ -121,7 +121,7 @@ class TuningDriver:
             return str(error.detail)
         except (SQLAlchemyError, OSError, WorkerLostError, WorkersBusyError, WorkerTimeoutError):
             raise
-        except Exception:
+        except Exception:  # a bug of ours: this tuning fails and says so, the others go on
             logger.exception("Tuning %s failed", tuning.id)
             return UNFORESEEN
         return None

@@ -187,7 +187,7 @@ def test_late_answers_are_misses_and_never_taken_for_a_later_step() -> None:
             return None
 
     timing = Timing()
-    ecu = PacedEcu(Slow(), 0.02, timing)  # type: ignore[arg-type]
+    ecu = PacedEcu(Slow(), 0.02, timing)  # type: ignore[arg-type]  # a stand-in
     blank = np.zeros(1, dtype=np.int32)
     assert [ecu.exchange(Frame(step=k, stage=0, codes=blank)) for k in range(4)] == [None] * 4
     assert timing.misses == 4

@@ -24,7 +24,7 @@ SHORT = Scenario(
 
 
 def scenario(**hil: object) -> Scenario:
-    return SHORT.model_copy(update={"hil": Hil(**hil)})  # type: ignore[arg-type]
+    return SHORT.model_copy(update={"hil": Hil(**hil)})  # type: ignore[arg-type]  # pydantic checks them
 
 
 class Scripted(Ecu):

@@ -30,7 +30,7 @@ SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_t
 
 def trial(number: int, *values: float, feasible: bool = True, **more: Any) -> StoredTrial:
     known = {"generation": 0, "weights": {}, "status": "ok", "reason": None, "limits": []}
-    return StoredTrial(number=number, feasible=feasible, values=list(values), **(known | more))  # type: ignore[arg-type]
+    return StoredTrial(number=number, feasible=feasible, values=list(values), **(known | more))  # type: ignore[arg-type]  # any field
 
 
 def summary(rms: tuple[float, ...], peak: tuple[float, ...] = (1, 1, 1, 1)) -> dict[str, Any]:
