@@ -116,6 +116,7 @@ def _print_margins(seeds: int, preview: str) -> None:
         )
     print(f"{sum(cell.reached for cell in cells)} of {len(cells)} cells reached")
     print("\nPeak on the bump against the passive car")
+    print(f"{'':26}" + "".join(f"{SIGNALS[s].symbol:>11}" for s in PAPER_SIGNALS))
     for name in STRATEGIES:
         if name != "passive":
             changes = [

@@ -13,7 +13,7 @@ class ControllerRequest(RequestModel):
 
     model_config = ConfigDict(json_schema_extra={"examples": [{"scenario": {"mpc": {"prediction_horizon": 20}}}]})
 
-    scenario: Scenario
+    scenario: Scenario = Scenario()
 
 
 class ControllerPart(Answer):

@@ -152,7 +152,8 @@ def test_what_each_part_contributes_can_be_sorted_and_filtered(paper: Page) -> N
 def test_every_figure_is_drawn_when_it_is_scrolled_to(paper: Page) -> None:
     panels = paper.locator("figure[id^=figure-]")
     expect(panels).to_have_count(len(FIGURES), timeout=PATIENCE_MS)
-    assert [(panel.get_attribute("id") or "").removeprefix("figure-") for panel in panels.all()] == list(map(str, FIGURES))
+    ids = [panel.get_attribute("id") for panel in panels.all()]
+    assert ids == [f"figure-{number}" for number in FIGURES]
     assert paper.locator("figure .scatterlayer .trace").count() == 0
     for number in FIGURES:
         panel = paper.locator(f"#figure-{number}")

@@ -1659,6 +1659,125 @@ export interface components {
          *     }
          */
         ControllerRequest: {
+            /**
+             * @default {
+             *       "vehicle": {
+             *         "body_mass": 1270,
+             *         "cg_height": 0.54,
+             *         "cg_to_front": 1.015,
+             *         "cg_to_rear": 1.895,
+             *         "front_damping": 6000,
+             *         "front_spring": 27000,
+             *         "front_tyre_stiffness": 268000,
+             *         "front_wheel_mass": 66.3,
+             *         "pitch_inertia": 1536.7,
+             *         "rear_damping": 6000,
+             *         "rear_spring": 30000,
+             *         "rear_tyre_stiffness": 268000,
+             *         "rear_wheel_mass": 66.3
+             *       },
+             *       "road": {
+             *         "bump": {
+             *           "height": 0.1,
+             *           "shape": "cosine",
+             *           "start": 100,
+             *           "width": 4
+             *         },
+             *         "length": 150,
+             *         "roughness": 0.000064,
+             *         "seed": 1
+             *       },
+             *       "speed": {
+             *         "controller": "guarded",
+             *         "detection_distance": 80,
+             *         "initial_speed_kmh": 50,
+             *         "target_speed_kmh": 22.5
+             *       },
+             *       "brake": {
+             *         "brakes": 2,
+             *         "drag_area": 0.65,
+             *         "effective_radius": 0.13,
+             *         "friction_coefficient": 0.38,
+             *         "maximum_deceleration": 4,
+             *         "piston_area": 0.0025,
+             *         "pressure_lag": 0.1,
+             *         "rolling_resistance": 0.012,
+             *         "threshold_speed": 0.1,
+             *         "wheel_radius": 0.3
+             *       },
+             *       "actuator": {},
+             *       "mismatch": {
+             *         "body_mass": 1,
+             *         "damping": 1,
+             *         "preview_delay": 0,
+             *         "preview_gain": 1,
+             *         "preview_noise": 0,
+             *         "preview_offset": 0,
+             *         "springs": 1,
+             *         "tyres": 1
+             *       },
+             *       "mpc": {
+             *         "control_horizon": 20,
+             *         "deflection_limit": 0.08,
+             *         "deflection_weight": 3,
+             *         "force_change_weight": 1e-10,
+             *         "force_limit": 5000,
+             *         "force_weight": 1e-9,
+             *         "prediction_horizon": 30,
+             *         "preview": "lookahead",
+             *         "road_weights": {
+             *           "bump": [
+             *             3,
+             *             1,
+             *             6
+             *           ],
+             *           "rough": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         },
+             *         "sample_time": 0.01,
+             *         "solver": "daqp",
+             *         "stage_weights": {
+             *           "brake": [
+             *             2,
+             *             6,
+             *             1
+             *           ],
+             *           "bump": [
+             *             1,
+             *             1,
+             *             6
+             *           ],
+             *           "cruise": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         }
+             *       },
+             *       "lqr": {
+             *         "deflection_weight": 3,
+             *         "preview": "none",
+             *         "preview_horizon": 30,
+             *         "weights": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       },
+             *       "hil": {
+             *         "bits": 12,
+             *         "compensation": "predict",
+             *         "iterations": 30,
+             *         "jitter": 0,
+             *         "noise": 0,
+             *         "packet_loss": 0,
+             *         "seed": 1
+             *       }
+             *     }
+             */
             scenario: components["schemas"]["Scenario"];
         };
         /**

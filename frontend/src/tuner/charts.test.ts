@@ -49,7 +49,7 @@ describe("one objective", () => {
     const figure = historyFigure({ trials, paper, picked: null, shown: plain, palette, colour: "red" });
     const line = figure.data.find(({ name }) => name === "Best so far");
     expect([line?.x, line?.y]).toEqual([
-      [1, 3, 6],
+      [0, 2, 5],
       [2, 1.5, 1.5],
     ]);
     expect(figure.beyond).toBe(1);

@@ -154,7 +154,7 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
     type: "scatter",
     mode: "markers",
     name,
-    x: some.map(({ number }) => number + 1),
+    x: some.map(({ number }) => number),
     y: some.map((trial) => valueOf(trial, 0, shown)),
     customdata: some.map(({ number }) => number),
     marker: { ...marker },
@@ -167,7 +167,7 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
   const must = [...best.map(({ value }) => value), reference].filter(Number.isFinite);
   const line: LineTrace = {
     type: "scatter", mode: "lines", name: "Best so far", opacity: 1, hoverinfo: "skip",
-    x: best.map(({ number }) => number + 1), y: best.map(({ value }) => value), line: { color: colour, width: 2.5, shape: "hv" },
+    x: best.map(({ number }) => number), y: best.map(({ value }) => value), line: { color: colour, width: 2.5, shape: "hv" },
   };
   const ring = known.filter(({ number }) => number === picked);
   const range = must.length > 0 ? rangeOf(must, values) : null;
@@ -182,7 +182,7 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
     layout: {
       ...layout(
         palette,
-        { title: { text: "Trials" }, rangemode: "tozero" },
+        { title: { text: "Trial" }, rangemode: "tozero" },
         { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
         "history",
       ),
@@ -205,6 +205,6 @@ export function volumeFigure(history: readonly Generation[], { palette, colour }
   };
   return {
     data: [line],
-    layout: layout(palette, { title: { text: "Trials" }, rangemode: "tozero" }, { title: { text: "Dominated [%]" }, rangemode: "tozero" }, "volume"),
+    layout: layout(palette, { title: { text: "Trial" }, rangemode: "tozero" }, { title: { text: "Dominated [%]" }, rangemode: "tozero" }, "volume"),
   };
 }
