@@ -1,6 +1,7 @@
 """Settings all tests share."""
 
 import os
+import signal
 from typing import Any
 
 import pytest
@@ -12,6 +13,10 @@ pytest_plugins = ["tests.servers.fixtures"]
 # One core is enough for 8 states, and threads only make timings and other test processes worse.
 for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(name, "1")
+
+# A shell that starts this in the background has SIGINT ignored, and what tests start would inherit that.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Same examples on every machine and no deadline: a failure is the code's, never the machine's. Nothing is shrunk:
 # that takes minutes where an example is a whole run.

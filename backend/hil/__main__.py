@@ -93,7 +93,7 @@ def lines(content: Mapping[str, Any]) -> list[str]:
         f"a step every {1000 * content['sample_time']:g} ms; {content['cycles_per_operation']:g} cycles an operation, "
         f"within {100 * content['spread']:.0f} %",
         "",
-        "Np  Nc  limits    it.  flash KB  RAM KB  operations      ms on the part  fits   worst change of Tables 9-10",
+        "Np  Nc  limits    it.  ran out  flash KB  RAM KB  operations      ms on the part  fits   worst of Tables 9-10",
     ]
     rows = []
     for row in content["rows"]:
@@ -102,7 +102,8 @@ def lines(content: Mapping[str, Any]) -> list[str]:
         cells = [value for window in row["changes"].values() for value in window.values() if value is not None]
         rows.append(
             f"{row['prediction_horizon']:<4}{row['control_horizon']:<4}{row['checked']:<4}{row['checked_rows']:>4}"
-            f"{row['iterations']:>7}{flash:>10.1f}{ram:>8.1f}  {operations['least']:>6} to{operations['most']:>6}"
+            f"{row['iterations']:>7}{row['unfinished']:>9}{flash:>10.1f}{ram:>8.1f}  "
+            f"{operations['least']:>6} to{operations['most']:>6}"
             f"  {1000 * time['least']:>5.1f} to {1000 * time['most']:>5.1f}  {'yes' if row['fits'] else 'no':<6}"
             f"{_percent(max(cells, default=None)):>7}"
         )

@@ -4,6 +4,7 @@ import asyncio
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping
+from contextlib import nullcontext
 from functools import partial
 from typing import Any
 
@@ -12,6 +13,7 @@ from backend.admission import Admission
 from backend.compute import Workers
 from backend.hil.drive import EcuUnavailableError
 from backend.paper import answers, drawings, work
+from backend.paper.turns import Turns
 from backend.problems import ProblemError
 from backend.reports import paper as paper_report
 from backend.reports.making import made
@@ -41,7 +43,7 @@ class Paper:
         self._under_way: dict[str, asyncio.Task[Any]] = {}
         self._waiting: Counter[asyncio.Task[Any]] = Counter()
         # A visitor's what-if finds a worker free: this work takes one of them at a time.
-        self._turn = asyncio.Semaphore(1)
+        self._turns = Turns()
 
     async def reproduction(self, chosen: Mapping[str, str], seeds: int, client: str) -> dict[str, Any]:
         """Every cell under these readings (reading -> choice, all of them), as `PaperAnswer`.
@@ -50,8 +52,8 @@ class Paper:
             ProblemError: 429 or 503.
         """
         without = {**chosen, "preview": "none"}
-        ours = await self._values(chosen, seeds, client)
-        blind = ours if without == chosen else await self._values(without, seeds, client)
+        ours = await self._values(chosen, seeds, client, ahead=True)
+        blind = ours if without == chosen else await self._values(without, seeds, client, ahead=True)
         return answers.reproduction(chosen, seeds, ours, blind)
 
     async def readings(self, seeds: int, client: str) -> dict[str, Any]:
@@ -101,13 +103,24 @@ class Paper:
         with self._admission.computing(client, Scenario(), ()):
             return await made(partial(paper_report.report, found, parts, drawn["figures"], compressed=compressed))
 
-    async def _values(self, chosen: Mapping[str, str], seeds: int, client: str) -> dict[str, Any]:
-        return paper.gathered(await self._rows(work.values, (dict(chosen),), seeds, client))
+    async def _values(
+        self, chosen: Mapping[str, str], seeds: int, client: str, *, ahead: bool = False
+    ) -> dict[str, Any]:
+        return paper.gathered(await self._rows(work.values, (dict(chosen),), seeds, client, ahead=ahead))
 
     async def _rows(
-        self, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int, client: str
+        self,
+        function: Callable[..., list[Any]],
+        given: tuple[Any, ...],
+        seeds: int,
+        client: str,
+        *,
+        ahead: bool = False,
     ) -> list[Any]:
-        """`function(*given, roads)` for roads 1 to `seeds`, a row each: stored, under way, or computed and stored."""
+        """`function(*given, roads)` for roads 1 to `seeds`, a row each: stored, under way, or computed and stored.
+
+        What is `ahead` is computed before what is not.
+        """
         name = f"paper.{function.__name__}"
         key = digest.derived_key(name, {"given": given, "seeds": seeds})
         stored = await self._store.call(self._store.runs.load_results, [key])
@@ -124,7 +137,8 @@ class Paper:
                 task = self._under_way[key] = asyncio.create_task(self._compute(key, name, function, given, seeds))
             self._waiting[task] += 1
             try:
-                return await asyncio.shield(task)
+                with self._turns.ahead(key) if ahead else nullcontext():
+                    return await asyncio.shield(task)
             finally:
                 self._leave(key, task)
 
@@ -142,7 +156,7 @@ class Paper:
         begin, rows = time.perf_counter(), []
         for first in range(1, seeds + 1, AT_ONCE):
             roads = list(range(first, min(first + AT_ONCE, seeds + 1)))
-            async with self._turn:
+            async with self._turns.turn(key):
                 try:
                     rows += await self._workers.call(function, *given, roads)
                 except EcuUnavailableError as error:

@@ -3,7 +3,8 @@
 import type { Batch, RobustnessDefaults, Scenario, StrategyId, Sweep } from "../api/types";
 import { getAt } from "../editor/path";
 import type { Group } from "../editor/schema";
-import { draftField, readDraft, type DraftErrors } from "../sweep/draft";
+import type { DraftErrors } from "../order/problems";
+import { draftField, readDraft } from "../sweep/draft";
 import { sweepFields, type SweepField } from "../sweep/fields";
 import { formatExact, formatInput } from "../units/format";
 

@@ -3,6 +3,7 @@
 import type { StrategyId, Sweep } from "../api/types";
 import { readTyped } from "../editor/limits";
 import type { NumberField } from "../editor/schema";
+import type { DraftErrors } from "../order/problems";
 import { formatInput, parseInput } from "../units/format";
 import type { SweepField } from "./fields";
 
@@ -27,9 +28,7 @@ export interface SweepDraft {
   readonly strategies: readonly StrategyId[];
 }
 
-/** Messages by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
-export type DraftErrors = Readonly<Record<string, string>>;
-
+/** Errors by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
 export type Reading = { readonly ok: true; readonly sweep: Sweep } | { readonly ok: false; readonly errors: DraftErrors };
 
 const DEFAULT_COUNT = 5;

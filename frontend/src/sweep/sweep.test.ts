@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { FORM } from "../editor/form.fixture";
+import { placeProblems } from "../order/problems";
 import { draftField, readDraft, spread, type FieldDraft, type SweepDraft } from "./draft";
 import { sweepFields } from "./fields";
-import { placeProblems } from "./problems";
+import { sweepPlaces } from "./problems";
 
 const FIELDS = sweepFields(FORM);
 const field = (name: string) => {
@@ -117,10 +118,10 @@ describe("errors of the server", () => {
       { pointer: "/sweep", message: "over the limit" },
       { pointer: "/scenario/road/length", message: "too short" },
     ];
-    expect(placeProblems(errors, ["road.bump.height", "mpc.lag"], "")).toEqual({
+    expect(placeProblems(errors, sweepPlaces(["road.bump.height", "mpc.lag"]), "")).toEqual({
       fields: { "road.bump.height": "too high", "mpc.lag": "no range", samples: "too many", strategies: "unknown" },
       general: ["over the limit", "The scenario’s road.length: too short"],
     });
-    expect(placeProblems([], [], "Full").general).toEqual(["Full"]);
+    expect(placeProblems([], sweepPlaces([]), "Full").general).toEqual(["Full"]);
   });
 });

@@ -3,8 +3,9 @@
 import { ActionIcon, Text, TextInput } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import { fullName, type Figure } from "../batch/figures";
+import type { DraftErrors } from "../order/problems";
 import { prettyUnit } from "../units/format";
-import { limitOf, MOST_LIMITS, type DraftErrors, type LimitDraft } from "./draft";
+import { limitOf, MOST_LIMITS, type LimitDraft } from "./draft";
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
 

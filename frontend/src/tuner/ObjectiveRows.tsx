@@ -4,8 +4,9 @@ import { ActionIcon, NativeSelect, Text, TextInput } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { Catalogue } from "../api/types";
 import { fullName, type Figure } from "../batch/figures";
+import type { DraftErrors } from "../order/problems";
 import { prettyUnit } from "../units/format";
-import { MOST_OBJECTIVES, objectiveOf, type DraftErrors, type Kind, type ObjectiveDraft } from "./draft";
+import { MOST_OBJECTIVES, objectiveOf, type Kind, type ObjectiveDraft } from "./draft";
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
 

@@ -2,8 +2,9 @@
 
 import { Checkbox, Text, TextInput } from "@mantine/core";
 import type { Scenario } from "../api/types";
+import type { DraftErrors } from "../order/problems";
 import { formatInput } from "../units/format";
-import type { DraftErrors, RangeDraft } from "./draft";
+import type { RangeDraft } from "./draft";
 import { ownWeight, weightFields, type Tunable } from "./space";
 import classes from "./tuner.module.css";
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Figure } from "../batch/figures";
-import { readDraft, objectiveOf, type TuningDraft } from "./draft";
-import { placeProblems } from "./problems";
+import { placeProblems } from "../order/problems";
+import { readDraft, objectiveOf, tuningPlace, type TuningDraft } from "./draft";
 import { weightAt, withWeights } from "./space";
 
 const TRAVEL: Figure = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
@@ -72,11 +72,11 @@ describe("the server's errors", () => {
       { pointer: "/scenario/road/length", message: "e" },
       { pointer: "", message: "f" },
     ];
-    expect(placeProblems(errors, "x")).toEqual({
+    expect(placeProblems(errors, tuningPlace, "x")).toEqual({
       fields: { "objectives.1": "a", "search.lqr.weights.0": "b", fresh_seeds: "c", objectives: "d" },
       general: ["The scenario’s road.length: e", "f"],
     });
-    expect(placeProblems([], "x").general).toEqual(["x"]);
+    expect(placeProblems([], tuningPlace, "x").general).toEqual(["x"]);
   });
 });
 

@@ -4,6 +4,7 @@ import type { TuningChoice } from "../api/client";
 import type { StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";
+import type { DraftErrors, PlaceOf } from "../order/problems";
 import { formatInput, parseInput } from "../units/format";
 import { readSeeds } from "./seeds";
 import { tunableOf, weightFields } from "./space";
@@ -44,10 +45,16 @@ export interface TuningDraft {
   readonly seed: string;
 }
 
-/** By field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
-export type DraftErrors = Readonly<Record<string, string>>;
-
+/** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
 export type Reading = { readonly ok: true; readonly wish: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
+
+const PLAIN = ["seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
+
+export const tuningPlace: PlaceOf = ([root, second]) => {
+  if (root === undefined) return null;
+  if (root === "objectives" || root === "limits" || root === "search") return second === undefined ? root : `${root}.${second}`;
+  return PLAIN.includes(root) ? root : null;
+};
 
 /** Where a sum over the passive car is taken unless somebody says otherwise. */
 export const WINDOW_OF: Readonly<Record<Kind, string>> = { paper: "whole", peaks: "bump", figure: "" };

@@ -1,0 +1,77 @@
+/** What is ordered by a form: checked on the server when the form rests, begun once. */
+
+import { useDebouncedValue } from "@mantine/hooks";
+import { useMutation, useQuery } from "@tanstack/react-query";
+import { useRef } from "react";
+import { ApiProblem } from "../api/problem";
+import { placeProblems, type DraftErrors, type PlaceOf } from "./problems";
+
+const REST_MS = 350;
+
+interface Order<Wish, Estimate> {
+  readonly kind: string;
+  /** What the form asks for; null while there is nothing to ask for yet. */
+  readonly wish: Wish | null;
+  /** What the form itself finds wrong; null when nothing is. */
+  readonly errors: DraftErrors | null;
+  readonly placeOf: PlaceOf;
+  readonly estimate: (wish: Wish, signal: AbortSignal) => Promise<Estimate>;
+  /** Begins it and says where it can be seen. What is sent carries its `keyOf`. */
+  readonly begin: (wish: Wish, keyOf: (sent: unknown) => string) => Promise<string>;
+}
+
+interface OrderState<Estimate> {
+  readonly errors: DraftErrors;
+  readonly general: readonly string[];
+  readonly estimate: Estimate | undefined;
+  readonly pending: boolean;
+  readonly starting: boolean;
+  readonly start: () => void;
+}
+
+/** 128 random bits; `crypto.randomUUID` is missing where the page is not a secure context. */
+function randomKey(): string {
+  return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+export function useOrder<Wish, Estimate>(order: Order<Wish, Estimate>): OrderState<Estimate> {
+  const text = order.wish === null ? "" : JSON.stringify(order.wish);
+  const [rested] = useDebouncedValue(text, REST_MS);
+  const settled = rested === text;
+  const estimate = useQuery({
+    queryKey: ["estimate", order.kind, rested],
+    queryFn: ({ signal }) => order.estimate(JSON.parse(rested) as Wish, signal),
+    enabled: rested !== "" && settled,
+    gcTime: 60_000,
+  });
+
+  // What is sent again keeps its key, so that a lost answer asked for again does not begin a second one.
+  const keys = useRef(new Map<string, string>());
+  const keyOf = (sent: unknown) => {
+    const name = JSON.stringify(sent);
+    const key = keys.current.get(name) ?? randomKey();
+    keys.current.set(name, key);
+    return key;
+  };
+  const started = useMutation({
+    mutationFn: (wish: Wish) => order.begin(wish, keyOf),
+    networkMode: "always",
+    onSuccess: (address) => window.location.assign(address),
+  });
+
+  const problem = started.error ?? (settled ? estimate.error : null);
+  const placed =
+    problem instanceof ApiProblem
+      ? placeProblems(problem.errors, order.placeOf, problem.message)
+      : { fields: {}, general: problem ? [problem.message] : [] };
+
+  return {
+    errors: order.errors ?? placed.fields,
+    general: order.errors ? [] : placed.general,
+    estimate: text && settled && !estimate.isError ? estimate.data : undefined,
+    pending: text !== "" && (!settled || estimate.isFetching),
+    // The page is left once it has started.
+    starting: started.isPending || started.isSuccess,
+    start: () => order.wish !== null && started.mutate(order.wish),
+  };
+}
