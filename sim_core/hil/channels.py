@@ -59,10 +59,10 @@ def reaches(intervals: int) -> FloatArray:
 
 
 def convert(values: FloatArray, reach: FloatArray | float, bits: int) -> tuple[IntArray, int]:
-    """Codes of values (n,) and how many of them were beyond the range; rounds to nearest, clips at the ends."""
+    """Codes of values (…, n) and how many of them were beyond the range; rounds to nearest, clips at the ends."""
     highest = highest_code(bits)
     steps = np.rint(values / reach * highest)
-    codes = np.clip(steps, -highest, highest)
+    codes = steps.clip(-highest, highest)
     return codes.astype(np.int32), int(np.count_nonzero(codes != steps))
 
 

@@ -4,9 +4,7 @@ The plant is driven in short steps, so that a command may come in the middle of 
 control instants; its answer to instant k takes effect at instant k + 1, later by the jitter, or never.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import repeat
 from math import ceil
 
 import numpy as np
@@ -110,13 +108,19 @@ class HilLoop:
         """Drive from rest, without a command before the first answer."""
         steps, n, plant, forcing = self._control_steps, self._way.per_control, self._plant, self._way.forcing
         states, commands = np.empty((steps * n, plant.size)), np.empty((steps * n, FORCES))
-        arrivals, tally = self._arrivals(), Tally()
-        newest = np.full(steps * n, -1)  # the answer that arrives at a short step, the newest of several
+        arrivals, tally = self._arrivals().tolist(), Tally()
+        newest = [-1] * (steps * n)  # the answer that arrives at a short step, the newest of several
         asked = np.zeros((steps + 1, FORCES))  # by answer [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
+        noise = self._noise()
+        ahead, tally.clipped = convert(self._way.preview + noise[:, STATES:], self._reach[STATES:], self._known.bits)
         state, held, present = np.zeros(plant.size), -1, np.zeros(FORCES)
-        for k, noise in enumerate(self._noise()):
-            reply = ecu.exchange(self._measured(k, state, noise, tally))
+        settled, driven = True, np.zeros(plant.size)  # whether the actuators have what is asked; what they do
+        for k in range(steps):
+            sensed, clipped = convert(state[:STATES] + noise[k, :STATES], self._reach[:STATES], self._known.bits)
+            tally.clipped += clipped
+            codes = np.concatenate([sensed, ahead[k]])
+            reply = ecu.exchange(Frame(step=k, stage=self._way.stages[k], codes=codes))
             if reply is not None:
                 asked[k] = np.array(reply.commands) * (self._known.command_step * KILO)
                 tally.count(reply)
@@ -124,22 +128,24 @@ class HilLoop:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
                 if newest[i] > held:
-                    held = int(newest[i])
+                    held, settled = newest[i], False
                     used[held] = True
-                present = self._moved(present, asked[held])
+                if not settled:
+                    before, present = present, self._moved(present, asked[held])
+                    settled = np.array_equal(present, before)
+                    driven = plant.B @ present
                 states[i], commands[i] = state, present
-                state = plant.A @ state + plant.B @ present + forcing[i]
+                state = plant.A @ state + driven + forcing[i]
         tally.held = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
         return HilCourse(states=states, commands=commands, tally=tally)
 
-    def _noise(self) -> Iterator[FloatArray | float]:
-        """What noise adds to the inputs in each control step."""
+    def _noise(self) -> FloatArray:
+        """What noise adds to the inputs in each control step (steps, 8 + 3 · preview_length)."""
+        shape = (self._control_steps, len(self._reach))
         if not self._hil.noise:
-            yield from repeat(0.0, self._control_steps)
-            return
+            return np.broadcast_to(0.0, shape)
         generator = np.random.default_rng((self._hil.seed, _NOISE))
-        for _ in range(self._control_steps):
-            yield self._hil.noise * self._reach * generator.standard_normal(len(self._reach))
+        return self._hil.noise * self._reach * generator.standard_normal(shape)
 
     def _arrivals(self) -> NDArray[np.intp]:
         """The short step at which each answer arrives; one after the end of the run where it is lost."""
@@ -148,13 +154,6 @@ class HilLoop:
         delays = np.random.default_rng((hil.seed, _JITTER)).integers(0, latest, size=steps, endpoint=True)
         lost = np.random.default_rng((hil.seed, _LOSS)).random(steps) < hil.packet_loss
         return np.where(lost, steps * n, (np.arange(steps) + 1) * n + delays)
-
-    def _measured(self, k: int, state: FloatArray, noise: FloatArray | float, tally: Tally) -> Frame:
-        """What the converters make of the inputs."""
-        values = np.concatenate([state[:STATES], self._way.preview[k]]) + noise
-        codes, clipped = convert(values, self._reach, self._known.bits)
-        tally.clipped += clipped
-        return Frame(step=k, stage=self._way.stages[k], codes=codes)
 
     def _moved(self, present: FloatArray, wanted: FloatArray) -> FloatArray:
         """The actuators' command a short step later."""

@@ -198,18 +198,18 @@ def test_a_sweep_can_be_cancelled_and_keeps_what_is_done(dashboard: Dashboard, s
 def test_a_sweep_goes_on_when_the_server_comes_back(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     ranges = {"road.bump.height": [0.01, 0.2], "mpc.deflection_weight": [1, 4]}
-    page.goto(submit(server, {"latin_hypercube": {"ranges": ranges, "samples": 1200, "seed": 5}}, ["lv"]))
+    page.goto(submit(server, {"latin_hypercube": {"ranges": ranges, "samples": 500, "seed": 5}}, ["lv"]))
     counts = page.get_by_test_id("batch-counts")
-    expect(counts).to_contain_text(re.compile(r"^[1-9]\d* of 1200 runs finished"), timeout=LONG_MS)
+    expect(counts).to_contain_text(re.compile(r"^[1-9]\d* of 500 runs finished"), timeout=LONG_MS)
     server.stop()
     try:
         expect(page.get_by_text("The connection is interrupted")).to_be_visible(timeout=LONG_MS)
     finally:
         server.start()
     expect_done(page)
-    expect(counts).to_have_text("1200 of 1200 runs finished")
+    expect(counts).to_have_text("500 of 500 runs finished")
     expect(page.get_by_text("The connection is interrupted")).to_have_count(0)
-    expect(page.locator("[data-points='1200']")).to_be_visible()
+    expect(page.locator("[data-points='500']")).to_be_visible()
 
 
 def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, reader: Dashboard, server: Server) -> None:

@@ -4,6 +4,7 @@ import { Button, Menu, Text } from "@mantine/core";
 import { IconArrowBackUp, IconArrowForwardUp, IconTemplate } from "@tabler/icons-react";
 import type { Preset } from "../api/types";
 import { useDesk, useLab, useReadOnly } from "../state/context";
+import { useSelect } from "../state/store";
 import { ExportMenu } from "../export/ExportMenu";
 import { ShareRun } from "../share/ShareRun";
 import { SweepButton } from "../sweep/SweepButton";
@@ -17,7 +18,7 @@ import { StatusLine } from "./StatusLine";
 export function Header({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useDesk();
   const readOnly = useReadOnly();
-  const runId = useLab((state) => state.shown?.runId ?? null);
+  const runId = useRunId();
   const canUndo = useLab((state) => state.shared === null && (state.history?.past.length ?? 0) > 0);
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
@@ -42,6 +43,14 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       <SchemeToggle />
     </header>
   );
+}
+
+/** The run to carry to other pages: the address's, which is there before its curves are, or a shared result's. */
+function useRunId(): string | null {
+  const named = useSelect(useDesk().router, (address) => address.runId);
+  const found = useLab((state) => state.failure?.kind !== "notFound");
+  const shown = useLab((state) => state.shown?.runId ?? null);
+  return (found ? named : null) ?? shown;
 }
 
 function PresetMenu({ presets, disabled }: { readonly presets: readonly Preset[]; readonly disabled: boolean }) {
