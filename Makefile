@@ -7,22 +7,27 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
 
-.PHONY: run test drill check audit bench margins ecu paper setup frontend lock clean
+.PHONY: run test drill check check-python check-frontend audit bench margins ecu paper setup frontend lock clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
 
-test: setup check ## everything: style, types, import rules, all tests, browser included
+test: setup ## everything: style, types, import rules, all tests, browser included
+	$(MAKE) --jobs 2 check
 	$(BIN)/python -m pytest tests --ignore tests/drill --numprocesses 2 --dist loadfile
 
 drill: setup ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
 	$(BIN)/python -m pytest tests/drill -s
 
-check: setup ## style, types and import rules
+check: check-python check-frontend ## style, types and import rules
+
+check-python: setup
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+
+check-frontend: setup
 	cd frontend && $(NODE) npm run check
 
 audit: setup ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet

@@ -14,6 +14,9 @@ pytest_plugins = ["tests.servers.fixtures"]
 for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(name, "1")
 
+# Tests start some hundred processes: what one compiles the others need not.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 # A shell that starts this in the background has SIGINT ignored, and what tests start would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
