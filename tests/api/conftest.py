@@ -1,5 +1,6 @@
 """One real service for all these tests: uvicorn in a thread, workers in processes of their own."""
 
+import json
 import threading
 import time
 from collections.abc import Iterator
@@ -16,6 +17,7 @@ from backend.__main__ import listen
 from backend.app import create_app
 from backend.protocol import server_config
 from backend.settings import Settings
+from tests.api.cli import Cli
 from tests.servers.postgres import Postgres
 
 STORED = ("test_runs", "test_batches", "test_links")
@@ -99,3 +101,18 @@ def run(service: Service) -> dict[str, Any]:
     assert response.status_code == 200, response.text
     answer: dict[str, Any] = response.json()
     return answer
+
+
+@pytest.fixture
+def cli(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    """The command, with the tests' service."""
+    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
+    return Cli(capfdbinary)
+
+
+@pytest.fixture
+def scenario(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """The test module's SCENARIO as a file."""
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps(request.module.SCENARIO), encoding="utf-8")
+    return path

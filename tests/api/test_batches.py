@@ -18,6 +18,7 @@ from backend.batches import sweeps
 from sim_core import dotted
 from sim_core.scenario import Scenario
 from sim_core.simulation import simulate
+from tests.api.streams import told
 
 BASE = {"road": {"length": 125, "bump": {"start": 88}}}  # nobody else's, so that nothing is stored yet
 HEIGHTS = [0.04, 0.06, 0.08]
@@ -145,13 +146,7 @@ def test_columns_are_the_same_numbers(client: httpx.Client, batch: dict[str, Any
 
 
 def events(client: httpx.Client, batch_id: str, **options: Any) -> list[dict[str, Any]]:
-    text = client.get(f"/api/v1/batches/{batch_id}/events", timeout=120, **options).text
-    found = []
-    for block in text.split("\n\n"):
-        fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))
-        if "data" in fields:
-            found.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
-    return found
+    return told(client, f"/api/v1/batches/{batch_id}/events", **options)
 
 
 def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Client, batch: dict[str, Any]) -> None:

@@ -18,46 +18,15 @@ import psutil
 import pyarrow.parquet as pq
 import pytest
 
-from backend.cli import app
 from sim_core import __version__
 from sim_core.__main__ import main as core_main
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
+from tests.api.cli import Cli, command, environment
 
-ROOT = Path(__file__).parents[2]
-COMMAND = [sys.executable, "-m", "backend.cli"]
 SCENARIO = {"road": {"length": 118, "bump": {"start": 77}}}  # nobody else's
 # A second or two of one core each, so that a sweep of them is still running when it is interrupted.
 LONG = {"road": {"length": 60.1, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
-
-
-class Cli:
-    """The command in this process, with the tests' service."""
-
-    def __init__(self, capfdbinary: pytest.CaptureFixture[bytes]) -> None:
-        self._captured = capfdbinary
-        self.error = ""
-
-    def __call__(self, *arguments: str | Path, code: int = 0) -> str:
-        found = app.run([str(argument) for argument in arguments])
-        sys.stdout.flush()
-        captured = self._captured.readouterr()
-        self.error = captured.err.decode()
-        assert found == code, self.error
-        return captured.out.decode()
-
-
-@pytest.fixture
-def cli(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
-    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
-    return Cli(capfdbinary)
-
-
-@pytest.fixture
-def scenario(tmp_path: Path) -> Path:
-    path = tmp_path / "scenario.json"
-    path.write_text(json.dumps(SCENARIO), encoding="utf-8")
-    return path
 
 
 def timeless(table: str) -> list[str]:
@@ -203,11 +172,6 @@ def test_a_runs_time_histories_and_figures_are_exported(cli: Cli, scenario: Path
     assert figures.read_bytes() == before
 
 
-def environment(**more: str) -> dict[str, str]:
-    kept = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
-    return {**kept, "PYTHONPATH": str(ROOT), **more}
-
-
 @pytest.fixture
 def elsewhere(tmp_path: Path) -> Path:
     """A working folder with a trap: a package of the same name."""
@@ -230,10 +194,6 @@ def no_service_left() -> Iterator[None]:
 def private_services() -> list[int]:
     processes = psutil.process_iter(["cmdline"])
     return [process.pid for process in processes if "backend.cli.embedded" in (process.info["cmdline"] or ())]
-
-
-def command(*arguments: str) -> list[str]:
-    return [sys.executable, "-P", "-m", "backend.cli", *arguments]
 
 
 @pytest.mark.usefixtures("no_service_left")

@@ -13,24 +13,11 @@ import pytest
 from backend.cli import tuned
 from backend.cli.reporting import InputError
 from backend.client import Ridelab
-from tests.api.test_cli import Cli, command, environment
+from tests.api.cli import Cli, command, environment
 
 SCENARIO = {"road": {"length": 62, "bump": {"start": 45}}, "speed": {"detection_distance": 40}}
 ROADS = ("--seeds", "1-2", "--fresh", "11,12-13")
 SHORT = ("--strategy", "lqr", "--trials", "8", "--population", "4", *ROADS)
-
-
-@pytest.fixture
-def cli(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
-    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
-    return Cli(capfdbinary)
-
-
-@pytest.fixture
-def scenario(tmp_path: Path) -> Path:
-    path = tmp_path / "scenario.json"
-    path.write_text(json.dumps(SCENARIO), encoding="utf-8")
-    return path
 
 
 def test_what_was_found_is_printed_and_can_be_written_and_run(cli: Cli, scenario: Path, tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from backend.hil.models import ControllerReport, RealtimeReport
 from backend.settings import Settings
 from sim_core.scenario import Scenario
 from tests.api.conftest import Service, serve
+from tests.servers.process import wait_until
 
 SMALL = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
@@ -91,7 +92,7 @@ def test_one_at_a_time(service: Service) -> None:
     answers: list[httpx.Response] = []
     first = threading.Thread(target=lambda: answers.append(post(service, "/realtime")))
     first.start()
-    time.sleep(0.5)
+    wait_until(lambda: "ridelab_open_requests 1.0" in service.client.get("/metrics").text, "the drive's begin")
     second = post(service, "/report")
     assert second.status_code == 429
     assert int(second.headers["retry-after"]) > 0

@@ -1,10 +1,11 @@
 """A small tuning over HTTP, for tests: the request, and what waits for it and reads it."""
 
-import json
 import time
 from typing import Any
 
 import httpx
+
+from tests.api.streams import told
 
 # Nobody else's road, and a short one.
 SCENARIO: dict[str, Any] = {
@@ -56,10 +57,4 @@ def trials(client: httpx.Client, tuning_id: str) -> list[dict[str, Any]]:
 
 
 def events(client: httpx.Client, tuning_id: str, **options: Any) -> list[dict[str, Any]]:
-    text = client.get(f"/api/v1/tunings/{tuning_id}/events", timeout=120, **options).text
-    found = []
-    for block in text.split("\n\n"):
-        fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))
-        if "data" in fields:
-            found.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
-    return found
+    return told(client, f"/api/v1/tunings/{tuning_id}/events", **options)

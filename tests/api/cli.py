@@ -1,0 +1,36 @@
+"""The `ridelab` command for tests: in this process, or as one of its own."""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+from backend.cli import app
+
+ROOT = Path(__file__).parents[2]
+
+
+class Cli:
+    """The command in this process, with the tests' service."""
+
+    def __init__(self, capfdbinary: pytest.CaptureFixture[bytes]) -> None:
+        self._captured = capfdbinary
+        self.error = ""
+
+    def __call__(self, *arguments: str | Path, code: int = 0) -> str:
+        found = app.run([str(argument) for argument in arguments])
+        sys.stdout.flush()
+        captured = self._captured.readouterr()
+        self.error = captured.err.decode()
+        assert found == code, self.error
+        return captured.out.decode()
+
+
+def command(*arguments: str) -> list[str]:
+    return [sys.executable, "-P", "-m", "backend.cli", *arguments]
+
+
+def environment(**more: str) -> dict[str, str]:
+    kept = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
+    return {**kept, "PYTHONPATH": str(ROOT), **more}

@@ -1,0 +1,17 @@
+"""Reads a stream of server-sent events to its end."""
+
+import json
+from typing import Any
+
+import httpx
+
+
+def told(client: httpx.Client, path: str, **options: Any) -> list[dict[str, Any]]:
+    """Each event: `id`, `event` and what its data holds."""
+    text = client.get(path, timeout=120, **options).text
+    found = []
+    for block in text.split("\n\n"):
+        fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))
+        if "data" in fields:
+            found.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
+    return found
