@@ -2,11 +2,8 @@
 
 import os
 import signal
-from typing import Any
 
-import pytest
 from hypothesis import HealthCheck, Phase, settings
-from xdist.scheduler import LoadFileScheduling
 
 pytest_plugins = ["tests.servers.fixtures"]
 
@@ -34,15 +31,3 @@ settings.register_profile(
 # To search new examples and shrink what fails: HYPOTHESIS_PROFILE=search python -m pytest tests/validation
 settings.register_profile("search", parent=settings.get_profile("fixed"), derandomize=False, phases=list(Phase))
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fixed"))
-
-
-class Together(LoadFileScheduling):
-    """On several processes each file's tests run on one, and so do the paper's, which share what they compute."""
-
-    def _split_scope(self, nodeid: str) -> str:
-        file: str = super()._split_scope(nodeid)
-        return "tests/api/test_paper" if file.startswith("tests/api/test_paper") else file
-
-
-def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Together:
-    return Together(config, log)

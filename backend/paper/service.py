@@ -121,8 +121,7 @@ class Paper:
 
         What is `ahead` is computed before what is not.
         """
-        name = f"paper.{function.__name__}"
-        key = digest.derived_key(name, {"given": given, "seeds": seeds})
+        key = _key(function, given, seeds)
         stored = await self._store.call(self._store.runs.load_results, [key])
         if key in stored:
             rows: list[Any] = stored[key].summary["rows"]
@@ -134,7 +133,7 @@ class Paper:
                 if len(self._under_way) >= MOST_UNDER_WAY:
                     detail = "The service is full: too much of the paper page is being computed."
                     raise ProblemError(503, detail, kind="full", retry_after=RETRY_AFTER)
-                task = self._under_way[key] = asyncio.create_task(self._compute(key, name, function, given, seeds))
+                task = self._under_way[key] = asyncio.create_task(self._compute(key, function, given, seeds))
             self._waiting[task] += 1
             try:
                 with self._turns.ahead(key) if ahead else nullcontext():
@@ -151,7 +150,7 @@ class Paper:
             task.cancel()
 
     async def _compute(
-        self, key: str, name: str, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int
+        self, key: str, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int
     ) -> list[Any]:
         begin, rows = time.perf_counter(), []
         for first in range(1, seeds + 1, AT_ONCE):
@@ -163,6 +162,22 @@ class Paper:
                     detail = f"Hardware in the loop cannot run here: {error.message}"
                     raise ProblemError(503, detail, kind="no-ecu", retry_after=RETRY_AFTER) from None
         took = 1000 * (time.perf_counter() - begin)
-        item = StoredResult(key=key, strategy=name, status="ok", summary={"rows": rows}, compute_ms=took)
+        item = stored_rows(function, given, seeds, rows, took)
         await self._store.call(self._store.runs.save_result, item, CORE_VERSION)
         return rows
+
+
+def stored_rows(
+    function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int, rows: list[Any], compute_ms: float
+) -> StoredResult:
+    """`function(*given, roads)` for roads 1 to `seeds`, as it is stored."""
+    key = _key(function, given, seeds)
+    return StoredResult(key=key, strategy=_name(function), status="ok", summary={"rows": rows}, compute_ms=compute_ms)
+
+
+def _key(function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int) -> str:
+    return digest.derived_key(_name(function), {"given": given, "seeds": seeds})
+
+
+def _name(function: Callable[..., list[Any]]) -> str:
+    return f"paper.{function.__name__}"

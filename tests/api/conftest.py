@@ -1,12 +1,14 @@
 """One real service for all these tests: uvicorn in a thread, workers in processes of their own."""
 
+import asyncio
 import json
+import socket
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Coroutine, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import httpx
 import pytest
@@ -18,18 +20,19 @@ from backend.app import create_app
 from backend.protocol import server_config
 from backend.settings import Settings
 from tests.api.cli import Cli
-from tests.servers.postgres import Postgres
+from tests.servers.reproduction import store_in
 
-STORED = ("test_runs", "test_batches", "test_links")
+T = TypeVar("T")
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
 @dataclass
 class Service:
-    """The running service: its HTTP client, and the application behind it."""
+    """The running service: its HTTP client, the application behind it, and the event loop that it runs in."""
 
     client: httpx.Client
     app: FastAPI
+    loop: asyncio.AbstractEventLoop
 
     def run(self, strategies: list[str], scenario: dict[str, Any] | None = None) -> httpx.Response:
         return self.client.post("/api/v1/runs", json={"scenario": scenario or {}, "strategies": strategies})
@@ -38,10 +41,24 @@ class Service:
         body = {"scenario": scenario or {}, "strategies": strategies, **more}
         return self.client.post("/api/v1/live", json=body)
 
+    def inside(self, work: Coroutine[Any, Any, T], seconds: float = 60) -> T:
+        """What comes of it in the service's own event loop."""
+        return asyncio.run_coroutine_threadsafe(work, self.loop).result(seconds)
+
+
+class Server(uvicorn.Server):
+    """Tells which event loop it runs in."""
+
+    loop: asyncio.AbstractEventLoop
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        self.loop = asyncio.get_running_loop()
+        await super().startup(sockets)
+
 
 def serve(settings: Settings) -> Iterator[Service]:
     app = create_app(settings)
-    server = uvicorn.Server(server_config(app, settings))
+    server = Server(server_config(app, settings))
     with listen("127.0.0.1", 0) as listener:
         address = f"http://127.0.0.1:{listener.getsockname()[1]}"
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
@@ -49,7 +66,7 @@ def serve(settings: Settings) -> Iterator[Service]:
         try:
             with httpx.Client(base_url=address, timeout=30) as client:
                 wait_until_ready(client)
-                yield Service(client=client, app=app)
+                yield Service(client=client, app=app, loop=server.loop)
         finally:
             server.should_exit = True
             thread.join()
@@ -68,20 +85,14 @@ def wait_until_ready(client: httpx.Client, seconds: float = 40) -> None:
 
 
 @pytest.fixture(scope="session")
-def service(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
-    settings = Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2)
-    if request.param == "postgresql":
-        server: Postgres = request.getfixturevalue("postgres")
-        settings = settings.model_copy(update={"database_url": server.new_database()})
-    yield from serve(settings)
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    yield from serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2))
 
 
-def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Tests of what is stored run on both databases, one service after the other; the rest on SQLite."""
-    if "service" in metafunc.fixturenames:
-        stores = Path(metafunc.definition.path).stem in STORED
-        databases = ["sqlite", "postgresql"] if stores else ["sqlite"]
-        metafunc.parametrize("service", databases, indirect=True, scope="session")
+@pytest.fixture(scope="session")
+def reproduced(service: Service) -> None:
+    """The service has the paper's reproduction stored."""
+    store_in(service.app.state.store)
 
 
 @pytest.fixture(scope="session")

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+import pytest
 
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -72,6 +73,7 @@ def with_blocks(page: str, blocks: dict[str, Iterator[str]]) -> str:
     return page
 
 
+@pytest.mark.usefixtures("reproduced")
 def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
     answer = client.get("/api/v1/paper", timeout=120).json()
     page = PAGE.read_text(encoding="utf-8")

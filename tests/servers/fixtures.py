@@ -1,6 +1,6 @@
-"""Fixtures every test may ask for: a real PostgreSQL, and a database of either kind."""
+"""Fixtures every test may ask for: a real PostgreSQL, a database of either kind, the paper's reproduction."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -26,3 +26,16 @@ def database_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
         return f"sqlite:///{tmp_path}/new/folder/ridelab.sqlite"
     server: Postgres = request.getfixturevalue("postgres")
     return server.new_database()
+
+
+@pytest.fixture(scope="session")
+def reproduction() -> Callable[[str], None]:
+    """Puts the paper's reproduction into the database of that URL, so that its service computes none of it.
+
+    Before the service starts or while it runs; nothing is computed but in the first test run after a change of what
+    the numbers depend on. See `tests.servers.reproduction`.
+    """
+    from tests.servers.reproduction import rows, store_in_database  # half the service: not for every test process
+
+    rows()
+    return store_in_database
