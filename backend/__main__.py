@@ -30,22 +30,42 @@ def main(arguments: list[str] | None = None) -> int:
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
     options = parser.parse_args(arguments)
 
-    from sqlalchemy.exc import SQLAlchemyError
-
     from backend import telemetry
-    from backend.app import create_app
     from backend.settings import Settings, SettingsError
 
     try:
         settings = Settings.from_environment(os.environ, data_dir=options.data_dir)
         settings.data_dir.mkdir(parents=True, exist_ok=True)
-        app = create_app(settings)
         listener = listen(options.host, options.port)
-    except (SettingsError, SQLAlchemyError, ImportError, OSError) as error:
+        app = _application(settings)
+    except (SettingsError, OSError) as error:
         print(f"Ridelab does not start: {error}", file=sys.stderr)
         return 2
     telemetry.configure(settings.log_format, settings.log_level)
     return _serve(app, settings, listener, options.host)
+
+
+def _application(settings: "Settings") -> "FastAPI":
+    """The application; its workers import the core while this process imports the web stack.
+
+    Raises:
+        SettingsError: The database's URL names no database we know.
+    """
+    from backend.compute import Workers
+    from backend.settings import SettingsError
+
+    workers = Workers(settings.workers, timeout=settings.run_timeout)
+    workers.spawn()
+
+    from sqlalchemy.exc import SQLAlchemyError
+
+    from backend.app import create_app
+
+    try:
+        return create_app(settings, workers)
+    except (SQLAlchemyError, ImportError) as error:
+        workers.abandon()
+        raise SettingsError(str(error)) from None
 
 
 def listen(host: str, port: int) -> socket.socket:
@@ -63,6 +83,8 @@ def listen(host: str, port: int) -> socket.socket:
 
 
 def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: str) -> int:
+    import asyncio
+
     import uvicorn
 
     from backend.protocol import server_config
@@ -73,8 +95,13 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
         async def startup(self, sockets: list[socket.socket] | None = None) -> None:
             await super().startup(sockets)
             if self.started:
-                shown = f"[{host}]" if ":" in host else host
-                print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
+                self._announcing = asyncio.create_task(self._announce())
+
+        async def _announce(self) -> None:
+            """Print the address, once a worker is warm; until then /readyz says so to whoever asks."""
+            await app.state.workers.wait_until_warm()
+            shown = f"[{host}]" if ":" in host else host
+            print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
 
         def handle_exit(self, sig: int, frame: object) -> None:
             timer = threading.Timer(DEADLINE, os._exit, (1,))

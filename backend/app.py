@@ -37,8 +37,8 @@ SI units everywhere, except speeds a person types (`*_kmh`). Errors are RFC 9457
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
 
 
-def create_app(settings: Settings) -> FastAPI:
-    """A service with these settings; workers and store start with its lifespan."""
+def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
+    """A service with these settings; store and workers (its own, or these, which may be spawned) start with it."""
     app = FastAPI(
         title="Ridelab",
         version=__version__,
@@ -55,6 +55,7 @@ def create_app(settings: Settings) -> FastAPI:
     )
     app.state.settings = settings
     app.state.store = Store(settings.store_url)
+    app.state.workers = workers or Workers(settings.workers, timeout=settings.run_timeout)
     problems.register(app)
     for router in (
         runs.computing,
@@ -80,13 +81,13 @@ def create_app(settings: Settings) -> FastAPI:
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     settings: Settings = app.state.settings
     store: Store = app.state.store
-    workers = Workers(settings.workers, timeout=settings.run_timeout)
+    workers: Workers = app.state.workers
     workers.start()
     driver = Driver(store=store, settings=settings)
     tuner: TuningDriver | None = None
     try:
         await store.call(store.migrate)
-        await asyncio.to_thread(schema.warm)
+        warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
         admission = Admission(
             max_request_cost=settings.max_request_cost,
             max_queued_cost=settings.max_queued_cost,
@@ -96,7 +97,6 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         )
         memory = Memory(settings.series_cache_bytes)
         results = Results(store=store, workers=workers, memory=memory, admission=admission)
-        app.state.workers = workers
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
@@ -118,6 +118,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         driver.start()
         tuner.start()
         yield
+        await warming
     finally:
         if tuner is not None:
             await tuner.close()

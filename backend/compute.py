@@ -10,17 +10,19 @@ import logging
 import multiprocessing
 import os
 from collections.abc import Callable, Coroutine
+from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
-from backend import worker
+from backend import processes
 from backend.telemetry import WORKER_FAILURES
 
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
+Spawned = tuple[ProcessPool, "Future[None]"]  # a slot, and when it is warm
 GRACE = 15.0  # beyond the task's own time limit: then the slot itself is stuck [s]
 WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
 WATCH = 0.25  # between two looks at a slot that computes [s]
@@ -52,12 +54,31 @@ class Workers:
         self._slots: set[ProcessPool] = set()
         self._chores: set[asyncio.Task[Any]] = set()
         self._waiting = 0
+        self._spawned: list[Spawned] = []
+        self._warm = asyncio.Event()
 
-    def start(self) -> None:
-        """Begin to spawn and warm every slot, and return."""
+    def spawn(self) -> None:
+        """Begin to spawn and warm every slot, and return; needs no event loop yet. `start` takes them over."""
         os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
         for _ in range(self._count):
-            self._chore(self._add_slot())
+            slot = self._new_slot()
+            with contextlib.suppress(OSError, BrokenProcessPool):  # `start` tries again
+                self._spawned.append((slot, _warm_up(slot)))
+
+    def start(self) -> None:
+        """Begin to spawn and warm every slot, unless that has begun, and hand each out once it is warm."""
+        os.environ.update(ONE_THREAD)
+        for _ in range(self._count):
+            self._chore(self._add_slot(self._spawned.pop() if self._spawned else None))
+
+    def abandon(self) -> None:
+        """End what `spawn` began, where there is nothing to start."""
+        for slot, _ in self._spawned:
+            _end(slot)
+
+    async def wait_until_warm(self) -> None:
+        """Until the first worker is."""
+        await self._warm.wait()
 
     @property
     def ready(self) -> bool:
@@ -111,7 +132,7 @@ class Workers:
         """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
         healthy = False
         try:
-            result = await self._landed(slot, function, args, self._timeout)
+            result = await self._landed(slot, _schedule(slot, function, args, self._timeout), self._timeout)
             healthy = True
             return result
         except (ProcessExpired, BrokenProcessPool, TimeoutError):
@@ -125,12 +146,9 @@ class Workers:
             else:
                 self._discard(slot)
 
-    async def _landed(self, slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> T:
+    async def _landed(self, slot: ProcessPool, task: "Future[T]", timeout: float) -> T:
         """The task's result; a slot that breaks just as it takes a task would leave it unanswered for ever."""
-        try:
-            future = asyncio.wrap_future(slot.schedule(function, args=args, timeout=timeout))
-        except RuntimeError as error:  # the slot broke since it was looked at
-            raise BrokenProcessPool(str(error)) from None
+        future = asyncio.wrap_future(task)
         future.add_done_callback(_seen)
         for _ in range(int((timeout + GRACE) / WATCH)):
             done, _ = await asyncio.wait({future}, timeout=WATCH)
@@ -166,13 +184,17 @@ class Workers:
         self._chore(asyncio.to_thread(_end, slot))
         self._chore(self._add_slot())
 
-    async def _add_slot(self) -> None:
+    def _new_slot(self) -> ProcessPool:
+        context = multiprocessing.get_context("spawn")
+        return ProcessPool(max_workers=1, initializer=processes.start, initargs=(self._nice,), context=context)
+
+    async def _add_slot(self, spawned: Spawned | None = None) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
-            context = multiprocessing.get_context("spawn")
-            slot = ProcessPool(max_workers=1, initializer=worker.start, initargs=(self._nice,), context=context)
+            slot, warm = spawned or (self._new_slot(), None)
+            spawned = None
             try:
-                await self._landed(slot, worker.warm_up, (), WARM_UP)
+                await self._landed(slot, warm or _warm_up(slot), WARM_UP)
             except asyncio.CancelledError:
                 await asyncio.shield(asyncio.to_thread(_end, slot))
                 raise
@@ -183,6 +205,7 @@ class Workers:
             else:
                 self._slots.add(slot)
                 self._idle.put_nowait(slot)
+                self._warm.set()
                 return
 
     def _chore(self, work: Coroutine[Any, Any, T]) -> asyncio.Task[T]:
@@ -196,6 +219,23 @@ class Workers:
         self._chores.discard(task)
         if not task.cancelled():
             task.exception()
+
+
+def _schedule(slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> "Future[T]":
+    """Hand the slot a task.
+
+    Raises:
+        BrokenProcessPool: It broke since it was looked at.
+    """
+    try:
+        task: Future[T] = slot.schedule(function, args=args, timeout=timeout)
+    except RuntimeError as error:
+        raise BrokenProcessPool(str(error)) from None
+    return task
+
+
+def _warm_up(slot: ProcessPool) -> "Future[None]":
+    return _schedule(slot, processes.warm_up, (), WARM_UP)
 
 
 def _seen(future: asyncio.Future[Any]) -> None:

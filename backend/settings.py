@@ -6,8 +6,6 @@ from pathlib import Path
 from typing import Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
-from sqlalchemy import make_url
-from sqlalchemy.exc import ArgumentError
 
 PREFIX = "RIDELAB_"
 CLIENTS = {"RIDELAB_SERVER"}  # what the command line reads: whoever has it set may start a service all the same
@@ -121,6 +119,9 @@ class Settings(BaseModel):
             if self.database_password_file is not None:
                 raise ValueError(f"{_variable('database_password_file')} needs {_variable('database_url')}")
             return self
+        from sqlalchemy import make_url  # only where it is needed: workers are spawned before the service has it
+        from sqlalchemy.exc import ArgumentError
+
         try:
             make_url(self.database_url)
         except ArgumentError:
@@ -135,6 +136,8 @@ class Settings(BaseModel):
             return f"sqlite:///{(self.data_dir / 'ridelab.sqlite').absolute()}"
         if self.database_password_file is None:
             return self.database_url
+        from sqlalchemy import make_url
+
         password = self.database_password_file.read_text().rstrip("\r\n")
         return make_url(self.database_url).set(password=password).render_as_string(hide_password=False)
 

@@ -3,12 +3,9 @@
 Nothing of the web is imported here, so that a worker starts quickly and stays small.
 """
 
-import os
-import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from multiprocessing import parent_process
 from typing import Any
 
 import orjson
@@ -18,7 +15,6 @@ from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.strategies import STRATEGIES, SuspensionPolicy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,34 +40,6 @@ class Outcome:
     def size(self) -> int:
         """Memory it takes, roughly [bytes]."""
         return 8192 + (self.series.nbytes if self.series is not None else 0)
-
-
-def start(nice: int) -> None:
-    """First thing in a new worker: end with the service, even when that was killed and could say nothing.
-
-    Args:
-        nice: How far behind other processes this one stands (0 to 19).
-    """
-    if nice:
-        os.nice(nice)
-    parent = parent_process()
-    if parent is not None:
-
-        def follow() -> None:
-            parent.join()
-            os._exit(1)
-
-        threading.Thread(target=follow, name="follow-service", daemon=True).start()
-
-
-def warm_up() -> None:
-    """Run the paper's scenario with every strategy once, so that a first request meets filled caches.
-
-    Not those with an ECU: its program is built when somebody asks for it.
-    """
-    for strategy in STRATEGIES.values():
-        if strategy.suspension is not SuspensionPolicy.ECU:
-            simulate(Scenario(), strategy.id)
 
 
 def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, Outcome]:

@@ -6,14 +6,15 @@ small. OSQP raises nothing by default and may return a huge y for an infeasible 
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import daqp
 import numpy as np
-import osqp
-from scipy.sparse import csc_matrix, triu
 
 from sim_core.result import FloatArray
+
+if TYPE_CHECKING:
+    import osqp
 
 SolverName = Literal["daqp", "osqp"]
 TOLERANCE = 1e-6  # of the residuals, relative to the problem's own numbers
@@ -102,6 +103,8 @@ class OsqpSolver(QpSolver):
     """Operator splitting (Stellato et al. 2020), in whitened variables v = L'y with H = L L' and unit rows."""
 
     def __init__(self, shape: QpShape) -> None:
+        from scipy.sparse import csc_matrix, triu
+
         super().__init__(shape)
         self._model: osqp.OSQP | None = None
         n = len(shape.H)
@@ -113,6 +116,8 @@ class OsqpSolver(QpSolver):
         self._lower = np.concatenate([shape.low / self._norm[:n], np.full(len(shape.A), -_NO_LIMIT)])
 
     def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
+        import osqp  # a tenth of a second, and rarely asked for
+
         upper = np.concatenate([self._shape.high, b]) / self._norm
         q = self._whiten.T @ f
         if self._model is None:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from math import exp, pi, sqrt
 
 import numpy as np
-from scipy.signal import lfilter
 
 from sim_core.caching import kept
+from sim_core.filters import recursion
 from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Road
 
@@ -95,7 +95,7 @@ def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
     noise = np.random.default_rng(seed).standard_normal(count)
     noise[0] *= deviation
     noise[1:] *= deviation * sqrt(1 - keep**2)
-    samples = np.asarray(lfilter([1.0], [1.0, -keep], noise), dtype=np.float64)
+    samples = recursion(noise, -keep)
     samples.flags.writeable = False
     return samples
 

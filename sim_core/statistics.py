@@ -5,7 +5,6 @@ from math import nan, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import stdtrit
 
 CONFIDENCE = 0.95
 
@@ -47,4 +46,6 @@ def change_with_interval(values: ArrayLike, base: ArrayLike) -> Interval:
 
 def _quantile(count: int) -> float:
     """Student's t for the two-sided interval of a mean of `count` values."""
+    from scipy.special import stdtrit  # takes a tenth of a second: most processes never need it
+
     return float(stdtrit(count - 1, (1 + CONFIDENCE) / 2))

@@ -12,7 +12,6 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 from pydantic import ValidationError
-from scipy import stats
 
 from backend.batches.plan import scenario_at
 from backend.hil.drive import simulate
@@ -197,13 +196,15 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
     the ranks' variance that the field alone explains, of any shape: Kruskal-Wallis' H over up to ten groups of the
     field's values, (H - k + 1)/(n - k), Tomczak and Tomczak 2014. `p_value` is the smaller of both tests', doubled.
     """
+    from scipy.stats import spearmanr  # takes half a second to import: a service starts without it
+
     found = []
     for name, column in numbers.items():
         there = np.isfinite(values) & np.isfinite(column)
         x, y = column[there], values[there]
         if len(x) < LEAST_POINTS or np.ptp(x) == 0 or np.ptp(y) == 0:
             continue
-        rho, (effect, chance) = stats.spearmanr(x, y), _effect(x, y)
+        rho, (effect, chance) = spearmanr(x, y), _effect(x, y)
         p_value = min(1.0, 2 * min(float(rho.pvalue), chance))
         found.append({"field": name, "spearman": float(rho.statistic), "p_value": p_value, "effect": effect})
     return sorted(found, key=lambda row: (-row["effect"], -abs(row["spearman"])))
@@ -211,6 +212,8 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
 
 def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
     """Share explained, and the probability of as much without any effect."""
+    from scipy.stats import kruskal
+
     values = np.unique(x)
     if len(values) <= MOST_GROUPS:
         groups = [y[x == value] for value in values]
@@ -219,7 +222,7 @@ def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
     n, k = len(y), len(groups)
     if n == k:  # every group is one value: nothing to compare within
         return 0.0, 1.0
-    test = stats.kruskal(*groups)
+    test = kruskal(*groups)
     return max(0.0, float((test.statistic - k + 1) / (n - k))), float(test.pvalue)
 
 

@@ -1,0 +1,37 @@
+"""What a worker process does first. It imports the core itself, so that the service can spawn it before it has."""
+
+import os
+import threading
+from multiprocessing import parent_process
+
+
+def start(nice: int) -> None:
+    """First thing in a new worker: end with the service, even when that was killed and could say nothing.
+
+    Args:
+        nice: How far behind other processes this one stands (0 to 19).
+    """
+    if nice:
+        os.nice(nice)
+    parent = parent_process()
+    if parent is not None:
+
+        def follow() -> None:
+            parent.join()
+            os._exit(1)
+
+        threading.Thread(target=follow, name="follow-service", daemon=True).start()
+
+
+def warm_up() -> None:
+    """Run the paper's scenario with every strategy once, so that a first request meets filled caches.
+
+    Not those with an ECU: its program is built when somebody asks for it.
+    """
+    from backend.hil.drive import simulate
+    from sim_core.scenario import Scenario
+    from sim_core.strategies import STRATEGIES, SuspensionPolicy
+
+    for strategy in STRATEGIES.values():
+        if strategy.suspension is not SuspensionPolicy.ECU:
+            simulate(Scenario(), strategy.id)
