@@ -57,7 +57,9 @@ def _polished(H: Array, g: Array, A: Array, b: Array, x: Array, multiplier: Arra
     active = np.flatnonzero(multiplier > slack)
     n, m = len(g), len(active)
     kkt = np.block([[H, A[active].T], [A[active], np.zeros((m, m))]])
-    exact = np.linalg.lstsq(kkt, np.concatenate([-g, b[active]]), rcond=None)[0]
+    inverse, right, exact = np.linalg.pinv(kkt), np.concatenate([-g, b[active]]), np.zeros(n + m)
+    for _ in range(3):  # a slack's price is thousands of times a force's: one round alone leaves 1e-11 of it
+        exact += inverse @ (right - kkt @ exact)
     multipliers = np.zeros(len(b))
     multipliers[active] = exact[n:]
     sharp = residual(H, g, A, b, exact[:n], multipliers)
