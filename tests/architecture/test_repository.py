@@ -34,28 +34,6 @@ def test_no_source_file_is_over_400_lines() -> None:
     assert not long
 
 
-@pytest.mark.parametrize("name", ["requirements.lock", "requirements-dev.lock"])
-def test_locks_have_a_hash_for_everything_and_no_address(name: str) -> None:
-    text = (ROOT / name).read_text()
-    assert "://" not in text
-    assert "--index-url" not in text
-    entries = re.split(r"\n(?=[A-Za-z0-9])", "\n" + text)[1:]
-    assert len(entries) > 20
-    for entry in entries:
-        head = entry.splitlines()[0]
-        assert "==" in head, head
-        assert "--hash=sha256:" in entry, head
-
-
-def test_development_lock_holds_the_same_versions_as_the_runtime_lock() -> None:
-    def versions(name: str) -> set[str]:
-        return {
-            line.split()[0] for line in (ROOT / name).read_text().splitlines() if re.match(r"[A-Za-z0-9].*==", line)
-        }
-
-    assert versions("requirements.lock") <= versions("requirements-dev.lock")
-
-
 def pages() -> list[Path]:
     """Every page written for people."""
     return [path for path in tracked("*.md") if "node_modules" not in path.parts]
