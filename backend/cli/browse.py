@@ -32,8 +32,8 @@ def open_(
         if not only_print:
             webbrowser.open(address)
         if services.started:
-            note("Serving until Ctrl-C")
-            with contextlib.suppress(KeyboardInterrupt):
+            with contextlib.suppress(KeyboardInterrupt):  # which may come as soon as it is said
+                note("Serving until Ctrl-C")
                 signal.pause()
 
 

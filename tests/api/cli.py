@@ -32,5 +32,6 @@ def command(*arguments: str) -> list[str]:
 
 
 def environment(**more: str) -> dict[str, str]:
+    """No service is named; one that the command starts has a single worker, which is ready soonest."""
     kept = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
-    return {**kept, "PYTHONPATH": str(ROOT), **more}
+    return {**kept, "PYTHONPATH": str(ROOT), "RIDELAB_WORKERS": "1", **more}

@@ -86,7 +86,7 @@ def wait_until_ready(client: httpx.Client, seconds: float = 40) -> None:
 
 @pytest.fixture(scope="session")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
-    yield from serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2))
+    yield from serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2, batch_workers=1))
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -23,10 +22,12 @@ from sim_core.__main__ import main as core_main
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.api.cli import Cli, command, environment
+from tests.api.conftest import Service
+from tests.servers.process import wait_until
 
 SCENARIO = {"road": {"length": 118, "bump": {"start": 77}}}  # nobody else's
-# A second or two of one core each, so that a sweep of them is still running when it is interrupted.
-LONG = {"road": {"length": 60.1, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
+# Half a second of one core each, so that a sweep of them is still running when it is interrupted.
+LONG = {"road": {"length": 10.1, "bump": {"start": 4}}, "mpc": {"solver": "osqp", "force_limit": 500}}
 
 
 def timeless(table: str) -> list[str]:
@@ -181,14 +182,19 @@ def elsewhere(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
+def alone(elsewhere: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    """The command in that folder, where no service is named."""
+    monkeypatch.chdir(elsewhere)
+    monkeypatch.setenv("RIDELAB_WORKERS", "1")
+    return Cli(capfdbinary)
+
+
+@pytest.fixture
 def no_service_left() -> Iterator[None]:
     """What the command started is gone soon after the command."""
     before = set(private_services())
     yield
-    end = time.monotonic() + 30
-    while left := set(private_services()) - before:
-        assert time.monotonic() < end, left
-        time.sleep(0.1)
+    wait_until(lambda: not set(private_services()) - before, "the private service ends", 30)
 
 
 def private_services() -> list[int]:
@@ -197,23 +203,41 @@ def private_services() -> list[int]:
 
 
 @pytest.mark.usefixtures("no_service_left")
-def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(elsewhere: Path) -> None:
-    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
-            command(*arguments), cwd=elsewhere, env=environment(), capture_output=True, text=True, check=False
-        )
-
-    first = run("run", "bump_only", "--strategy", "passive")
-    assert (first.returncode, first.stderr) == (0, "")
-    run_id = first.stdout.split()[-1]
+def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(alone: Cli, elsewhere: Path) -> None:
+    run_id = alone("run", "bump_only", "--strategy", "passive").split()[-1]
+    assert alone.error == ""
     assert (elsewhere / "data" / "ridelab.sqlite").is_file()
-    again = run("run", "bump_only", "--strategy", "passive", "--json")
-    answer = json.loads(again.stdout)
-    assert (answer["id"], answer["strategies"]["passive"]["cached"]) == (run_id, True)
-    nowhere = run("run", "--data-dir", "/dev/null/data")
-    assert nowhere.returncode == 3
-    assert nowhere.stderr.startswith("Ridelab does not start: ")
-    assert "Traceback" not in nowhere.stderr
+    # The next one opens it, and serves it until Ctrl-C.
+    log = elsewhere / "out"
+    with log.open("wb") as out:
+        arguments = command("open", run_id, "--print")
+        process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stdout=out, stderr=out)
+    said(process, log, "Serving until Ctrl-C")
+    address = log.read_text().splitlines()[0]
+    assert httpx.get(address).status_code in (200, 503)  # 503 where the dashboard is not built
+    stored = httpx.get(address.replace(f"/r/{run_id}", f"/api/v1/runs/{run_id}")).json()
+    assert list(stored["strategies"]) == ["passive"]
+    process.send_signal(signal.SIGINT)
+    assert process.wait(60) == 0
+
+
+def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:
+    """Wait for the process to say it."""
+
+    def found() -> re.Match[str] | None:
+        assert process.poll() is None, log.read_text()
+        return re.search(pattern, log.read_text())
+
+    wait_until(found, f"it says {pattern}")
+    match = found()
+    assert match is not None
+    return match
+
+
+def test_a_private_service_that_does_not_start_says_why(alone: Cli) -> None:
+    assert alone("run", "--data-dir", "/dev/null/data", code=3) == ""
+    assert alone.error.startswith("Ridelab does not start: ")
+    assert "Traceback" not in alone.error
 
 
 @pytest.mark.usefixtures("no_service_left")
@@ -243,15 +267,15 @@ def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client,
 
 
 @pytest.mark.usefixtures("no_service_left")
-def test_ctrl_c_on_an_export_leaves_the_batch_alone(client: httpx.Client, tmp_path: Path) -> None:
+def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: Path) -> None:
+    client = service.client
     body = {"scenario": LONG, "strategies": ["lv"], "sweep": {"grid": {"road.seed": list(range(200, 277))}}}
     client.post("/api/v1/batches", json=body).raise_for_status()
     batch_id = running_batch(client, 77)
     server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
     arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    with pytest.raises(subprocess.TimeoutExpired):
-        process.wait(3)  # it waits for the batch
+    wait_until(lambda: service.app.state.admission.load["streams"] == 1, "it waits for the batch")
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130
@@ -264,53 +288,37 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(client: httpx.Client, tmp_pa
 
 
 @pytest.mark.usefixtures("no_service_left")
-def test_ctrl_c_while_a_private_service_starts_submits_nothing(elsewhere: Path) -> None:
-    before = set(private_services())
+@pytest.mark.parametrize(
+    ("how", "code", "message"),
+    [(signal.SIGINT, 130, "Interrupted, nothing was submitted\n"), (signal.SIGKILL, -signal.SIGKILL, "")],
+)
+def test_a_private_service_that_still_starts_ends_with_its_command(
+    elsewhere: Path, how: signal.Signals, code: int, message: str
+) -> None:
     arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
     process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
-    end = time.monotonic() + 60
-    while not set(private_services()) - before:
-        assert time.monotonic() < end
-        assert process.poll() is None
-        time.sleep(0.01)
-    process.send_signal(signal.SIGINT)
+    wait_until(lambda: psutil.Process(process.pid).children(), "it starts its service")
+    process.send_signal(how)
     _, said = process.communicate(timeout=60)
-    assert (process.returncode, said) == (130, "Interrupted, nothing was submitted\n")
+    assert (process.returncode, said) == (code, message)
     assert not (elsewhere / "rows.csv").exists()
 
 
 def running_batch(client: httpx.Client, total: int) -> str:
-    end = time.monotonic() + 60
-    while time.monotonic() < end:
-        newest = client.get("/api/v1/batches?limit=1").json()["batches"]
-        if newest and newest[0]["total"] == total and newest[0]["state"] == "running":
-            return str(newest[0]["id"])
-        time.sleep(0.05)
-    raise TimeoutError("The sweep did not begin")
+    """The id of the newest batch once it runs and has so many runs."""
 
+    def newest() -> dict[str, Any]:
+        found: list[dict[str, Any]] = client.get("/api/v1/batches?limit=1").json()["batches"]
+        return found[0] if found else {}
 
-@pytest.mark.usefixtures("no_service_left")
-@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
-def test_a_private_service_ends_with_its_command_however_that_ends(elsewhere: Path, how: signal.Signals) -> None:
-    before = set(private_services())
-    with (elsewhere / "out").open("wb") as out:
-        process = subprocess.Popen(command("open", "--print"), cwd=elsewhere, env=environment(), stdout=out, stderr=out)
-        end = time.monotonic() + 60
-        while b"Serving until Ctrl-C" not in (elsewhere / "out").read_bytes():
-            assert time.monotonic() < end
-            assert process.poll() is None, (elsewhere / "out").read_text()
-            time.sleep(0.05)
-    address = (elsewhere / "out").read_text().splitlines()[0]
-    assert set(private_services()) - before
-    assert httpx.get(address).status_code in (200, 503)  # 503 where the dashboard is not built
-    process.send_signal(how)
-    assert process.wait(60) == (0 if how == signal.SIGINT else -signal.SIGKILL)
+    wait_until(lambda: (newest().get("total"), newest().get("state")) == (total, "running"), "the batch begins")
+    return str(newest()["id"])
 
 
 def test_a_reader_that_goes_away_is_no_error(client: httpx.Client) -> None:
     read, write = os.pipe()
     os.close(read)
-    arguments = command("run", "--json", "--server", str(client.base_url))
+    arguments = command("run", "--strategy", "passive", "--json", "--server", str(client.base_url))
     run = subprocess.run(arguments, env=environment(), stdout=write, stderr=subprocess.PIPE, check=False)
     os.close(write)
     assert (run.returncode, run.stderr) == (141, b"")
@@ -319,14 +327,11 @@ def test_a_reader_that_goes_away_is_no_error(client: httpx.Client) -> None:
 def test_serve_is_the_service_itself(elsewhere: Path) -> None:
     arguments = command("serve", "--port", "0", "--data-dir", "mine")
     mine = environment(RIDELAB_SERVER="http://127.0.0.1:9")  # the commands' variable, no setting of the service
-    with (elsewhere / "log").open("wb") as log:
-        process = subprocess.Popen(arguments, cwd=elsewhere, env=mine, stdout=log, stderr=log)
-    end = time.monotonic() + 60
-    while (found := re.search(rb"Ridelab is at (\S+)\n", (elsewhere / "log").read_bytes())) is None:
-        assert time.monotonic() < end
-        assert process.poll() is None, (elsewhere / "log").read_text()
-        time.sleep(0.05)
-    assert httpx.get(found[1].decode() + "/healthz").status_code == 200
+    log = elsewhere / "log"
+    with log.open("wb") as out:
+        process = subprocess.Popen(arguments, cwd=elsewhere, env=mine, stdout=out, stderr=out)
+    address = said(process, log, r"Ridelab is at (\S+)\n")[1]
+    assert httpx.get(f"{address}/healthz").status_code == 200
     assert (elsewhere / "mine" / "ridelab.sqlite").is_file()
     process.terminate()
     assert process.wait(60) in (0, -signal.SIGTERM)  # uvicorn passes the signal on once it has ended well

@@ -4,8 +4,8 @@ import json
 import re
 import signal
 import subprocess
-import time
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -14,6 +14,7 @@ from backend.cli import tuned
 from backend.cli.reporting import InputError
 from backend.client import Ridelab
 from tests.api.cli import Cli, command, environment
+from tests.servers.process import wait_until
 
 SCENARIO = {"road": {"length": 62, "bump": {"start": 45}}, "speed": {"detection_distance": 40}}
 ROADS = ("--seeds", "1-2", "--fresh", "11,12-13")
@@ -123,18 +124,17 @@ def test_ctrl_c_cancels_and_says_how_to_go_on(client: httpx.Client, scenario: Pa
     server = str(client.base_url).rstrip("/")
     arguments = command("tune", str(scenario), "--strategy", "lqr", "--trials", "4000", "--server", server)
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    end = time.monotonic() + 60
-    while True:
-        assert time.monotonic() < end
-        newest = client.get("/api/v1/tunings?limit=1").json()["tunings"]
-        if newest and newest[0]["trials"]["total"] == 4000 and newest[0]["trials"]["done"]:
-            break
-        time.sleep(0.05)
+
+    def newest() -> dict[str, Any]:
+        found: list[dict[str, Any]] = client.get("/api/v1/tunings?limit=1").json()["tunings"]
+        return found[0] if found and found[0]["trials"]["total"] == 4000 else {"trials": {"done": 0}}
+
+    wait_until(lambda: newest()["trials"]["done"], "it begins")
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=60)
     assert process.returncode == 130
     first, second = said.splitlines()
-    tuning = client.get(f"/api/v1/tunings/{newest[0]['id']}").json()
+    tuning = client.get(f"/api/v1/tunings/{newest()['id']}").json()
     assert tuning["state"] == "cancelled"
     assert first == f"Cancelled after {tuning['trials']['done']} of 4000 trials, which stay stored"
     assert second == f"To go on: ridelab tune --resume {tuning['id']} --server {server}"

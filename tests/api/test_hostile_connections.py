@@ -1,6 +1,7 @@
 """Clients that are slow, greedy or do not speak HTTP: each is answered or cut off, and the others are served on."""
 
 import contextlib
+import copy
 import json
 import socket
 import threading
@@ -12,37 +13,39 @@ import httpx
 import pytest
 import uvicorn
 from fastapi import FastAPI
+from starlette.datastructures import State
 
 from backend.protocol import GuardedProtocol, server_config
 from backend.security import HEADERS
+from tests.servers.process import wait_until
 
 Address = tuple[str, int]
 JSON = b"Content-Type: application/json\r\n"
 
 
 @contextlib.contextmanager
-def impatient(app: FastAPI, **limits: Any) -> Iterator[Address]:
-    """The same application behind a second server with other limits."""
+def impatient(app: FastAPI, **limits: Any) -> Iterator[tuple[Address, uvicorn.Server]]:
+    """The same application behind a second server with other limits: its address, and itself."""
     settings = app.state.settings.model_copy(update=limits)
-    config = server_config(app, settings)
+    same = copy.copy(app)
+    same.state = State({**app.state._state, "settings": settings})
+    config = server_config(same, settings)
     config.lifespan = "off"
     server = uvicorn.Server(config)
-    before, app.state.settings = app.state.settings, settings
     with socket.create_server(("127.0.0.1", 0)) as listener:
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
         thread.start()
         try:
-            yield listener.getsockname()
+            yield listener.getsockname(), server
         finally:
             server.should_exit = True
             thread.join()
-            app.state.settings = before
 
 
 @pytest.fixture(scope="module")
 def hasty(service: Any) -> Iterator[Address]:
-    """Waits a second where the others wait ten or twenty."""
-    with impatient(service.app, head_timeout=1, body_timeout=1) as address:
+    """Waits half a second where the others wait ten or twenty."""
+    with impatient(service.app, head_timeout=0.5, body_timeout=0.5) as (address, _):
         yield address
 
 
@@ -90,7 +93,7 @@ def test_a_head_that_never_ends_is_cut_off_in_time(hasty: Address) -> None:
     with connect(hasty) as connection:
         connection.sendall(b"GET /healthz HTTP/1.1\r\nHost: x\r\n")
         begin = time.monotonic()
-        connection.settimeout(0.2)
+        connection.settimeout(0.1)
         answer = b""
         while time.monotonic() < begin + 20:  # a byte now and then wins no time
             try:
@@ -120,7 +123,7 @@ def test_a_body_that_never_ends_is_answered_408(hasty: Address) -> None:
 def test_a_body_that_drips_is_answered_408(hasty: Address) -> None:
     with connect(hasty) as connection:
         connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Transfer-Encoding: chunked\r\n\r\n")
-        connection.settimeout(0.2)
+        connection.settimeout(0.1)
         answer, end = b"", time.monotonic() + 20
         while time.monotonic() < end:
             try:
@@ -146,7 +149,7 @@ def test_the_rest_of_a_body_nobody_reads_is_not_waited_for(hasty: Address) -> No
 def test_a_client_that_takes_nothing_of_its_answer_is_cut_off(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 0.5)
     request = b"GET /api/v1/schema HTTP/1.1\r\nHost: x\r\n\r\n"
-    with impatient(service.app) as address, connect(address) as connection:
+    with impatient(service.app) as (address, _), connect(address) as connection:
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         connection.settimeout(0.5)
         with pytest.raises(ConnectionError):
@@ -154,20 +157,16 @@ def test_a_client_that_takes_nothing_of_its_answer_is_cut_off(service: Any, monk
 
 
 def test_one_connection_too_many_is_answered_503(service: Any) -> None:
-    with impatient(service.app, max_connections=8) as address, contextlib.ExitStack() as held:
+    with impatient(service.app, max_connections=8) as (address, server), contextlib.ExitStack() as held:
         for _ in range(8):
             held.enter_context(connect(address))
-        time.sleep(0.3)  # the server has taken them all
+        wait_until(lambda: len(server.server_state.connections) == 8, "the server has taken them all", 10)
         refused = rest(held.enter_context(connect(address)))
         check_problem(refused, 503)
         assert "retry-after" in head(refused)[1]
         held.close()
-        end = time.monotonic() + 10
-        while True:
-            with contextlib.suppress(httpx.TransportError):
-                if httpx.get(f"http://127.0.0.1:{address[1]}/healthz").status_code == 200:
-                    break
-            assert time.monotonic() < end
+        wait_until(lambda: not server.server_state.connections, "the server has seen them go", 10)
+        assert httpx.get(f"http://127.0.0.1:{address[1]}/healthz").status_code == 200
 
 
 def test_many_idle_connections_keep_nobody_out(service: Any, client: httpx.Client) -> None:
@@ -323,7 +322,7 @@ def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> Non
     service.app.state.admission.computing = spy
     try:
         for index, proxies in enumerate(("", "10.0.0.0/8", "127.0.0.1")):
-            with impatient(service.app, forwarded_allow_ips=proxies) as address:
+            with impatient(service.app, forwarded_allow_ips=proxies) as (address, _):
                 ask(address, index)
     finally:
         service.app.state.admission.computing = original
