@@ -96,7 +96,7 @@ def register(app: FastAPI) -> None:
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(RidelabError, _refused)
-    app.add_exception_handler(EcuUnavailableError, _no_ecu)
+    app.add_exception_handler(EcuUnavailableError, _ecu_unavailable)
     app.add_exception_handler(SQLAlchemyError, _store)
     app.add_exception_handler(WorkerLostError, _lost)
     app.add_exception_handler(WorkersBusyError, _busy)
@@ -131,9 +131,9 @@ async def _refused(_: Request, error: Exception) -> Response:
     return problem(422, error.message, kind="refused", errors=[{"pointer": place, "message": error.message}])
 
 
-async def _no_ecu(_: Request, error: Exception) -> Response:
-    text = cast(EcuUnavailableError, error).message
-    return problem(503, text, kind="ecu-unavailable", headers={"Retry-After": "60"})
+async def _ecu_unavailable(_: Request, error: Exception) -> Response:
+    # Without Retry-After: somebody has to do what it says, and a client that waited would wait in vain.
+    return problem(503, f"{cast(EcuUnavailableError, error).message}.", kind="ecu-unavailable")
 
 
 async def _store(_: Request, error: Exception) -> Response:

@@ -18,6 +18,8 @@ from sim_core.statistics import Interval, change_with_interval
 
 SEEDS = 20  # roads 1 to this
 STRATEGIES = ("passive", "speed_only", "suspension_only", "lv", "lv_hil", "lqr")
+IN_ECU = "lv_hil"  # the one that needs the ECU's program
+SIMULATED = tuple(name for name in STRATEGIES if name != IN_ECU)
 PREVIEWED = ("suspension_only", "lv", "lv_hil")  # those whose controller looks ahead
 HIL_TOLERANCE = 8.0  # a HIL cell is reached within this of the simulation, either way [%]
 FIGURES = tuple(
@@ -80,15 +82,15 @@ class Judged:
 
 
 def judge(values: Values) -> list[Judged]:
-    """Every cell of the paper's comparing tables, judged."""
-    return [_judged(cell, values) for cell in cells()]
+    """Every cell of the paper's comparing tables whose two strategies have values, judged."""
+    return [_judged(cell, values) for cell in cells() if {cell.strategy, cell.against} <= values.keys()]
 
 
 def _judged(cell: PaperCell, values: Values) -> Judged:
     figure = (cell.window, cell.statistic, cell.signal)
     ours, base = values[cell.strategy][figure], values[cell.against][figure]
     change = change_with_interval(ours, base)
-    hil = cell.strategy == "lv_hil"
+    hil = cell.strategy == IN_ECU
     found = verdict(cell.claim, change.value, hil=hil)
     ends = {verdict(cell.claim, end, hil=hil) for end in (change.low, change.high)}
     return Judged(

@@ -73,6 +73,8 @@ def lines(answer: Mapping[str, Any]) -> Iterator[str]:
         labels = {choice["id"]: choice for choice in item["choices"]}
         if not labels[item["chosen"]]["default"]:
             yield f"{item['title']}: {labels[item['chosen']]['label']}"
+    if (missing := answer["unavailable"]) is not None:
+        yield f"{missing['cells']} cells not available here. {missing['reason']}"
     blind = answer["without_preview"]
     yield f"without preview: {_counted(blind['reached'], answer['total'], blind['counts'])}"
     yield (
@@ -114,7 +116,7 @@ def _row(cell: Mapping[str, Any]) -> list[str]:
         cell["against"],
         f"{cell['paper_value']:g} : {cell['paper_base']:g}",
         _claimed(cell),
-        f"{cell['our_value']:.4g} : {cell['our_base']:.4g}",
+        f"{'-' if cell['our_value'] is None else format(cell['our_value'], '.4g')} : {cell['our_base']:.4g}",
         *_judged(cell),
         *(["-", "-", "-"] if blind is None else _judged(blind)),
     ]
@@ -129,6 +131,8 @@ def _claimed(cell: Mapping[str, Any]) -> str:
 
 
 def _judged(item: Mapping[str, Any]) -> list[str]:
+    if item["verdict"] == "unavailable":
+        return ["-", "-", "not available"]
     low, high = item["ci"]
     sure = "" if item["certain"] else "?"
     return [f"{item['our_change']:+.1f} %", f"{low:+.1f} to {high:+.1f}", f"{item['verdict']}{sure}"]

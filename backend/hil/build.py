@@ -17,10 +17,13 @@ from pathlib import Path
 SOURCES = Path(__file__).parent / "ecu"
 CONTROLLER = ("ridelab_controller.c", "ridelab_dual.c")
 # C99, every number a float32 rounded after each operation: all compilers then give the same bits.
-FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED", "-Wall", "-Wextra", "-Werror")
+FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED")
 PATIENCE = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
 MOST_CACHED = 120_000_000  # what the compiler keeps; its runtime takes 50 MB, each controller about one [bytes]
 FOLDER = "RIDELAB_ECU_DIR"
+REMEDY = "make compiler"  # installs the package ziglang, a C compiler that builds for the control unit too
+NO_COMPILER = f"There is no C compiler to build the ECU's program: install one (gcc or clang), or run {REMEDY}"
+NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a Cortex-M3: run {REMEDY}"
 
 
 class EcuError(Exception):
@@ -75,9 +78,14 @@ def _own_folder() -> Path:
 
 
 def compilers() -> list[list[str]]:
-    """C compilers for this machine in the order they are tried: its own, else the one that came with Ridelab."""
+    """C compilers for this machine in the order they are tried: its own, else that of the package `ziglang`."""
     found = [[path] for name in ("cc", "gcc", "clang") if (path := shutil.which(name))]
-    return [*found[:1], zig()] if importlib.util.find_spec("ziglang") else found[:1]
+    return [*found[:1], zig()] if has_zig() else found[:1]
+
+
+def has_zig() -> bool:
+    """Whether the package `ziglang` is installed."""
+    return importlib.util.find_spec("ziglang") is not None
 
 
 def zig() -> list[str]:
@@ -121,7 +129,10 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
         except OSError as error:
             reason = f"its folder cannot be written ({error.strerror})"
         reasons.append(reason)
-    raise EcuError("The ECU's program cannot be built: " + ("; ".join(reasons) or "there is no C compiler"))
+    if not reasons:
+        raise EcuError(NO_COMPILER)
+    other = "" if has_zig() else f"; another compiler comes with {REMEDY}"
+    raise EcuError(f"The ECU's program cannot be built: {'; '.join(reasons)}{other}")
 
 
 def compiled(command: Sequence[str], place: Path) -> str | None:

@@ -2,12 +2,14 @@
 
 import logging
 
+from backend.hil import build
 from backend.hil.build import EcuError
 from backend.hil.link import connected
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulation import simulate as simulate_core
+from sim_core.strategies import SuspensionPolicy, strategy
 
 logger = logging.getLogger(__name__)
 
@@ -17,12 +19,17 @@ class EcuUnavailableError(RidelabError):
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:
-    """See `sim_core.simulation.simulate`; a program that ends in the middle is started once more.
+    """Drive one strategy, one with an ECU by the program; a program that ends in the middle is started once more.
 
     Raises:
-        EcuUnavailableError: It cannot be built, or failed twice.
-        RidelabError: As there.
+        EcuUnavailableError: The program cannot be built, or failed twice.
+        RidelabError: As `sim_core.simulation.simulate` raises.
     """
+    if strategy(name).suspension is SuspensionPolicy.ECU:
+        try:
+            build.program()
+        except EcuError as error:
+            raise EcuUnavailableError(error.message) from None
     try:
         return simulate_core(scenario, name, connected)
     except EcuError as error:

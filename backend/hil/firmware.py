@@ -4,7 +4,6 @@ The part is of the STM32F103 class: Cortex-M3 at 72 MHz without floating-point h
 (STM32F103xE data sheet, DS5792). The compiler is the package `ziglang`, so that the figures are the same everywhere.
 """
 
-import importlib.util
 import struct
 import tempfile
 from collections.abc import Iterator
@@ -12,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from backend.hil import export
-from backend.hil.build import CONTROLLER, EcuError, compiled, compiler_cache, zig
+from backend.hil.build import CONTROLLER, NO_CROSS_COMPILER, EcuError, compiled, compiler_cache, has_zig, zig
 from sim_core.hil.calibration import Calibration
 
 FLASH, RAM = 0x08000000, 0x20000000  # stm32f103.ld
@@ -48,8 +47,8 @@ def image(known: Calibration) -> Image:
     Raises:
         EcuError: The compiler is not there, or fails.
     """
-    if importlib.util.find_spec("ziglang") is None:
-        raise EcuError("The package ziglang, which compiles for the control unit, is not installed")
+    if not has_zig():
+        raise EcuError(NO_CROSS_COMPILER)
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
         export.written(place, known, "{}")

@@ -8,26 +8,42 @@ from sim_core import paper
 from sim_core.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from sim_core.errata import ERRATA
 from sim_core.paper import FIGURES, Judged
-from sim_core.paper_tables import TABLES
+from sim_core.paper_tables import TABLES, PaperCell, cells
 from sim_core.readings import READINGS
 from sim_core.statistics import Interval, change_with_interval, mean_with_interval
 
 
 def reproduction(
-    chosen: Mapping[str, str], seeds: int, ours: paper.Values, without_preview: paper.Values
+    chosen: Mapping[str, str],
+    seeds: int,
+    ours: paper.Values,
+    without_preview: paper.Values,
+    reason: str | None = None,
 ) -> dict[str, Any]:
-    """`PaperAnswer`."""
+    """`PaperAnswer`.
+
+    Args:
+        chosen: Reading -> choice, all of them.
+        seeds: Roads 1 to this.
+        ours: By strategy, under these readings.
+        without_preview: The same without preview.
+        reason: Why hardware in the loop is not available; both are then judged without it.
+    """
+    if reason is not None:
+        ours, without_preview = _simulated(ours), _simulated(without_preview)
     judged, blind = paper.judge(ours), paper.judge(without_preview)
     counts, blind_counts = paper.count(judged), paper.count(blind)
+    by_cell, blind_by_cell = ({item.cell: item for item in items} for items in (judged, blind))
     return {
         "core_version": CORE_VERSION,
         "seeds": seeds,
         "reached": counts["reached"],
         "total": len(judged),
         "counts": counts,
+        "unavailable": unavailable(reason),
         "without_preview": {"reached": blind_counts["reached"], "counts": blind_counts},
         "scenario": paper.scenario_for(chosen, 1).model_dump(mode="json"),
-        "cells": [_cell(item, other) for item, other in zip(judged, blind, strict=True)],
+        "cells": [_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours) for cell in cells()],
         "readings": [
             {
                 "id": reading.id,
@@ -54,16 +70,27 @@ def reproduction(
     }
 
 
+def unavailable(reason: str | None) -> dict[str, Any] | None:
+    """`Unavailable`: the cells of hardware in the loop, where there is a reason."""
+    if reason is None:
+        return None
+    return {"cells": sum(cell.strategy == paper.IN_ECU for cell in cells()), "reason": reason}
+
+
+def _simulated(values: paper.Values) -> paper.Values:
+    return {name: values[name] for name in paper.SIMULATED}
+
+
 def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> dict[str, Any]:
     """`ReadingRow`."""
-    counts = paper.count(judged)
+    counts, before = paper.count(judged), {item.cell: item.verdict for item in base}
     return {
         "reading": reading,
         "choice": choice,
         "reached": counts["reached"],
         "total": len(judged),
         "counts": counts,
-        "changed": sum(one.verdict is not other.verdict for one, other in zip(base, judged, strict=True)),
+        "changed": sum(before.get(item.cell, item.verdict) is not item.verdict for item in judged),
     }
 
 
@@ -127,8 +154,8 @@ def _of_variant(name: str, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> d
     return found | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
 
 
-def _cell(item: Judged, blind: Judged) -> dict[str, Any]:
-    cell = item.cell
+def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: paper.Values) -> dict[str, Any]:
+    base = ours[cell.against][cell.window, cell.statistic, cell.signal]
     looks_ahead = {cell.strategy, cell.against} & set(paper.PREVIEWED)
     return {
         "table": cell.table,
@@ -141,14 +168,16 @@ def _cell(item: Judged, blind: Judged) -> dict[str, Any]:
         "paper_base": cell.base,
         "paper_change": cell.printed,
         "misprint": None if cell.follows is None else {"printed": cell.printed, "follows": cell.follows},
-        "our_value": item.value,
-        "our_base": item.base,
+        "our_value": None if item is None else item.value,
+        "our_base": sum(base) / len(base),
         **_judgement(item),
         "without_preview": _judgement(blind) if looks_ahead else None,
     }
 
 
-def _judgement(item: Judged) -> dict[str, Any]:
+def _judgement(item: Judged | None) -> dict[str, Any]:
+    if item is None:
+        return {"our_change": None, "ci": None, "verdict": "unavailable", "certain": None}
     return {
         "our_change": item.change.value,
         "ci": [item.change.low, item.change.high],

@@ -49,10 +49,15 @@ def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outc
         if outcome.status == "ok"
     )
     unit = _unit(signal)
+    missing = "".join(
+        f" {STRATEGIES[name].label} is not available here. {outcome.summary['reason']}."
+        for name, outcome in outcomes.items()
+        if outcome.status != "ok"
+    )
     return {
         "number": number,
         "title": f"{SIGNALS[signal].label}: {title}",
-        "caption": f"Road 1 of the paper's scenario. Peaks on the bump: {told} {unit}.",
+        "caption": f"Road 1 of the paper's scenario. Peaks on the bump: {told} {unit}.{missing}",
         "figure": figure,
     }
 

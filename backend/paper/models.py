@@ -9,7 +9,7 @@ from sim_core.paper import SEEDS
 from sim_core.readings import READINGS
 from sim_core.scenario import Scenario
 
-Verdict = Literal["reached", "smaller", "contradicts"]
+Verdict = Literal["reached", "smaller", "contradicts", "unavailable"]
 Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
 Seeds = Annotated[int, Field(ge=20, le=100, description="Roads 1 to this, each driven by every strategy")]
 
@@ -29,13 +29,20 @@ class Misprint(Answer):
     follows: float
 
 
-class Judgement(Answer):
-    """Our change [%] and what the paper's comes to."""
+class Unavailable(Answer):
+    """Hardware in the loop cannot be driven here: its cells have no verdict and no part in any count."""
 
-    our_change: float
-    ci: Interval
+    cells: int
+    reason: str = Field(description="What is missing, and what brings it")
+
+
+class Judgement(Answer):
+    """Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable."""
+
+    our_change: float | None
+    ci: Interval | None
     verdict: Verdict
-    certain: bool = Field(description="The whole interval would get that verdict")
+    certain: bool | None = Field(description="The whole interval would get that verdict")
 
 
 class Cell(Judgement):
@@ -51,7 +58,7 @@ class Cell(Judgement):
     paper_base: float
     paper_change: float = Field(description="As printed [%]")
     misprint: Misprint | None = Field(description="The verdict is then taken against `follows`")
-    our_value: float
+    our_value: float | None = Field(description="Null where the cell is unavailable")
     our_base: float
     without_preview: Judgement | None = Field(description="Where a controller that looks ahead takes part")
 
@@ -110,8 +117,9 @@ class PaperAnswer(Answer):
     core_version: str
     seeds: int
     reached: int
-    total: int
+    total: int = Field(description="Cells with a verdict")
     counts: Counts
+    unavailable: Unavailable | None
     without_preview: WithoutPreview
     scenario: Scenario
     cells: list[Cell]
@@ -127,7 +135,7 @@ class ReadingRow(Answer):
     reading: str
     choice: str
     reached: int
-    total: int
+    total: int = Field(description="Cells with a verdict")
     counts: Counts
     changed: int = Field(description="Cells whose verdict is another than by default")
 
@@ -137,6 +145,7 @@ class ReadingsAnswer(Answer):
 
     rows: list[ReadingRow]
     complete: bool
+    unavailable: Unavailable | None
 
 
 class Figure8(Answer):

@@ -52,9 +52,11 @@ class Paper:
             ProblemError: 429 or 503.
         """
         without = {**chosen, "preview": "none"}
-        ours = await self._values(chosen, seeds, client, ahead=True)
-        blind = ours if without == chosen else await self._values(without, seeds, client, ahead=True)
-        return answers.reproduction(chosen, seeds, ours, blind)
+        ours, reason = await self._values(chosen, seeds, client, ahead=True)
+        blind, blind_reason = (
+            (ours, reason) if without == chosen else await self._values(without, seeds, client, ahead=True)
+        )
+        return answers.reproduction(chosen, seeds, ours, blind, reason or blind_reason)
 
     async def readings(self, seeds: int, client: str) -> dict[str, Any]:
         """What each switch does by itself, as `ReadingsAnswer`; as many rows as there are after a while.
@@ -63,15 +65,17 @@ class Paper:
             ProblemError: 429 or 503.
         """
         default = paper.default_choices()
-        base = paper.judge(await self._values(default, seeds, client))
+        values, reason = await self._values(default, seeds, client)
+        base = paper.judge(values)
         end, rows = time.monotonic() + PATIENCE, []
         choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
         for reading, choice in choices:
-            judged = paper.judge(await self._values({**default, reading: choice}, seeds, client))
-            rows.append(answers.reading_row(reading, choice, base, judged))
+            values, this_reason = await self._values({**default, reading: choice}, seeds, client)
+            rows.append(answers.reading_row(reading, choice, base, paper.judge(values)))
+            reason = this_reason or reason
             if time.monotonic() > end:
                 break
-        return {"rows": rows, "complete": len(rows) == len(choices)}
+        return {"rows": rows, "complete": len(rows) == len(choices), "unavailable": answers.unavailable(reason)}
 
     async def attribution(self, seeds: int, client: str) -> dict[str, Any]:
         """What each part contributes, as `AttributionAnswer`.
@@ -105,8 +109,15 @@ class Paper:
 
     async def _values(
         self, chosen: Mapping[str, str], seeds: int, client: str, *, ahead: bool = False
-    ) -> dict[str, Any]:
-        return paper.gathered(await self._rows(work.values, (dict(chosen),), seeds, client, ahead=ahead))
+    ) -> tuple[paper.Values, str | None]:
+        """Each strategy's figures; where the ECU's program cannot take part, all others' and why."""
+        given = (dict(chosen),)
+        simulated = paper.gathered(await self._rows(work.simulated_values, given, seeds, client, ahead=ahead))
+        try:
+            in_ecu = await self._rows(work.ecu_values, given, seeds, client, ahead=ahead)
+        except EcuUnavailableError as error:
+            return simulated, error.message
+        return simulated | paper.gathered(in_ecu), None
 
     async def _rows(
         self,
@@ -120,6 +131,10 @@ class Paper:
         """`function(*given, roads)` for roads 1 to `seeds`, a row each: stored, under way, or computed and stored.
 
         What is `ahead` is computed before what is not.
+
+        Raises:
+            EcuUnavailableError: The ECU's program cannot take part; nothing is stored then.
+            ProblemError: 429 or 503.
         """
         key = _key(function, given, seeds)
         stored = await self._store.call(self._store.runs.load_results, [key])
@@ -156,11 +171,7 @@ class Paper:
         for first in range(1, seeds + 1, AT_ONCE):
             roads = list(range(first, min(first + AT_ONCE, seeds + 1)))
             async with self._turns.turn(key):
-                try:
-                    rows += await self._workers.call(function, *given, roads)
-                except EcuUnavailableError as error:
-                    detail = f"Hardware in the loop cannot run here: {error.message}"
-                    raise ProblemError(503, detail, kind="no-ecu", retry_after=RETRY_AFTER) from None
+                rows += await self._workers.call(function, *given, roads)
         took = 1000 * (time.perf_counter() - begin)
         item = stored_rows(function, given, seeds, rows, took)
         await self._store.call(self._store.runs.save_result, item, CORE_VERSION)

@@ -5,7 +5,7 @@ from typing import Any
 
 from backend.hil.drive import simulate
 from sim_core.attribution import COMFORT_FIGURES, VARIANTS
-from sim_core.paper import STRATEGIES, figures_of, scenario_for
+from sim_core.paper import IN_ECU, SIMULATED, figures_of, scenario_for
 from sim_core.scenario import Road, Scenario, Speed
 from sim_core.signals import PAPER_SIGNALS
 from sim_core.simulation import simulate as simulate_core
@@ -15,9 +15,18 @@ ROAD_END = 110  # Eq. 3 [m]
 SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
 
 
-def values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
+def simulated_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
     """For each seed: strategy -> its eight figures (`sim_core.paper.FIGURES`), under these readings."""
-    return [{name: figures_of(simulate(scenario_for(chosen, seed), name)) for name in STRATEGIES} for seed in seeds]
+    return [{name: figures_of(simulate(scenario_for(chosen, seed), name)) for name in SIMULATED} for seed in seeds]
+
+
+def ecu_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
+    """The same of hardware in the loop.
+
+    Raises:
+        EcuUnavailableError: The ECU's program cannot take part.
+    """
+    return [{IN_ECU: figures_of(simulate(scenario_for(chosen, seed), IN_ECU))} for seed in seeds]
 
 
 def combinations(seeds: Sequence[int]) -> list[dict[str, dict[str, Any]]]:

@@ -13,6 +13,7 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.signals import COMFORT, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
 
 MARKS = {"reached": "✔", "smaller": "◐", "contradicts": "✘"}
+UNAVAILABLE = "unavailable"  # a verdict that is none
 _MINUS = re.compile(r"(?<![\w-])-(?=\d)")
 FACTORS = {"speed": "Lower speed", "preview": "Preview", "switching": "Switching weights"}
 
@@ -47,6 +48,7 @@ def report(
         "reached": reproduction["reached"],
         "total": reproduction["total"],
         "counts": [_count(name, number, reproduction["total"]) for name, number in reproduction["counts"].items()],
+        "unavailable": reproduction["unavailable"],
         "without": reproduction["without_preview"],
         "readings": [_reading(item) for item in reproduction["readings"]],
         "parts": inputs.parts(reproduction["scenario"]),
@@ -112,13 +114,19 @@ def _row(cell: Mapping[str, Any]) -> dict[str, Any]:
         "paper": [exact(cell["paper_base"]), exact(cell["paper_value"])],
         "paper_change": _printed(cell["paper_change"]),
         "follows": None if misprint is None else _printed(misprint["follows"]),
-        "ours": [significant(cell["our_base"]), significant(cell["our_value"])],
+        "ours": [significant(cell["our_base"]), _shown(cell["our_value"])],
         "judged": _judged(cell),
         "without": None if cell["without_preview"] is None else _judged(cell["without_preview"]),
     }
 
 
+def _shown(value: float | None) -> str:
+    return "–" if value is None else significant(value)
+
+
 def _judged(item: Mapping[str, Any]) -> dict[str, Any]:
+    if item["verdict"] == UNAVAILABLE:
+        return {"verdict": UNAVAILABLE, "change": "–"}
     return {
         "raw": item["our_change"],
         "change": percent(item["our_change"]),

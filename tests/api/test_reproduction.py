@@ -15,7 +15,8 @@ COMPUTE = """
 import sys
 from backend.paper import work
 from sim_core import paper
-work.values(paper.default_choices(), [1])
+work.simulated_values(paper.default_choices(), [1])
+work.ecu_values(paper.default_choices(), [1])
 work.combinations([1])
 work.peaks_over_speed([1])
 print(*(module.__file__ for name, module in sys.modules.items() if name.partition(".")[0] in ("sim_core", "backend")))

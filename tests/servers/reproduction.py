@@ -41,8 +41,10 @@ WAIT = 240.0  # for another test process that computes it [s]
 
 DEFAULT = paper.default_choices()
 PARTS: tuple[tuple[Callable[..., list[Any]], tuple[Any, ...]], ...] = (
-    (work.values, (DEFAULT,)),
-    (work.values, ({**DEFAULT, "preview": "none"},)),
+    (work.simulated_values, (DEFAULT,)),
+    (work.simulated_values, ({**DEFAULT, "preview": "none"},)),
+    (work.ecu_values, (DEFAULT,)),
+    (work.ecu_values, ({**DEFAULT, "preview": "none"},)),
     (work.combinations, ()),
     (work.peaks_over_speed, ()),
 )
