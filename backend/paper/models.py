@@ -40,7 +40,7 @@ class Judgement(Answer):
     """Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable."""
 
     our_change: float | None
-    ci: Interval | None
+    ci: Interval | None = Field(description="95 % interval [%]")
     verdict: Verdict
     certain: bool | None = Field(description="The whole interval would get that verdict")
 

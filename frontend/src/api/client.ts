@@ -2,7 +2,7 @@
 
 import { connection } from "./connection";
 import { decodeSeries } from "./decode";
-import { ApiProblem, Unreachable, isAbort, readProblem } from "./problem";
+import { ApiProblem, Unreachable, isAbort, isTransient, readProblem } from "./problem";
 import type {
   Attribution,
   Batch,
@@ -52,7 +52,7 @@ async function send(path: string, init: RequestInit): Promise<Response> {
   const body = parse(await readText(response));
   const problem = readProblem(response.status, body, response.headers.get("retry-after"));
   if (problem.status === 502 || problem.status === 504) connection.lost("down");
-  else if (problem.status === 503 || problem.status === 429) connection.lost("busy", problem.retryAfter ?? 0);
+  else if (isTransient(problem)) connection.lost("busy", problem.retryAfter ?? 0);
   throw problem;
 }
 

@@ -11,13 +11,16 @@ export class ApiProblem extends Error {
   readonly status: number;
   readonly errors: readonly FieldError[];
   readonly retryAfter: number | null;
+  /** The kind's short name, such as `ecu-unavailable`. */
+  readonly kind: string | null;
 
-  constructor(status: number, message: string, errors: readonly FieldError[], retryAfter: number | null = null) {
+  constructor(status: number, message: string, errors: readonly FieldError[], retryAfter: number | null = null, kind: string | null = null) {
     super(message);
     this.name = "ApiProblem";
     this.status = status;
     this.errors = errors;
     this.retryAfter = retryAfter;
+    this.kind = kind;
   }
 }
 
@@ -30,10 +33,12 @@ export class Unreachable extends Error {
 }
 
 const TRANSIENT = new Set([429, 502, 503, 504]);
+/** Waits for somebody who does what its message says. */
+const ECU_UNAVAILABLE = "ecu-unavailable";
 
-/** Whether the same request may succeed later without anybody changing it. */
+/** Whether the same request may succeed later without anybody doing anything. */
 export function isTransient(error: unknown): boolean {
-  return error instanceof Unreachable || (error instanceof ApiProblem && TRANSIENT.has(error.status));
+  return error instanceof Unreachable || (error instanceof ApiProblem && TRANSIENT.has(error.status) && error.kind !== ECU_UNAVAILABLE);
 }
 
 export function isNotFound(error: unknown): boolean {
@@ -64,5 +69,6 @@ export function readProblem(status: number, body: unknown, retryAfter: string | 
     typeof text === "string" ? text : `The server answered ${status}`,
     errors,
     Number.isFinite(seconds) ? seconds : null,
+    typeof problem.type === "string" ? (/^urn:problem-type:ridelab:(.+)$/.exec(problem.type)?.[1] ?? null) : null,
   );
 }

@@ -1399,20 +1399,23 @@ export interface components {
              * Certain
              * @description The whole interval would get that verdict
              */
-            certain: boolean;
+            certain: boolean | null;
             /**
              * Ci
              * @description 95 % interval [%]
              */
-            ci: number[];
+            ci: number[] | null;
             /** @description The verdict is then taken against `follows` */
             misprint: components["schemas"]["Misprint"] | null;
             /** Our Base */
             our_base: number;
             /** Our Change */
-            our_change: number;
-            /** Our Value */
-            our_value: number;
+            our_change: number | null;
+            /**
+             * Our Value
+             * @description Null where the cell is unavailable
+             */
+            our_value: number | null;
             /** Paper Base */
             paper_base: number;
             /**
@@ -1434,7 +1437,7 @@ export interface components {
              * Verdict
              * @enum {string}
              */
-            verdict: "reached" | "smaller" | "contradicts";
+            verdict: "reached" | "smaller" | "contradicts" | "unavailable";
             /** Window */
             window: string;
             /** @description Where a controller that looks ahead takes part */
@@ -2107,26 +2110,26 @@ export interface components {
         };
         /**
          * Judgement
-         * @description Our change [%] and what the paper's comes to.
+         * @description Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable.
          */
         Judgement: {
             /**
              * Certain
              * @description The whole interval would get that verdict
              */
-            certain: boolean;
+            certain: boolean | null;
             /**
              * Ci
              * @description 95 % interval [%]
              */
-            ci: number[];
+            ci: number[] | null;
             /** Our Change */
-            our_change: number;
+            our_change: number | null;
             /**
              * Verdict
              * @enum {string}
              */
-            verdict: "reached" | "smaller" | "contradicts";
+            verdict: "reached" | "smaller" | "contradicts" | "unavailable";
         };
         /**
          * LatinHypercube
@@ -2875,8 +2878,12 @@ export interface components {
             seeds: number;
             /** Tables */
             tables: components["schemas"]["TableAnswer"][];
-            /** Total */
+            /**
+             * Total
+             * @description Cells with a verdict
+             */
             total: number;
+            unavailable: components["schemas"]["Unavailable"] | null;
             without_preview: components["schemas"]["WithoutPreview"];
         };
         /**
@@ -3042,7 +3049,10 @@ export interface components {
             reached: number;
             /** Reading */
             reading: string;
-            /** Total */
+            /**
+             * Total
+             * @description Cells with a verdict
+             */
             total: number;
         };
         /**
@@ -3054,6 +3064,7 @@ export interface components {
             complete: boolean;
             /** Rows */
             rows: components["schemas"]["ReadingRow"][];
+            unavailable: components["schemas"]["Unavailable"] | null;
         };
         /**
          * RealtimeReport
@@ -4445,6 +4456,19 @@ export interface components {
              * @constant
              */
             dtype: "f4";
+        };
+        /**
+         * Unavailable
+         * @description Hardware in the loop cannot be driven here: its cells have no verdict and no part in any count.
+         */
+        Unavailable: {
+            /** Cells */
+            cells: number;
+            /**
+             * Reason
+             * @description What is missing, and what brings it
+             */
+            reason: string;
         };
         /**
          * UncertainRange

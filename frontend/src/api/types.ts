@@ -92,8 +92,10 @@ export type Paper = Deep<Omit<Schemas["PaperAnswer"], "scenario">> & { readonly 
 export type PaperCell = Paper["cells"][number];
 export type PaperReading = Paper["readings"][number];
 export type PaperTable = Paper["tables"][number];
-export type PaperVerdict = PaperCell["verdict"];
 export type VerdictCounts = Paper["counts"];
+/** Those that are counted; a cell may be unavailable instead. */
+export type PaperVerdict = keyof VerdictCounts;
+export type PaperJudgement = Deep<Schemas["Judgement"]>;
 export type ReadingEffects = Deep<Schemas["ReadingsAnswer"]>;
 export type Attribution = Deep<Schemas["AttributionAnswer"]>;
 export type Combination = Attribution["rows"][number];

@@ -24,7 +24,7 @@ export function Rules({ rules }: Pick<Paper, "rules">) {
         const verdict = of(key);
         return (
           <div key={key}>
-            <dt>{verdict ? <VerdictMark verdict={verdict} /> : (ABOUT[key] ?? key)}</dt>
+            <dt>{verdict ? <VerdictMark verdict={verdict} certain /> : (ABOUT[key] ?? key)}</dt>
             <dd>
               <Inline text={rule} />
             </dd>

@@ -35,6 +35,7 @@ export function Contents({ paper }: { readonly paper: Paper | undefined }) {
       {paper && (
         <div className={classes.count}>
           <b>{paper.reached}</b> of {paper.total} reached
+          {paper.unavailable && <span className={classes.missing}>{paper.unavailable.cells} not available here</span>}
           <VerdictBar counts={paper.counts} />
         </div>
       )}

@@ -2,14 +2,15 @@
 
 import { Anchor, Button, Text } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
-import { IconArrowRight, IconEyeOff } from "@tabler/icons-react";
+import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "@tabler/icons-react";
 import { api } from "../api/client";
 import type { Paper, PaperCell } from "../api/types";
 import { runKey } from "../state/queries";
 import { count } from "../units/format";
 import classes from "./paper.module.css";
 import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
-import { cellId, previewSentence, totalOf, uncertain } from "./verdicts";
+import { typeset } from "./numbers";
+import { cellId, isMissed, previewSentence, totalOf, uncertain } from "./verdicts";
 import type { Words } from "./words";
 
 interface Props {
@@ -25,6 +26,7 @@ export function CountSection({ paper, words }: Props) {
         <div className={classes.count} data-testid="count">
           <p className={classes.countLine}>
             <strong className={classes.countNumber}>{paper.reached}</strong> of {paper.total} cells reached
+            {paper.unavailable && <span className={classes.aside}>{paper.unavailable.cells} not available here</span>}
           </p>
           <VerdictBar counts={paper.counts} large />
           <VerdictCountList counts={paper.counts} />
@@ -40,6 +42,14 @@ export function CountSection({ paper, words }: Props) {
           <VerdictCountList counts={without.counts} />
         </div>
       </div>
+      {paper.unavailable && (
+        <Text className={classes.unavailable} data-testid="unavailable">
+          <IconAlertTriangle size={16} stroke={1.8} aria-hidden className={classes.countIcon} />
+          <span>
+            The {paper.unavailable.cells} cells of hardware in the loop are not available here and not counted. {typeset(paper.unavailable.reason)}.
+          </span>
+        </Text>
+      )}
       <Text className={classes.claim}>{previewSentence(paper)}</Text>
       <Text className={classes.text}>
         A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over {count(paper.seeds, "road")} of class B, the same
@@ -82,7 +92,7 @@ function OpenScenario({ paper, words }: Props) {
 }
 
 function Missed({ paper, words }: Props) {
-  const missed = paper.cells.filter(({ verdict }) => verdict !== "reached");
+  const missed = paper.cells.filter(isMissed);
   if (missed.length === 0) return null;
   return (
     <details className={classes.details}>

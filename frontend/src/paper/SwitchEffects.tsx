@@ -63,6 +63,11 @@ export function SwitchEffects({ paper: { readings }, choices, onChoose }: Props)
           </tbody>
         </table>
       </div>
+      {data.unavailable && (
+        <Text size="xs" c="dimmed">
+          Without the {data.unavailable.cells} cells that are not available here.
+        </Text>
+      )}
       {!data.complete && (
         <Text size="xs" c="dimmed" role="status">
           {count(expected - data.rows.length, "row")} to come …

@@ -2,10 +2,10 @@
 
 import { Anchor, Text } from "@mantine/core";
 import { IconAlertTriangle, IconEyeOff } from "@tabler/icons-react";
-import type { Paper, PaperCell, PaperTable } from "../api/types";
+import type { Paper, PaperCell, PaperJudgement, PaperTable } from "../api/types";
 import { formatPercent } from "../tables/change";
 import { formatResult } from "../units/format";
-import { printedChange, printedValue, spreadOf } from "./numbers";
+import { printedChange, printedValue, spreadOf, typeset } from "./numbers";
 import classes from "./paper.module.css";
 import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
@@ -34,7 +34,7 @@ export function Tables({ paper, words }: Props) {
         .
       </Text>
       {paper.tables.map((table) => (
-        <Table key={table.number} table={table} cells={paper.cells.filter((cell) => cell.table === table.number)} words={words} />
+        <Table key={table.number} table={table} cells={paper.cells.filter((cell) => cell.table === table.number)} words={words} reason={paper.unavailable?.reason} />
       ))}
     </>
   );
@@ -44,9 +44,11 @@ interface TableProps {
   readonly table: PaperTable;
   readonly cells: readonly PaperCell[];
   readonly words: Words;
+  /** Why cells are not available, where there are such. */
+  readonly reason: string | undefined;
 }
 
-function Table({ table, cells, words }: TableProps) {
+function Table({ table, cells, words, reason }: TableProps) {
   const [first] = cells;
   return (
     <div className={tables.tableBlock} id={`table-${table.number}`}>
@@ -82,6 +84,7 @@ function Table({ table, cells, words }: TableProps) {
               against={words.strategy(against)}
               cells={cells.filter((cell) => cell.strategy === strategy && cell.against === against)}
               words={words}
+              reason={reason}
             />
           ))}
         </table>
@@ -95,9 +98,10 @@ interface PairProps {
   readonly against: string;
   readonly cells: readonly PaperCell[];
   readonly words: Words;
+  readonly reason: string | undefined;
 }
 
-function Pair({ strategy, against, cells, words }: PairProps) {
+function Pair({ strategy, against, cells, words, reason }: PairProps) {
   const columns = [strategy, against, "Change"];
   return (
     <tbody>
@@ -116,18 +120,17 @@ function Pair({ strategy, against, cells, words }: PairProps) {
         <td className={tables.verdictCell} data-own />
         <td className={tables.verdictCell} />
       </tr>
-      {cells.length === 0 ? <NotHere /> : cells.map((cell) => <Row key={cell.signal} cell={cell} words={words} />)}
+      {cells.map((cell) => (
+        <Row key={cell.signal} cell={cell} words={words} />
+      ))}
+      {reason !== undefined && cells.some(({ verdict }) => verdict === "unavailable") && (
+        <tr>
+          <td className={tables.notHere} colSpan={9}>
+            <span>{typeset(reason)}.</span>
+          </td>
+        </tr>
+      )}
     </tbody>
-  );
-}
-
-function NotHere() {
-  return (
-    <tr>
-      <td className={tables.notHere} colSpan={9}>
-        This server cannot run this comparison.
-      </td>
-    </tr>
   );
 }
 
@@ -151,11 +154,11 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
         <PrintedChange cell={cell} />
       </td>
       <td className={tables.number} data-first>
-        {formatResult(cell.our_value * scale)}
+        {cell.our_value === null ? "–" : formatResult(cell.our_value * scale)}
       </td>
       <td className={tables.number}>{formatResult(cell.our_base * scale)}</td>
       <td className={tables.number}>
-        <b>{formatPercent(cell.our_change)}</b> <span className={tables.spread}>{spreadOf(cell.our_change, cell.ci)}</span>
+        <OurChange item={cell} />
       </td>
       <td className={tables.verdictCell} data-own>
         <VerdictMark verdict={cell.verdict} certain={cell.certain} />
@@ -164,15 +167,26 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
         {without ? (
           <span className={tables.without}>
             <VerdictMark verdict={without.verdict} certain={without.certain} />
-            <span className={tables.spread}>
-              {formatPercent(without.our_change)} {spreadOf(without.our_change, without.ci)}
-            </span>
+            {without.our_change !== null && without.ci !== null && (
+              <span className={tables.spread}>
+                {formatPercent(without.our_change)} {spreadOf(without.our_change, without.ci)}
+              </span>
+            )}
           </span>
         ) : (
           <span className={tables.spread}>no preview in it</span>
         )}
       </td>
     </tr>
+  );
+}
+
+function OurChange({ item: { our_change: change, ci } }: { readonly item: PaperJudgement }) {
+  if (change === null || ci === null) return <>–</>;
+  return (
+    <>
+      <b>{formatPercent(change)}</b> <span className={tables.spread}>{spreadOf(change, ci)}</span>
+    </>
   );
 }
 

@@ -1,26 +1,21 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
-import { IconArrowDownRight, IconCheck, IconX } from "@tabler/icons-react";
-import type { PaperVerdict, VerdictCounts } from "../api/types";
+import { IconArrowDownRight, IconCheck, IconMinus, IconX } from "@tabler/icons-react";
+import type { PaperJudgement, VerdictCounts } from "../api/types";
 import classes from "./verdict.module.css";
 import { countsInWords, totalOf, VERDICTS, wordOf } from "./verdicts";
 
-const ICONS = { reached: IconCheck, smaller: IconArrowDownRight, contradicts: IconX } as const;
+const ICONS = { reached: IconCheck, smaller: IconArrowDownRight, contradicts: IconX, unavailable: IconMinus } as const;
 
-interface MarkProps {
-  readonly verdict: PaperVerdict;
-  /** The whole interval would get it. */
-  readonly certain?: boolean;
-}
-
-export function VerdictMark({ verdict, certain = true }: MarkProps) {
+/** `certain`: the whole interval would get it. */
+export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict" | "certain">) {
   const Icon = ICONS[verdict];
   return (
     <span className={classes.mark} data-verdict={verdict}>
       <Icon size={14} stroke={2.6} aria-hidden />
       <span>
         {wordOf(verdict)}
-        {!certain && <span className={classes.uncertain} title="A part of the 95 % interval would get another verdict"> uncertain</span>}
+        {certain === false && <span className={classes.uncertain} title="A part of the 95 % interval would get another verdict"> uncertain</span>}
       </span>
     </span>
   );

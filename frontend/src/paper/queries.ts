@@ -1,4 +1,4 @@
-/** What the page asks for; each answer is the same for as long as the server's version is. */
+/** What the page asks for; each answer is the same for as long as the server's version is, once all of it is available. */
 
 import { keepPreviousData, queryOptions } from "@tanstack/react-query";
 import { api } from "../api/client";
@@ -17,6 +17,7 @@ export const paperQuery = (choices: Choices) =>
     queryFn: ({ signal }) => api.paper(choices, signal),
     placeholderData: keepPreviousData,
     ...FOR_EVER,
+    staleTime: ({ state }) => (state.data?.unavailable ? 0 : Infinity),
   });
 
 export const effectsQuery = (choices: Choices) =>

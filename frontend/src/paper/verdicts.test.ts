@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Paper, PaperCell } from "../api/types";
-import { previewSentence, uncertain } from "./verdicts";
+import { isMissed, previewSentence, uncertain, wordOf } from "./verdicts";
 
 const CELL: PaperCell = {
   table: 7,
@@ -22,6 +22,8 @@ const CELL: PaperCell = {
   without_preview: { our_change: 2, ci: [1, 3], verdict: "contradicts", certain: true },
 };
 
+const UNAVAILABLE = { our_change: null, ci: null, verdict: "unavailable", certain: null } as const;
+
 function paper(chosen: string, reached: number, without: number): Paper {
   return {
     core_version: "1",
@@ -29,6 +31,7 @@ function paper(chosen: string, reached: number, without: number): Paper {
     reached,
     total: 48,
     counts: { reached, smaller: 48 - reached, contradicts: 0 },
+    unavailable: null,
     without_preview: { reached: without, counts: { reached: without, smaller: 48 - without, contradicts: 0 } },
     scenario: {},
     cells: [CELL, { ...CELL, certain: false, without_preview: null }],
@@ -65,4 +68,11 @@ describe("what the claim hinges on", () => {
 
 it("counts the verdicts an interval leaves open", () => {
   expect(uncertain(paper("lookahead", 36, 16))).toBe(1);
+});
+
+it("takes what is not available neither for missed nor for uncertain", () => {
+  const cell: PaperCell = { ...CELL, ...UNAVAILABLE, our_value: null, without_preview: UNAVAILABLE };
+  const found: Paper = { ...paper("lookahead", 28, 12), cells: [cell], unavailable: { cells: 1, reason: "There is no C compiler" } };
+  expect([uncertain(found), isMissed(cell), wordOf(cell.verdict)]).toEqual([0, false, "not available"]);
+  expect(previewSentence(found)).toContain("Without it 0 verdicts change.");
 });

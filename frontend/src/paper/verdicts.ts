@@ -1,6 +1,6 @@
 /** The three verdicts, and what a count of them says. */
 
-import type { Paper, PaperCell, PaperVerdict, VerdictCounts } from "../api/types";
+import type { Paper, PaperCell, PaperJudgement, PaperVerdict, VerdictCounts } from "../api/types";
 import { count } from "../units/format";
 
 /** From the best to the worst; words as the tables have them. */
@@ -10,7 +10,7 @@ export const VERDICTS: readonly { readonly verdict: PaperVerdict; readonly word:
   { verdict: "contradicts", word: "contradicts" },
 ];
 
-export const wordOf = (verdict: PaperVerdict) => VERDICTS.find((each) => each.verdict === verdict)?.word ?? verdict;
+export const wordOf = (verdict: PaperJudgement["verdict"]) => VERDICTS.find((each) => each.verdict === verdict)?.word ?? "not available";
 
 export const totalOf = (counts: VerdictCounts) => VERDICTS.reduce((sum, { verdict }) => sum + counts[verdict], 0);
 
@@ -36,4 +36,6 @@ export function previewSentence(paper: Paper): string {
 }
 
 /** In how many cells the interval leaves the verdict open. */
-export const uncertain = ({ cells }: Paper) => cells.filter(({ certain }) => !certain).length;
+export const uncertain = ({ cells }: Paper) => cells.filter(({ certain }) => certain === false).length;
+
+export const isMissed = ({ verdict }: PaperCell) => verdict === "smaller" || verdict === "contradicts";
