@@ -4,7 +4,6 @@ import asyncio
 import json
 import socket
 import threading
-import time
 from collections.abc import Coroutine, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +19,7 @@ from backend.app import create_app
 from backend.protocol import server_config
 from backend.settings import Settings
 from tests.api.cli import Cli
+from tests.servers.process import wait_until
 from tests.servers.reproduction import store_in
 
 T = TypeVar("T")
@@ -65,23 +65,18 @@ def serve(settings: Settings) -> Iterator[Service]:
         thread.start()
         try:
             with httpx.Client(base_url=address, timeout=30) as client:
-                wait_until_ready(client)
+                wait_until(lambda: ready(client), "the service gets ready", 40)
                 yield Service(client=client, app=app, loop=server.loop)
         finally:
             server.should_exit = True
             thread.join()
 
 
-def wait_until_ready(client: httpx.Client, seconds: float = 40) -> None:
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        try:
-            if client.get("/readyz").status_code == 200:
-                return
-        except httpx.TransportError:
-            pass
-        time.sleep(0.05)
-    raise TimeoutError("The service did not get ready")
+def ready(client: httpx.Client) -> bool:
+    try:
+        return client.get("/readyz").status_code == 200
+    except httpx.TransportError:
+        return False
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,6 @@
 """Who is let in: limits for one client and for all, refused at once and clearly, and places that come free again."""
 
 import threading
-import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
@@ -16,6 +15,7 @@ from backend.admission import Admission, Places, Rate, client_key
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
+from tests.servers.process import wait_until
 
 PASSIVE = estimate(Scenario(), "passive")
 
@@ -172,10 +172,7 @@ def test_what_is_too_much_is_refused_at_once_and_what_was_taken_is_answered(serv
 
     with ThreadPoolExecutor(4) as threads:
         taken = [threads.submit(ask, seed) for seed in range(4)]
-        end = time.monotonic() + 20
-        while gate.load["requests"] < 4:
-            assert time.monotonic() < end
-            time.sleep(0.01)
+        wait_until(lambda: gate.load["requests"] == 4, "all of them are taken", 20)
         for seed in range(10, 20):
             refused = ask(seed)
             assert refused.status_code == 429

@@ -1,9 +1,12 @@
 """Batches in the store, on both databases: what is counted is what is there, whoever writes, in whatever order."""
 
+import contextlib
+import sqlite3
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import cache
 from typing import Any
 
 import orjson
@@ -60,9 +63,8 @@ def computed(*keys: str, status: str = "ok") -> list[ComputedRun]:
 
 
 @pytest.fixture
-def store(database_url: str) -> Iterator[Store]:
-    store = Store(database_url)
-    store.migrate()
+def store(migrated_url: str) -> Iterator[Store]:
+    store = Store(migrated_url)
     yield store
     store.close()
 
@@ -189,6 +191,15 @@ def test_counts_are_by_state(store: Store, batch: StoredBatch) -> None:
     assert store.batches.counts() == {"queued": (1, RUNS), "running": (1, RUNS - 1)}
 
 
+@cache
+def empty() -> sqlite3.Connection:
+    """A database of the newest schema with nothing in it, to be copied."""
+    store = Store("sqlite://")
+    store.migrate()
+    connection: Any = store.engine.raw_connection().driver_connection
+    return connection
+
+
 class Life(RuleBasedStateMachine):
     """Everything that can happen to a batch in any order, against a model that is a dictionary."""
 
@@ -197,7 +208,8 @@ class Life(RuleBasedStateMachine):
     @initialize(shared=st.integers(0, 4))
     def begin(self, shared: int) -> None:
         self.store = Store("sqlite://")
-        self.store.migrate()
+        with contextlib.closing(self.store.engine.raw_connection()) as connection:
+            empty().backup(connection.driver_connection)
         self.model = {row["position"]: row["result_key"] for row in rows(shared=shared)}
         self.status = dict.fromkeys(self.model, "waiting")
         self.state = "queued"

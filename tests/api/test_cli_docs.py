@@ -3,15 +3,22 @@
 `UPDATE_DOCS=1 python -m pytest tests/api/test_cli_docs.py` prints the outputs into the pages anew.
 """
 
+import argparse
+import io
 import os
 import re
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout
+from functools import partial
 from pathlib import Path
 
 import httpx
 import pytest
+
+from backend.cli import app
 
 ROOT = Path(__file__).parents[2]
 UPDATE = bool(os.environ.get("UPDATE_DOCS"))
@@ -35,33 +42,15 @@ CHANGING: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ..
     (re.compile(r"^id: \d+$", re.MULTILINE), "id: NUMBER"),
     (re.compile(r"\d+\.\d{7,}"), lambda found: f"{float(found[0]):.6g}"),
 )
-# What the pages' curl commands need of curl, so that a machine without it can run them too.
-CURL = f"""#!{sys.executable}
-import argparse, httpx
-parser = argparse.ArgumentParser()
-parser.add_argument("-s", action="store_true", required=True)
-parser.add_argument("-H", action="append", default=[])
-parser.add_argument("-d")
-parser.add_argument("-X")
-parser.add_argument("url")
-options = parser.parse_args()
-headers = dict(header.split(": ", 1) for header in options.H)
-method = options.X or ("GET" if options.d is None else "POST")
-print(httpx.request(method, options.url, headers=headers, content=options.d, timeout=60).text, end="")
-"""
 
 
 class Page:
-    """A page's commands, run in one folder one after the other."""
+    """A page's commands, run in one folder one after the other: our own in this process, the shell's as programs."""
 
-    def __init__(self, name: str, address: str, folder: Path) -> None:
+    def __init__(self, name: str, address: str) -> None:
         self.path = ROOT / "docs" / name
-        self._address, self._folder = address, folder
+        self._address = address
         self._ids: dict[str, str] = {}  # of the last batch, run and link, for commands that name BATCH, RUN, SLUG
-        if not UPDATE:
-            shim = folder / "curl"
-            shim.write_text(CURL, encoding="utf-8")
-            shim.chmod(0o755)
 
     def again(self) -> str:
         """The page with what its commands print now."""
@@ -69,10 +58,10 @@ class Page:
 
     def _block(self, kind: str, text: str, _: str | None) -> str:
         if kind == "python":
-            printed = self._run([sys.executable, "-c", text.replace(ADDRESS, self._address)])
-            return f"```python\n{text}```\n\nIt prints:\n\n```text\n{printed}```\n"
+            script = partial(exec, text.replace(ADDRESS, self._address), {"__name__": "__main__"})
+            return f"```python\n{text}```\n\nIt prints:\n\n```text\n{self._shown(printed(script))}```\n"
         commands = [line for line in text.splitlines() if line.startswith("$ ")]
-        shown = "".join(f"{line}\n{self._run(['bash', '-c', self._prepared(line[2:])])}" for line in commands)
+        shown = "".join(f"{line}\n{self._shown(run(self._prepared(line[2:])))}" for line in commands)
         return f"```console\n{shown}```\n"
 
     def _prepared(self, command: str) -> str:
@@ -80,31 +69,70 @@ class Page:
             command = command.replace(word, name)
         return command.replace(ADDRESS, self._address)
 
-    def _run(self, command: list[str]) -> str:
-        run = subprocess.run(
-            command,
-            cwd=self._folder,
-            env={
-                **os.environ,
-                "PATH": os.pathsep.join([str(self._folder), str(Path(sys.executable).parent), os.environ["PATH"]]),
-                "PYTHONPATH": str(ROOT),
-                "RIDELAB_SERVER": self._address,
-            },
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            check=False,
-        )
-        assert "Traceback" not in run.stdout, run.stdout
-        if found := re.match(r'\{"id":"([\w-]{22})","(state)?', run.stdout) or re.search(
-            r"/r/([\w-]{22})()", run.stdout
-        ):
+    def _shown(self, printed: bytes) -> str:
+        text = printed.decode()
+        assert "Traceback" not in text, text
+        if found := re.match(r'\{"id":"([\w-]{22})","(state)?', text) or re.search(r"/r/([\w-]{22})()", text):
             self._ids["BATCH" if found[2] else "RUN"] = found[1]
-        if found := re.match(r'\{"slug":"([\w-]{22})"', run.stdout):
+        if found := re.match(r'\{"slug":"([\w-]{22})"', text):
             self._ids["SLUG"] = found[1]
-        lines = run.stdout.replace(self._address, ADDRESS).splitlines()
+        lines = text.replace(self._address, ADDRESS).splitlines()
         cut = [line if len(line) <= WIDEST else f"{line[:WIDEST]}..." for line in lines[:LONGEST]]
         return "".join(f"{line.rstrip()}\n" for line in [*cut, *(["..."] if len(lines) > LONGEST else [])])
+
+
+def run(command: str) -> bytes:
+    """What a line of the shell prints: commands with pipes between them, the output into a file perhaps."""
+    words = shlex.shlex(command, posix=True, punctuation_chars="|>")
+    words.whitespace_split, words.commenters = True, ""
+    stages: list[list[str]] = [[]]
+    for word in words:
+        if word == "|":
+            stages.append([])
+        else:
+            stages[-1].append(word)
+    content = b""
+    for stage in stages:
+        stage, file = (stage[:-2], stage[-1]) if ">" in stage else (stage, None)
+        content = program(stage, content)
+        if file is not None:
+            content = (Path(file).write_bytes(content), b"")[1]
+    return content
+
+
+def program(words: list[str], content: bytes) -> bytes:
+    """What a program prints that reads this."""
+    if words[0] == "ridelab":
+        return printed(lambda: app.run(words[1:]), content)
+    if words[0] == "curl":
+        return curl(words[1:])
+    if words[0] == "python3":
+        words = [sys.executable, *words[1:]]
+    # Its errors too, so that a page that shows none has none.
+    return subprocess.run(words, input=content, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout
+
+
+def printed(work: Callable[[], object], content: bytes = b"") -> bytes:
+    """What it prints to standard output and standard error, where it may read this."""
+    with io.TextIOWrapper(io.BytesIO(), write_through=True) as sink, io.TextIOWrapper(io.BytesIO(content)) as source:
+        with redirect_stdout(sink), redirect_stderr(sink), pytest.MonkeyPatch.context() as patch:
+            patch.setattr(sys, "stdin", source)
+            work()
+        return sink.buffer.getvalue()
+
+
+def curl(words: list[str]) -> bytes:
+    """The little of curl that the pages use."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("-s", action="store_true", required=True)
+    parser.add_argument("-H", action="append", default=[])
+    parser.add_argument("-d")
+    parser.add_argument("-X")
+    parser.add_argument("url")
+    options = parser.parse_args(words)
+    headers = dict(header.split(": ", 1) for header in options.H)
+    method = options.X or ("GET" if options.d is None else "POST")
+    return httpx.request(method, options.url, headers=headers, content=options.d, timeout=60).content
 
 
 def lasting(text: str) -> str:
@@ -114,9 +142,15 @@ def lasting(text: str) -> str:
     return text
 
 
+@pytest.mark.usefixtures("reproduced")
 @pytest.mark.parametrize("name", ["cli.md", "api.md", "robustness.md"])
-def test_a_page_shows_what_its_commands_print(name: str, client: httpx.Client, tmp_path: Path) -> None:
-    page = Page(name, str(client.base_url).rstrip("/"), tmp_path)
+def test_a_page_shows_what_its_commands_print(
+    name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    address = str(client.base_url).rstrip("/")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("RIDELAB_SERVER", address)
+    page = Page(name, address)
     again = page.again()
     if UPDATE:
         page.path.write_text(again, encoding="utf-8")

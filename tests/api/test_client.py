@@ -21,8 +21,8 @@ from sim_core.simulation import simulate
 
 SHORT = Scenario(road=Road(length=112, bump=Bump(start=72)))  # nobody else's, so that nothing is stored yet
 HEIGHTS = [0.03, 0.05, 0.07]
-# A second or two of one core each, so that a batch of them is still running when it is cancelled.
-LONG = {"road": {"length": 60.3, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
+# Half a second of one core each, so that a batch of them is still running when it is cancelled.
+LONG = {"road": {"length": 10.3, "bump": {"start": 4}}, "mpc": {"solver": "osqp", "force_limit": 500}}
 
 
 @pytest.fixture(scope="module")

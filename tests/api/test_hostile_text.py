@@ -5,7 +5,6 @@ import io
 import json
 import re
 import socket
-import time
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +16,7 @@ from backend.security import CONTENT_SECURITY_POLICY, HEADERS
 from backend.settings import Settings
 from sim_core.signals import SIGNALS
 from sim_core.strategies import STRATEGIES
+from tests.api.test_batches import wait_for
 
 SCRIPT = "<script>alert(1)</script>"
 NAMES = [
@@ -202,12 +202,7 @@ def batch(client: httpx.Client) -> str:
     }
     accepted = client.post("/api/v1/batches", json=body)
     assert accepted.status_code == 202, accepted.text
-    found, end = accepted.json(), time.monotonic() + 120
-    while found["state"] in ("queued", "running"):
-        assert time.monotonic() < end
-        time.sleep(0.1)
-        found = client.get(f"/api/v1/batches/{found['id']}").json()
-    return str(found["id"])
+    return str(wait_for(client, accepted.json()["id"])["id"])
 
 
 def test_an_event_stream_has_every_header(client: httpx.Client, batch: str) -> None:

@@ -374,9 +374,8 @@ def test_a_batch_is_seen_over_the_fields_it_sweeps(
     assert answer.json()["errors"] == [{"pointer": "/view/x", "message": "This batch sweeps road.bump.height"}]
 
 
-def test_links_are_kept_on_either_database(database_url: str) -> None:
-    store = Store(database_url)
-    store.migrate()
+def test_links_are_kept_on_either_database(migrated_url: str) -> None:
+    store = Store(migrated_url)
     try:
         outcomes = [
             StoredResult(key=key, strategy="lv", status="ok", summary={}, compute_ms=1.0) for key in ("k1", "k2")

@@ -1,5 +1,6 @@
 """The store on both databases it knows: SQLite, and a real PostgreSQL."""
 
+import contextlib
 import sqlite3
 import threading
 import time
@@ -38,24 +39,15 @@ def open_store(database_url: str) -> Iterator[OpenStore]:
 
 
 @pytest.fixture
-def store(open_store: OpenStore) -> Store:
-    store = open_store()
-    store.migrate()
-    return store
-
-
-@pytest.fixture
-def sqlite_store(tmp_path: Path) -> Iterator[Store]:
-    store = Store(f"sqlite:///{tmp_path}/ridelab.sqlite")
-    store.migrate()
+def store(migrated_url: str) -> Iterator[Store]:
+    store = Store(migrated_url)
     yield store
     store.close()
 
 
 @pytest.fixture
-def server_store(postgres: Postgres) -> Iterator[Store]:
-    store = Store(postgres.new_database())
-    store.migrate()
+def server_store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
+    store = Store(postgres.new_database(migrated_postgres))
     yield store
     store.close()
     postgres.start()
@@ -89,7 +81,9 @@ def in_threads(*calls: Callable[[], object]) -> list[BaseException]:
     return raised
 
 
-def test_the_migrations_make_the_tables_the_code_uses(store: Store) -> None:
+def test_the_migrations_make_the_tables_the_code_uses(open_store: OpenStore) -> None:
+    store = open_store()
+    store.migrate()
     with store.engine.connect() as connection:
         context = MigrationContext.configure(connection, opts={"compare_type": True, "compare_server_default": True})
         assert compare_metadata(context, metadata) == []
@@ -218,9 +212,10 @@ def test_a_dead_client_is_noticed_by_the_server(server_store: Store) -> None:
     assert 0 < values["idle"] + values["interval"] * values["count"] <= 20
 
 
-def test_sqlite_is_set_up_for_durability(sqlite_store: Store) -> None:
+def test_sqlite_is_set_up_for_durability(tmp_path: Path) -> None:
     expected = "wal" if wal_is_safe(sqlite3.sqlite_version_info) else "delete"
-    with sqlite_store.engine.connect() as connection:
+    store = Store(f"sqlite:///{tmp_path}/ridelab.sqlite")
+    with contextlib.closing(store), store.engine.connect() as connection:
         assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == expected
         assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 2, "FULL"
         assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1

@@ -52,9 +52,8 @@ def trial(number: int, generation: int, *, ok: bool = True) -> StoredTrial:
 
 
 @pytest.fixture
-def store(database_url: str) -> Iterator[Store]:
-    store = Store(database_url)
-    store.migrate()
+def store(migrated_url: str) -> Iterator[Store]:
+    store = Store(migrated_url)
     store.batches.create(BATCH, rows(), None)
     yield store
     store.close()

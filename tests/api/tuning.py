@@ -1,11 +1,11 @@
 """A small tuning over HTTP, for tests: the request, and what waits for it and reads it."""
 
-import time
 from typing import Any
 
 import httpx
 
 from tests.api.streams import told
+from tests.servers.process import wait_until
 
 # Nobody else's road, and a short one.
 SCENARIO: dict[str, Any] = {
@@ -42,13 +42,14 @@ def get(client: httpx.Client, tuning_id: str, below: str = "") -> Any:
 
 def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000, seconds: float = 120) -> dict[str, Any]:
     """The tuning once it has ended, or has so many generations."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        found: dict[str, Any] = get(client, tuning_id)
-        if found["state"] not in ("queued", "running") or found["generation"] >= generation:
-            return found
-        time.sleep(0.05)
-    raise TimeoutError("The tuning did not end")
+    found: dict[str, Any] = {}
+
+    def far_enough() -> bool:
+        found.update(get(client, tuning_id))
+        return found["state"] not in ("queued", "running") or found["generation"] >= generation
+
+    wait_until(far_enough, "the tuning gets there", seconds)
+    return found
 
 
 def trials(client: httpx.Client, tuning_id: str) -> list[dict[str, Any]]:

@@ -85,11 +85,15 @@ class Postgres:
             self._process.wait()
             self._process = None
 
-    def new_database(self) -> str:
-        """The SQLAlchemy URL of a new empty database; starts the server where somebody left it stopped."""
+    def new_database(self, template: str | None = None) -> str:
+        """The SQLAlchemy URL of a new database; starts the server where somebody left it stopped.
+
+        Args:
+            template: The name of one that it shall be a copy of, which nobody is connected to; None for an empty one.
+        """
         self.start()
         name = next(self._names)
-        self.execute(f"CREATE DATABASE {name}")
+        self.execute(f"CREATE DATABASE {name}" + (f" TEMPLATE {template}" if template else ""))
         return self.url(name)
 
     def url(self, name: str) -> str:
