@@ -28,7 +28,7 @@ function dashboard() {
   const lab = createLab(router, queries);
   // The first run, the plotting code and the form are fetched at the same time.
   lab.open(router.get());
-  router.onTravel(lab.open);
+  router.onTravel(lab.travel);
   return <App lab={lab} router={router} />;
 }
 

@@ -1,13 +1,24 @@
 """The page as a person uses it: names for what they look at and do."""
 
-from typing import Any
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Literal
 
 import httpx
-from playwright.sync_api import Locator, Page, Response, expect
+from playwright.sync_api import ConsoleMessage, Error, Locator, Page, Response, Route, ViewportSize, expect
 
-from tests.browser.server import ROOT
+from tests.servers.process import ROOT
 
 AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
+LONG_MS = 60_000  # computing on a busy machine
+LAPTOP: ViewportSize = {"width": 1440, "height": 900}
+Scheme = Literal["light", "dark"]
+# In the dark other colours are all that can be wrong beside.
+RULES: dict[Scheme, list[str]] = {"light": ["wcag2a", "wcag2aa", "wcag21aa"], "dark": ["color-contrast"]}
+REFUSE_COPYING = """
+Object.defineProperty(navigator, 'clipboard', {value: undefined});
+document.execCommand = () => false;
+"""
 WINDOWS = {"rough_road": "rms", "bump": "peak"}
 
 
@@ -18,13 +29,33 @@ class Dashboard:
         self.page = page
         self.url = url
         self.failures: list[str] = []
-        page.on("pageerror", lambda error: self.failures.append(str(error)))
-        page.on("console", lambda message: self._listen(message.type, message.text))
+        page.on("pageerror", self._fail)
+        page.on("console", self._listen)
 
-    def _listen(self, kind: str, text: str) -> None:
+    def _fail(self, error: Error) -> None:
+        self.failures.append(str(error))
+
+    def _listen(self, message: ConsoleMessage) -> None:
         # A refused or missing request is written to the console by the browser itself.
-        if kind == "error" and "Failed to load resource" not in text:
-            self.failures.append(text)
+        if message.type == "error" and "Failed to load resource" not in message.text:
+            self.failures.append(message.text)
+
+    def leave(self) -> None:
+        """Leaves the tab as a new one would be: nothing stored, caught or pressed, no page that still asks for more."""
+        page = self.page
+        try:
+            page.unroute_all(behavior="ignoreErrors")
+            page.goto("/favicon.svg")  # of the same origin: for an empty page the browser would take another process
+            page.evaluate("localStorage.clear()")
+            page.set_viewport_size(LAPTOP)
+            page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
+            page.mouse.up()
+            page.mouse.move(0, 0)
+            page.remove_listener("pageerror", self._fail)
+            page.remove_listener("console", self._listen)
+        except Error:
+            page.close()  # the next test gets another one
+            raise
 
     def open(self, path: str = "/") -> None:
         """Opens an address and waits for the first curves."""
@@ -32,8 +63,10 @@ class Dashboard:
         self.expect_curves()
 
     def expect_curves(self) -> None:
+        """Waits for a stored run's curves; whatever address named another run before names this one by then."""
         expect(self.page.locator(".scatterlayer .trace").first).to_be_visible()
         expect(self.results).to_have_attribute("data-source", "exact")
+        expect(self.results).not_to_have_attribute("data-stale", "true")
 
     @property
     def results(self) -> Locator:
@@ -87,18 +120,47 @@ class Dashboard:
         }
         assert self.shown_values() == expected
 
-    def expect_accessible(self) -> None:
-        """Axe-core finds no serious violation of WCAG 2.1 A and AA on the page as it stands, in either scheme."""
-        for scheme in ("light", "dark"):
-            self.page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # no colours half way
+    def curves(self) -> list[str]:
+        """Every curve on the screen, as it is drawn."""
+        paths: list[str] = self.results.locator(".scatterlayer .js-line").evaluate_all(
+            "lines => lines.map(line => line.getAttribute('d'))"
+        )
+        return paths
+
+    def address(self) -> str:
+        """What the address bar shows now; `page.url` learns of a change a moment later."""
+        address: str = self.page.evaluate("location.href")
+        return address
+
+    @contextmanager
+    def held(self, pattern: str) -> Iterator[None]:
+        """Within it the answers to such requests are on their way and do not come."""
+        waiting: list[Route] = []
+        self.page.route(pattern, lambda route: waiting.append(route))
+        yield
+        for route in waiting:
+            route.continue_()
+        self.page.unroute(pattern)
+
+    def expect_no_wider(self, *widths: int) -> None:
+        """Nothing of the page as it stands is wider than a window so wide [px]."""
+        for width in widths:
+            self.page.set_viewport_size({"width": width, "height": 860})
+            # Two frames: what follows the window's width has been told, and has been drawn.
+            self.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+            assert self.page.evaluate("document.documentElement.scrollWidth") <= width
+
+    def expect_accessible(self, part: Locator | None = None) -> None:
+        """Axe-core finds no serious violation of WCAG 2.1 A and AA in either scheme.
+
+        Args:
+            part: Of the page, where another test looks at the rest of it; without one all of it.
+        """
+        for scheme in RULES:
+            self.page.emulate_media(color_scheme=scheme)
             expect(self.page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)
-            self.page.evaluate(AXE.read_text())
-            found = self.page.evaluate(
-                """async () => (await axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})).violations
-                   .filter(({impact}) => impact === 'serious' || impact === 'critical')
-                   .map(({id, nodes}) => [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | '))"""
-            )
-            assert found == [], scheme
+            found = violations(part or self.page.locator("html"), scheme)
+            assert [text for impact, text in found if impact in ("serious", "critical")] == [], scheme
         self.page.emulate_media(color_scheme="light")
 
     def drag(self, slider: Locator, steps: tuple[int, ...]) -> list[Response]:
@@ -117,3 +179,16 @@ class Dashboard:
         expect(self.results).to_have_attribute("data-source", "live")
         mouse.up()
         return answers
+
+
+def violations(part: Locator, scheme: Scheme) -> list[tuple[str, str]]:
+    """What axe-core finds against WCAG 2.1 A and AA as the page stands: impact, and rule with some elements."""
+    page = part.page
+    if not page.evaluate("Boolean(window.axe)"):
+        page.evaluate(AXE.read_text())  # by the debugger, which a page's policy does not bind
+    found: list[tuple[str, str]] = part.evaluate(
+        """async (part, runOnly) => (await axe.run(part, {runOnly})).violations.map(({id, impact, nodes}) =>
+           [impact, [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | ')])""",
+        RULES[scheme],
+    )
+    return found

@@ -1,14 +1,15 @@
 """The real service as a process of its own, which a test can take away and bring back."""
 
-import socket
+import os
 import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import httpx
 
-ROOT = Path(__file__).parents[2]
+from tests.servers.process import ROOT, free_port
 
 
 class Server:
@@ -16,9 +17,7 @@ class Server:
 
     def __init__(self, data: Path) -> None:
         self._data = data
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self._port: int = probe.getsockname()[1]
+        self._port = free_port()
         self._process: subprocess.Popen[bytes] | None = None
 
     @property
@@ -31,11 +30,19 @@ class Server:
         """Where what it keeps lies."""
         return self._data / "ridelab.sqlite"
 
+    def submit(self, sweep: dict[str, Any], strategies: list[str]) -> str:
+        """Submits a batch over the paper's scenario, as a script does; returns its page's path."""
+        body = {"scenario": {}, "strategies": strategies, "sweep": sweep}
+        answer = httpx.post(f"{self.url}/api/v1/batches", json=body, timeout=60).raise_for_status().json()
+        return f"/b/{answer['id']}"
+
     def start(self, seconds: float = 40) -> None:
         """Starts and waits until it is ready."""
+        # A page asks for one thing at a time: more workers would only take longer to start.
+        few = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1"}
         command = [sys.executable, "-m", "backend", "--port", str(self._port), "--data-dir", str(self._data)]
         with (self._data.parent / "server.log").open("ab") as log:
-            self._process = subprocess.Popen(command, cwd=ROOT, stdout=log, stderr=log)
+            self._process = subprocess.Popen(command, cwd=ROOT, env=os.environ | few, stdout=log, stderr=log)
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             try:

@@ -6,13 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import httpx
-import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import WINDOWS, Dashboard
+from tests.browser.dashboard import LONG_MS, WINDOWS, Dashboard
 from tests.browser.server import Server
 
-LONG_MS = 60_000  # computing on a busy machine
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
 # Two to three seconds by the clock.
 SHORT = {
@@ -69,15 +67,7 @@ def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboa
     expect(bits).to_have_value("6")
     expect_rule(page, rough)
     dashboard.expect_accessible()
-
-
-@pytest.mark.parametrize("width", [400, 820])
-def test_nothing_is_wider_than_the_window(dashboard: Dashboard, width: int) -> None:
-    page = dashboard.page
-    page.set_viewport_size({"width": width, "height": 860})
-    page.goto("/ecu")
-    expect(page.get_by_test_id("hil-count")).to_be_visible(timeout=LONG_MS)
-    assert page.evaluate("document.documentElement.scrollWidth") == width
+    dashboard.expect_no_wider(820, 400)
 
 
 def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
@@ -142,7 +132,7 @@ def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
     expect(card.locator("tr[data-fits=false] td")).to_have_count(9)
     card.get_by_role("switch", name="All eight figures").check()
     expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(card)
 
 
 def test_the_controller_is_taken_along(dashboard: Dashboard, tmp_path: Path) -> None:

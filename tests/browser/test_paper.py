@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Callable
 from typing import Any
 
 import httpx
@@ -9,6 +10,7 @@ import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.browser.dashboard import Dashboard
+from tests.browser.server import Server
 
 FIGURES = [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
 VERDICTS = ("reached", "smaller", "contradicts")
@@ -27,6 +29,12 @@ EFFECTS = {
     ],
     "complete": True,
 }
+
+
+@pytest.fixture(scope="module", autouse=True)
+def reproduced(server: Server, reproduction: Callable[[str], None]) -> None:
+    """The twenty roads: tests/api shows that the service computes what lies there."""
+    reproduction(f"sqlite:///{server.database}")
 
 
 @pytest.fixture
@@ -183,10 +191,9 @@ def test_it_works_by_keyboard_and_for_a_screen_reader(dashboard: Dashboard, pape
     dashboard.expect_accessible()
 
 
-def test_on_a_phone_only_tables_scroll_sideways(paper: Page) -> None:
-    paper.set_viewport_size({"width": 400, "height": 800})
+def test_on_a_phone_only_tables_scroll_sideways(dashboard: Dashboard, paper: Page) -> None:
     expect(paper.locator("figure[id^=figure-]").first).to_be_attached(timeout=PATIENCE_MS)
-    assert paper.evaluate("document.documentElement.scrollWidth") == 400
+    dashboard.expect_no_wider(400)
     scrolls = "region => region.scrollWidth > region.clientWidth"
     assert paper.get_by_role("region", name="Table 4").evaluate(scrolls)
     # The verdict stands under the signal's name, in sight without scrolling.

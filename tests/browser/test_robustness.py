@@ -6,10 +6,9 @@ from typing import Any
 import httpx
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import LONG_MS, Dashboard
 from tests.browser.server import Server
 
-LONG_MS = 60_000  # computing on a busy machine
 PEAK = "bump.body_acceleration.peak"
 SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
 
@@ -69,11 +68,11 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     assert abs(ours / worst["value"] - 1) < 1e-9
 
 
-def test_unstable_loops_are_told_before_anything_else(reader: Dashboard, server: Server) -> None:
+def test_unstable_loops_are_told_before_anything_else(dashboard: Dashboard, server: Server) -> None:
     sweep = {"latin_hypercube": {"ranges": {"mismatch.damping": [0.2, 0.6]}, "samples": 8}}
     body = {"scenario": SHORT, "strategies": ["lv", "passive"], "sweep": sweep}
     batch = httpx.post(f"{server.url}/api/v1/batches", json=body, timeout=60).raise_for_status().json()
-    page = reader.page
+    page = dashboard.page
     page.goto(f"/robustness/{batch['id']}")
     expect_results(page)
     expect(page.get_by_test_id("unstable")).to_contain_text("LV control is unstable at 8 of 8 points")

@@ -9,7 +9,7 @@ import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import REFUSE_COPYING, Dashboard
 from tests.browser.server import Server
 
 OLD_VERSION = "0.0.1"
@@ -59,7 +59,7 @@ def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:
         address = share(page)
         expect(page.get_by_text("Link copied")).to_be_visible()
         assert page.evaluate("navigator.clipboard.readText()") == address
-        dashboard.expect_accessible()
+        dashboard.expect_accessible(page.get_by_role("dialog", name="Share"))
         assert page.evaluate("getSelection().toString()") == address
     finally:
         page.context.clear_permissions()
@@ -67,10 +67,8 @@ def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:
 
 def test_a_link_stands_there_where_copying_is_refused(dashboard: Dashboard) -> None:
     page = dashboard.page
-    page.add_init_script(
-        """Object.defineProperty(navigator, 'clipboard', {value: undefined}); document.execCommand = () => false;"""
-    )
     dashboard.open()
+    page.evaluate(REFUSE_COPYING)
     share(page)
     expect(page.get_by_text("Here is the link: select and copy it")).to_be_visible()
 
@@ -84,44 +82,44 @@ def test_nothing_is_shared_that_is_not_the_forms(dashboard: Dashboard) -> None:
     expect(button).to_have_accessible_description(re.compile("could not be run"))
 
 
-def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard, reader: Dashboard) -> None:
+def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) -> None:
     dashboard.open()
     link = share(dashboard.page)
-    reader.open(link)
-    page = reader.page
+    dashboard.open(link)
+    page = dashboard.page
     banner = page.get_by_role("region", name="Shared result")
     expect(banner).to_contain_text(
         re.compile(r"Shared result, computed on \d+ \w+ 20\d\d by core \d+\.\d+\.\d+\. Read-only\.")
     )
-    expect(reader.entry("Height")).to_be_disabled()
-    expect(reader.entry("Height")).to_have_value("0.1")
+    expect(dashboard.entry("Height")).to_be_disabled()
+    expect(dashboard.entry("Height")).to_have_value("0.1")
     expect(page.locator("aside :is(input:not([type=hidden]), select):enabled")).to_have_count(0)
     for name in ("Undo", "Redo", "Presets"):
         expect(page.get_by_role("button", name=name)).to_be_disabled()
-    expect(reader.chip("Single speed control")).to_be_disabled()  # it would be another run
-    reader.chip("LQR").click()  # looking at less of it changes nothing
-    expect(reader.row("lqr")).to_have_count(0)
+    expect(dashboard.chip("Single speed control")).to_be_disabled()  # it would be another run
+    dashboard.chip("LQR").click()  # looking at less of it changes nothing
+    expect(dashboard.row("lqr")).to_have_count(0)
     assert page.url == link
 
     page.get_by_role("button", name="Open a copy to edit").click()
     expect(page).to_have_url(re.compile("/r/"))
     expect(banner).to_have_count(0)
-    reader.expect_curves()
+    dashboard.expect_curves()
     copy = page.url
-    reader.type_into("Height", "0.05")
+    dashboard.type_into("Height", "0.05")
     expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
     expect(page).not_to_have_url(copy)
     edited = page.url
-    reader.expect_curves()
+    dashboard.expect_curves()
     page.get_by_role("button", name="Undo").click()
-    expect(reader.entry("Height")).to_have_value("0.1")
+    expect(dashboard.entry("Height")).to_have_value("0.1")
     expect(page.get_by_role("button", name="Undo")).to_be_disabled()
     expect(page).not_to_have_url(edited)
     for address in (edited, copy, link):
         page.go_back()
         expect(page).to_have_url(address)
     expect(banner).to_be_visible()
-    expect(reader.entry("Height")).to_be_disabled()
+    expect(dashboard.entry("Height")).to_be_disabled()
 
 
 def test_running_again_says_that_nothing_differs(dashboard: Dashboard) -> None:
@@ -196,7 +194,7 @@ def test_running_an_older_result_again_shows_what_differs(dashboard: Dashboard, 
     expect(differences).to_contain_text(re.compile(r"1 of \d+ figures differ"))
     row = differences.locator("tbody tr")
     expect(row).to_have_count(1)
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(differences)
     for text in ("LV control", "Body acceleration: Peak, bump", f"{1.25 * peak:#.6g}", f"{peak:#.6g}", "−20.0"):
         expect(row).to_contain_text(text)
 

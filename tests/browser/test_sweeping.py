@@ -4,17 +4,14 @@ import csv
 import json
 import re
 from pathlib import Path
-from typing import Any
 
 import httpx
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import LONG_MS, Dashboard
 from tests.browser.server import Server
 from tests.browser.test_sharing import share
-
-LONG_MS = 60_000  # computing on a busy machine
 
 
 def open_dialog(page: Page) -> Locator:
@@ -28,13 +25,6 @@ def add_field(dialog: Locator, search: str, title: str) -> None:
     """Finds a field by what somebody would type, and takes it."""
     dialog.get_by_role("combobox", name="Add a field").fill(search)
     dialog.page.get_by_role("listbox").get_by_role("option", name=title).click()
-
-
-def submit(server: Server, sweep: dict[str, Any], strategies: list[str]) -> str:
-    """A batch as a script submits it; its page's path."""
-    body = {"scenario": {}, "strategies": strategies, "sweep": sweep}
-    answer = httpx.post(f"{server.url}/api/v1/batches", json=body, timeout=60).raise_for_status().json()
-    return f"/b/{answer['id']}"
 
 
 def expect_done(page: Page) -> None:
@@ -96,7 +86,7 @@ def test_the_dialog_says_what_cannot_be_run(dashboard: Dashboard) -> None:
     dialog.get_by_label("Height, to", exact=True).fill("3")
     row = dialog.get_by_role("group", name="Height")
     expect(row.get_by_role("alert")).to_have_text("To: must be from −1 to 1\u00a0m")
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(dialog)
     expect(start).to_be_disabled()
     dialog.get_by_role("button", name="Remove Height").click()
     expect(dialog.get_by_text("Add a field to sweep")).to_be_visible()
@@ -151,7 +141,7 @@ def test_a_latin_hypercube_is_started_once(dashboard: Dashboard) -> None:
 
 def test_a_row_opens_its_run(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
-    page.goto(submit(server, {"grid": {"road.bump.height": [0.04, 0.08]}}, ["lv", "passive"]))
+    page.goto(server.submit({"grid": {"road.bump.height": [0.04, 0.08]}}, ["lv", "passive"]))
     expect_done(page)
     shown = page.locator("tr[data-run='3'] td").last.inner_text()
     page.get_by_role("button", name="Open run 3 in the dashboard").click()
@@ -164,12 +154,12 @@ def test_a_row_opens_its_run(dashboard: Dashboard, server: Server) -> None:
 def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     points = [{"road.bump.height": 0.05}, {"road.bump.start": 149.9}, {"road.bump.height": 0.15}]
-    page.goto(submit(server, {"list": points}, ["lv"]))
+    page.goto(server.submit({"list": points}, ["lv"]))
     expect_done(page)
     expect(page.get_by_test_id("batch-counts")).to_have_text("2 ok, 1 failed of 3 runs")
     failed = page.locator("tr[data-status=failed]")
     expect(failed).to_contain_text(re.compile(r"failed: .*road"))
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(page.get_by_role("region", name="Rows"))
     runs = page.locator("tbody tr[data-run]")
     header = page.get_by_role("columnheader", name="Height")
     header.get_by_role("button").click()
@@ -181,41 +171,10 @@ def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: S
     expect(runs).to_have_count(1)
 
 
-def test_a_sweep_can_be_cancelled_and_keeps_what_is_done(dashboard: Dashboard, server: Server) -> None:
-    page = dashboard.page
-    ranges = {"road.bump.height": [0.01, 0.2], "mpc.deflection_weight": [1, 5]}
-    page.goto(submit(server, {"latin_hypercube": {"ranges": ranges, "samples": 8000}}, ["lv"]))
-    expect(page.get_by_test_id("batch-state")).to_have_text("Running", timeout=LONG_MS)
-    expect(page.get_by_test_id("batch-counts")).to_contain_text(
-        re.compile(r"^[1-9]\d* of 8000 runs finished"), timeout=LONG_MS
-    )
-    page.get_by_role("button", name="Cancel").click()
-    expect(page.get_by_test_id("batch-state")).to_have_text("Cancelled: what had finished stays", timeout=LONG_MS)
-    expect(page.get_by_role("button", name="Cancel")).to_have_count(0)
-    expect(page.locator("tbody tr[data-status=ok]").first).to_be_visible(timeout=LONG_MS)
-
-
-def test_a_sweep_goes_on_when_the_server_comes_back(dashboard: Dashboard, server: Server) -> None:
-    page = dashboard.page
-    ranges = {"road.bump.height": [0.01, 0.2], "mpc.deflection_weight": [1, 4]}
-    page.goto(submit(server, {"latin_hypercube": {"ranges": ranges, "samples": 500, "seed": 5}}, ["lv"]))
-    counts = page.get_by_test_id("batch-counts")
-    expect(counts).to_contain_text(re.compile(r"^[1-9]\d* of 500 runs finished"), timeout=LONG_MS)
-    server.stop()
-    try:
-        expect(page.get_by_text("The connection is interrupted")).to_be_visible(timeout=LONG_MS)
-    finally:
-        server.start()
-    expect_done(page)
-    expect(counts).to_have_text("500 of 500 runs finished")
-    expect(page.get_by_text("The connection is interrupted")).to_have_count(0)
-    expect(page.locator("[data-points='500']")).to_be_visible()
-
-
-def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, reader: Dashboard, server: Server) -> None:
+def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 5]}}
-    page.goto(submit(server, grid, ["lv", "passive"]))
+    page.goto(server.submit(grid, ["lv", "passive"]))
     expect_done(page)
     page.get_by_label("Over", exact=True).select_option("road.bump.width")
     page.get_by_role("combobox", name="Figure").fill("travel time")
@@ -224,14 +183,14 @@ def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, reader: Dashbo
     expect(page).to_have_url(re.compile(r"x=road.bump.width&y=travel_time&hide=passive"))
     link = share(page)
 
-    reader.page.goto(link)
-    expect(reader.page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep, computed on")
-    expect(reader.page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
-    expect(reader.page.get_by_role("combobox", name="Figure")).to_have_value("Travel time")
-    passive = reader.page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")
+    page.goto(link)
+    expect(page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep, computed on")
+    expect(page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
+    expect(page.get_by_role("combobox", name="Figure")).to_have_value("Travel time")
+    passive = page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")
     expect(passive).to_have_attribute("aria-pressed", "false")
-    expect(reader.page.locator("tbody tr[data-status=ok]")).to_have_count(8)
-    assert reader.page.url == link
+    expect(page.locator("tbody tr[data-status=ok]")).to_have_count(8)
+    assert page.url == link
 
 
 @pytest.mark.parametrize("path", ["/b/AAAAAAAAAAAAAAAAAAAAAA", "/b/x"])
@@ -243,7 +202,7 @@ def test_an_unknown_sweep_says_so(dashboard: Dashboard, path: str) -> None:
 def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: Server) -> None:
     """More points than a page can hold as elements; the rows are made up, the run opened is not."""
     page, size = dashboard.page, 10_000
-    path = submit(server, {"grid": {"road.bump.height": [0.05, 0.1]}}, ["lv"])
+    path = server.submit({"grid": {"road.bump.height": [0.05, 0.1]}}, ["lv"])
 
     def many(route: Route) -> None:
         answer = route.fetch().json()
@@ -279,7 +238,7 @@ def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: 
 def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 4]}}
-    path = submit(server, grid, ["lv", "passive"])
+    path = server.submit(grid, ["lv", "passive"])
     page.goto(path)
     expect_done(page)
     expect(page.locator(".scatterlayer .point")).to_have_count(9)  # each run, and the ring

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import Dashboard
-from tests.browser.server import ROOT
+from tests.browser.dashboard import REFUSE_COPYING, Dashboard
+from tests.servers.process import ROOT
 
 
 @pytest.fixture
@@ -63,10 +63,8 @@ def test_copied_commands_give_the_same_run(dashboard: Dashboard, clipboard: Page
 
 def test_a_command_stands_there_where_copying_is_refused(dashboard: Dashboard) -> None:
     page = dashboard.page
-    page.add_init_script(
-        """Object.defineProperty(navigator, 'clipboard', {value: undefined}); document.execCommand = () => false;"""
-    )
     dashboard.open()
+    page.evaluate(REFUSE_COPYING)
     page.get_by_role("button", name="Export").click()
     page.get_by_role("menuitem", name="Copy as command line").click()
     dialog = page.get_by_role("dialog", name="Here it is: select and copy it")

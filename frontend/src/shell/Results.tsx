@@ -30,7 +30,13 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   const meta = Object.values(figures)[0]?.layout.meta;
   const { missing } = scene.shown;
   return (
-    <div className={classes.results} data-stale={stale || undefined} data-testid="results" data-source={scene.shown.source}>
+    <div
+      className={classes.results}
+      data-stale={stale || undefined}
+      data-testid="results"
+      data-source={scene.shown.source}
+      data-run={scene.shown.runId ?? undefined}
+    >
       <Tables scene={scene} catalogue={catalogue} figures={figures} />
       {missing === null ? (
         <>

@@ -24,6 +24,15 @@ const STALE_AFTER_MS = 200;
 const LIVE_POINTS = 700;
 const LIVE_POINTS_MOST = 5000;
 
+/** One exact request. */
+interface Exact {
+  readonly work: (signal: AbortSignal, isCurrent: () => boolean) => Promise<void>;
+  /** Asks for the same once more. */
+  readonly again: () => void;
+  /** What else to do where it fails for good. */
+  readonly giveUp?: () => void;
+}
+
 const hasErrors = ({ fields, general }: PlacedErrors) => general.length > 0 || Object.keys(fields).length > 0;
 
 const OPENING_STRATEGIES: readonly StrategyId[] = ["lv", "lqr", "passive"];
@@ -71,7 +80,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
   };
 
   /** Runs one exact request; whatever ran before is aborted, so a stale answer never lands. */
-  const exclusively = (work: (signal: AbortSignal, isCurrent: () => boolean) => Promise<void>, again: () => void) => {
+  const exclusively = ({ work, again, giveUp }: Exact) => {
     live.cancel();
     current?.abort();
     const controller = new AbortController();
@@ -82,7 +91,9 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     grace.start();
     work(controller.signal, isCurrent)
       .catch((error: unknown) => {
-        if (isCurrent()) fail(error, again);
+        if (!isCurrent()) return;
+        if (!isAbort(error) && !isTransient(error)) giveUp?.();
+        fail(error, again);
       })
       .finally(() => {
         if (!isCurrent()) return;
@@ -92,66 +103,86 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       });
   };
 
-  const land = async (run: Run, asked: number, opened: boolean, isCurrent: () => boolean) => {
-    const histories = await queries
+  const historiesOf = (run: Run): Promise<Histories> =>
+    queries
       .query(seriesQuery(run.id, Object.keys(run.strategies), OVERVIEW_POINTS))
       .then((series) => ({ series, missing: null }), withoutSeries);
-    if (isCurrent()) patch({ shown: fromRun(run, histories, performance.now() - asked, opened), drag: null });
-  };
+
+  // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
+  // shares or goes back to an address that is not of what is shown.
 
   const submit = (mode: "push" | "replace") => {
     const { history, strategies } = store.get();
     if (strategies.length === 0) return;
-    exclusively(
-      async (signal, isCurrent) => {
+    exclusively({
+      work: async (signal, isCurrent) => {
         const asked = performance.now();
         const run = await api.createRun(history?.present ?? {}, strategies, signal);
         if (!isCurrent()) return;
         queries.setQueryData(runKey(run.id), run);
         if (history === null) patch({ history: begin(run.scenario) });
-        router.showRun(run.id, { hidden: [] }, mode);
-        await land(run, asked, false, isCurrent);
+        const histories = await historiesOf(run);
+        if (!isCurrent()) return;
+        const chosen = store.get().strategies;
+        const hidden = Object.keys(run.strategies).filter((strategy) => !chosen.includes(strategy));
+        router.showRun(run.id, { hidden }, mode);
+        patch({ shown: fromRun(run, histories, performance.now() - asked, false), drag: null, shared: null });
       },
-      () => submit(mode),
-    );
+      again: () => submit(mode),
+    });
   };
 
   const load = (id: string, hidden: readonly StrategyId[]) => {
-    exclusively(
-      async (signal, isCurrent) => {
+    exclusively({
+      work: async (signal, isCurrent) => {
         const asked = performance.now();
         const known = queries.getQueryData<Run>(runKey(id));
         const run = known ?? (await api.run(id, signal));
         if (!isCurrent()) return;
         queries.setQueryData(runKey(id), run);
+        const histories = await historiesOf(run);
+        if (!isCurrent()) return;
         const { history } = store.get();
+        router.arrive();
         patch({
           history: history ? record(history, run.scenario) : begin(run.scenario),
           strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
           rejected: {},
           drag: null,
+          shared: null,
+          shown: fromRun(run, histories, performance.now() - asked, true),
         });
-        await land(run, asked, true, isCurrent);
       },
-      () => load(id, hidden),
-    );
+      again: () => load(id, hidden),
+      giveUp: leaveLink,
+    });
   };
 
   const openLink = (slug: string) => {
-    exclusively(
-      async (signal, isCurrent) => {
+    exclusively({
+      work: async (signal, isCurrent) => {
         const asked = performance.now();
         const link = await queries.query(linkQuery(slug));
         if (signal.aborted || !isCurrent()) return;
         if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
+        const histories = link.run && (await historiesOf(link.run));
+        if (!isCurrent()) return;
         const { view, strategies, at } = readSharedView(link);
-        patch({ shared: link, history: begin(link.scenario), strategies, rejected: {}, drag: null });
+        router.arrive();
         router.setView(view);
         cursor.set(at);
-        if (link.run) await land(link.run, asked, true, isCurrent);
+        const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - asked, true) : null;
+        patch({ shared: link, history: begin(link.scenario), strategies, rejected: {}, drag: null, shown });
       },
-      () => openLink(slug),
-    );
+      again: () => openLink(slug),
+      giveUp: leaveLink,
+    });
+  };
+
+  /** The address has nothing to show: neither is anything else shown under it. */
+  const leaveLink = () => {
+    router.arrive();
+    patch({ shared: null });
   };
 
   /** Zoomed in, the same density of samples takes more of them over the whole run. */
@@ -196,28 +227,26 @@ export function createLab(router: Router, queries: QueryClient): Lab {
   };
 
   const open: Lab["open"] = ({ runId, slug, view }) => {
-    if (slug !== null) {
-      openLink(slug);
-      return;
-    }
-    patch({ shared: null });
-    if (runId === null) submit("replace");
-    else load(runId, view.hidden);
+    if (slug !== null) openLink(slug);
+    else if (runId !== null) load(runId, view.hidden);
+    else submit("replace");
   };
 
   return {
     get: store.get,
     subscribe: store.subscribe,
     open,
+    travel: (address) => {
+      open(address);
+      // The browser has changed the address already: that what is shown is not of it is said at once.
+      patch({ stale: true });
+    },
     openPaper: () => {
       patch({ history: null, rejected: {}, strategies: OPENING_STRATEGIES, shown: null, shared: null });
       submit("push");
     },
     openCopy: () => {
-      const { shared } = store.get();
-      if (!shared) return;
-      patch({ shared: null, history: begin(shared.scenario) });
-      submit("push");
+      if (store.get().shared) submit("push");
     },
     configure: (nextForm, nextSignals) => {
       form = nextForm;

@@ -36,6 +36,8 @@ export interface LabState {
 
 export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly open: (address: Address) => void;
+  /** Opens where Back or Forward led to. */
+  readonly travel: (address: Address) => void;
   readonly openPaper: () => void;
   /** Leaves the shared result: its scenario, run anew and open to edits. */
   readonly openCopy: () => void;
