@@ -3,10 +3,8 @@
 import io
 import time
 import zipfile
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import httpx
@@ -15,10 +13,8 @@ import pytest
 
 from backend.client import Ridelab
 from backend.hil.models import ControllerReport, RealtimeReport
-from backend.settings import Settings
 from sim_core.scenario import Scenario
-from tests.api.conftest import Service, serve
-from tests.api.streams import told
+from tests.api.conftest import Service
 from tests.servers.process import wait_until
 
 SMALL = {
@@ -117,37 +113,3 @@ def test_a_drive_that_would_take_too_long_is_refused(service: Service) -> None:
     answer = post(service, "/realtime", {"road": {"length": 1500}})
     assert answer.status_code == 422
     assert "at most 60 s" in answer.json()["detail"]
-
-
-@pytest.fixture
-def without_compiler(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Service]:
-    """A service that has nowhere to build the program."""
-    (tmp_path / "file").touch()
-    monkeypatch.setenv("RIDELAB_ECU_DIR", str(tmp_path / "file" / "below"))
-    yield from serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1))
-
-
-def test_without_the_program_the_strategy_fails_with_the_reason_and_is_tried_again(
-    without_compiler: Service, tmp_path: Path
-) -> None:
-    first = without_compiler.run(["lv_hil", "passive"], SMALL).json()
-    assert first["strategies"]["passive"]["status"] == "ok"
-    assert first["strategies"]["lv_hil"]["status"] == "failed"
-    assert "no folder" in first["strategies"]["lv_hil"]["reason"]
-    assert (
-        without_compiler.client.get(f"/api/v1/runs/{first['id']}").json()["strategies"].keys()
-        == first["strategies"].keys()
-    )
-    report = post(without_compiler, "/report")
-    assert (report.status_code, report.json()["type"].rpartition(":")[2]) == (503, "ecu-unavailable")
-    body = {"scenario": SMALL, "strategies": ["lv_hil"], "sweep": {"grid": {"road.seed": [1]}}}
-    batch = without_compiler.client.post("/api/v1/batches", json=body).json()
-    told(without_compiler.client, f"/api/v1/batches/{batch['id']}/events")  # to its end
-    batch = without_compiler.client.get(f"/api/v1/batches/{batch['id']}").json()
-    assert (batch["state"], batch["failed"]) == ("done", 1)
-
-    (tmp_path / "file").unlink()  # now it can be built
-    second = without_compiler.run(["lv_hil", "passive"], SMALL).json()
-    assert second["strategies"]["lv_hil"]["status"] == "ok"
-    assert second["strategies"]["passive"]["cached"] is True
-    assert second["id"] != first["id"]

@@ -66,6 +66,16 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
     assert loaded.events["limited_steps"] > 5
 
 
+def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: Path) -> None:
+    """Warnings are for us: a compiler we do not know may have others, and shall build it all the same."""
+    options = [*build.FLAGS, "-Wall", "-Wextra", "-Werror", f"-I{build.SOURCES}", f"-I{build.SOURCES / 'host'}"]
+    source = build.SOURCES / "host" / "ridelab_loaded.c"
+    assert (
+        build.compiled([*build.compilers()[0], *options, "-c", str(source), "-o", str(tmp_path / "o")], tmp_path)
+        is None
+    )
+
+
 def test_numbers_survive_being_written_as_c(known: Calibration) -> None:
     text = tables.tables_source(known)
     for name, values in (("a", known.A), ("bump_gram", known.stages[2].gram), ("cruise_effects", known.stages[0].rows)):

@@ -1,6 +1,7 @@
 """The connection to the ECU's process: who may drive it, what misbehaving leads to, and that nothing stays."""
 
 import os
+import re
 import signal
 import socket
 import struct
@@ -182,17 +183,31 @@ def test_bad_tables_and_bad_arguments_end_the_program() -> None:
 
 def test_without_a_compiler_the_strategy_cannot_take_part(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv(build.FOLDER, str(tmp_path))
-    monkeypatch.setattr(build, "compilers", list)
+    monkeypatch.setattr(build, "has_zig", bool)
     build.program.cache_clear()
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    monkeypatch.setenv("PATH", str(programs))
     try:
-        with pytest.raises(EcuUnavailableError, match="no C compiler"):
+        with pytest.raises(EcuUnavailableError, match=f"^{re.escape(build.NO_COMPILER)}$"):
             drive.simulate(SMALL, "lv_hil")
         assert drive.simulate(SMALL, "lv").travel_time > 0
-        monkeypatch.setattr(build, "compilers", lambda: [["false"], ["/nowhere/cc"]])
-        with pytest.raises(EcuUnavailableError, match=r"failed \(1\); the compiler does not start"):
+        (programs / "gcc").write_text("#!/bin/sh\necho 'stdint.h: No such file' >&2\nexit 1\n")
+        (programs / "gcc").chmod(0o755)
+        with pytest.raises(EcuUnavailableError, match=r"failed \(stdint\.h: .*\); .* comes with make compiler$"):
+            drive.simulate(SMALL, "lv_hil")
+        (programs / "gcc").write_bytes(b"")
+        with pytest.raises(EcuUnavailableError, match="the compiler does not start"):
             drive.simulate(SMALL, "lv_hil")
     finally:
         build.program.cache_clear()
+
+
+def test_without_a_folder_the_strategy_cannot_take_part(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setenv(build.FOLDER, str(tmp_path / "file" / "below"))
+    with pytest.raises(EcuError, match="no folder for the ECU's program: Not a directory"):
+        build.folder()
 
 
 def test_a_folder_of_somebody_else_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -1,0 +1,181 @@
+"""A service on a machine without a C compiler: what needs one says so, all else works, and one may come later."""
+
+import io
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.hil.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.paper import models, work
+from backend.paper.service import stored_rows
+from backend.settings import Settings
+from sim_core import __version__ as CORE_VERSION
+from sim_core.paper import SEEDS, default_choices
+from sim_core.readings import READINGS
+from tests.api.cli import Cli
+from tests.api.conftest import Service, serve
+from tests.api.streams import told
+from tests.html import check, read
+from tests.servers.compilers import Bare
+from tests.servers.reproduction import rows
+
+SMALL = {
+    "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
+    "speed": {"initial_speed_kmh": 50, "target_speed_kmh": 50},
+    "mpc": {"prediction_horizon": 6, "control_horizon": 3},
+}
+FEW = 2  # roads that are driven anew
+SCENARIO = SMALL
+
+
+@pytest.fixture(scope="module")
+def machine(tmp_path_factory: pytest.TempPathFactory) -> Bare:
+    return Bare(tmp_path_factory.mktemp("machine"))
+
+
+@pytest.fixture(scope="module")
+def bare(machine: Bare, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    """Whatever builds and drives is a process of its own, with that machine's environment."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in machine.environment.items():
+            patch.setenv(name, value)
+        yield from serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=1, batch_workers=1))
+
+
+@pytest.fixture
+def command(bare: Service, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    monkeypatch.setenv("RIDELAB_SERVER", str(bare.client.base_url))
+    return Cli(capfdbinary)
+
+
+def test_in_a_run_the_strategy_fails_with_the_remedy(bare: Service, command: Cli, scenario: Path) -> None:
+    found = bare.run(["lv_hil", "passive"], SMALL).json()
+    assert found["strategies"]["passive"]["status"] == "ok"
+    assert {key: found["strategies"]["lv_hil"][key] for key in ("status", "reason")} == {
+        "status": "failed",
+        "reason": NO_COMPILER,
+    }
+    assert bare.client.get(f"/api/v1/runs/{found['id']}").json()["strategies"].keys() == found["strategies"].keys()
+    assert bare.live(["lv_hil"], SMALL, points=50).json()["strategies"]["lv_hil"]["reason"] == NO_COMPILER
+    assert f"LV as ECU code            failed: {NO_COMPILER}\n" in command("run", scenario, code=1)
+
+
+def test_in_a_batch_too(bare: Service) -> None:
+    body = {"scenario": SMALL, "strategies": ["lv_hil", "passive"], "sweep": {"grid": {"road.seed": [1, 2]}}}
+    batch = bare.client.post("/api/v1/batches", json=body).json()
+    told(bare.client, f"/api/v1/batches/{batch['id']}/events")  # to its end
+    batch = bare.client.get(f"/api/v1/batches/{batch['id']}").json()
+    assert (batch["state"], batch["done"], batch["failed"]) == ("done", 2, 2)
+    found = bare.client.get(f"/api/v1/batches/{batch['id']}/results").json()["rows"]
+    assert [(row["strategy"], row.get("reason")) for row in found] == 2 * [("lv_hil", NO_COMPILER), ("passive", None)]
+
+
+@pytest.mark.parametrize(
+    ("path", "arguments", "sentence"),
+    [
+        ("/report", ("controller", "--report"), NO_CROSS_COMPILER),
+        ("/realtime", ("hil",), NO_COMPILER),
+    ],
+    ids=["report", "clock"],
+)
+def test_what_is_measured_is_refused_at_once(
+    bare: Service, command: Cli, scenario: Path, path: str, arguments: tuple[str, ...], sentence: str
+) -> None:
+    """Nobody is asked to wait: the client would, and then ask again for nothing."""
+    answer = bare.client.post(f"/api/v1/controller{path}", json={"scenario": SMALL})
+    problem = answer.json()
+    assert (answer.status_code, problem["type"]) == (503, "urn:problem-type:ridelab:ecu-unavailable")
+    assert problem["detail"] == f"{sentence}."
+    assert "retry-after" not in answer.headers
+    name, *options = arguments
+    assert not command(name, scenario, *options, code=3)
+    assert f"{sentence}. (request " in command.error
+
+
+def test_the_sources_are_exported_and_say_what_builds_them(bare: Service) -> None:
+    answer = bare.client.post("/api/v1/controller", json={"scenario": SMALL})
+    with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+        readme = archive.read("ridelab-controller/README.md").decode()
+        assert "ridelab-controller/ridelab_tables.c" in archive.namelist()
+    assert "any C99 compiler" in readme
+    assert "pip install ziglang" in readme
+
+
+@pytest.fixture(scope="module")
+def simulated(bare: Service) -> None:
+    """What the paper page's five simulated strategies give is stored; each switch as if it changed nothing."""
+    kept = [item for item in rows() if item.strategy != "paper.ecu_values"]
+    default = default_choices()
+    for reading in READINGS.values():
+        for choice in reading.choices[1:]:
+            given = ({**default, reading.id: choice.id},)
+            kept.append(stored_rows(work.simulated_values, given, SEEDS, kept[0].summary["rows"], 1.0))
+    for item in kept:
+        bare.app.state.store.runs.save_result(item, CORE_VERSION)
+
+
+def paper(service: Service, path: str = "", **query: str) -> httpx.Response:
+    answer = service.client.get(f"/api/v1/paper{path}", params=query)
+    assert answer.status_code == 200, answer.text
+    return answer
+
+
+def by_verdict(cells: list[dict[str, Any]]) -> dict[str, int]:
+    verdicts = [cell["verdict"] for cell in cells]
+    return {verdict: verdicts.count(verdict) for verdict in verdicts}
+
+
+@pytest.mark.usefixtures("simulated")
+def test_of_the_paper_the_simulated_cells_stand(bare: Service, command: Cli) -> None:
+    found = paper(bare).json()
+    models.PaperAnswer.model_validate(found)
+    missing = [cell for cell in found["cells"] if cell["verdict"] == "unavailable"]
+    assert found["unavailable"] == {"cells": len(missing), "reason": NO_COMPILER}
+    assert {(cell["table"], cell["strategy"]) for cell in missing} == {(9, "lv_hil"), (10, "lv_hil")}
+    assert (len(found["cells"]), len(missing), found["total"]) == (48, 8, 40)
+    for cell in missing:
+        assert cell["our_value"] is cell["our_change"] is cell["ci"] is cell["certain"] is None
+        assert cell["our_base"] > 0
+        assert cell["without_preview"]["verdict"] == "unavailable"
+    assert found["counts"] | {"unavailable": 8} == by_verdict(found["cells"])
+    assert sum(found["without_preview"]["counts"].values()) == 40
+    lines = command("paper").splitlines()
+    assert sum("not available" in line for line in lines[1:49]) == 8
+    assert f"8 cells not available here. {NO_COMPILER}" in lines
+    assert lines[-1].startswith(f"{found['reached']} of 40 cells reached")
+
+
+@pytest.mark.usefixtures("simulated")
+def test_so_do_the_switches_figures_and_the_report(bare: Service) -> None:
+    found = paper(bare, "/readings").json()
+    models.ReadingsAnswer.model_validate(found)
+    assert found["unavailable"]["reason"] == NO_COMPILER
+    assert {row["total"] for row in found["rows"]} == {40}
+    assert {row["changed"] for row in found["rows"] if row["choice"] != "none"} == {0}
+    for figure in paper(bare, "/figures").json()["figures"]:
+        assert (f"LV as ECU code is not available here. {NO_COMPILER}." in figure["caption"]) == (figure["number"] > 18)
+    page = read(paper(bare, "/report.html").text)
+    check(page)
+    assert next(page.all("h1")).text.endswith(" of 40 cells reached, 8 not available here")
+    assert f"not counted. {NO_COMPILER}." in page.text
+    judged = [row for row in page.all("tr") if row.attributes.get("data-verdict") == "unavailable"]
+    assert [row.text.count("not available") for row in judged] == [2] * 8
+
+
+def test_it_serves_once_there_is_a_compiler(bare: Service, machine: Bare) -> None:
+    """The last test here: from now on the machine has one."""
+    first = bare.run(["lv_hil", "passive"], SMALL).json()
+    without = bare.inside(bare.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+    machine.install()
+    second = bare.run(["lv_hil", "passive"], SMALL).json()
+    assert second["strategies"]["lv_hil"]["status"] == "ok"
+    assert second["strategies"]["passive"]["cached"] is True
+    assert second["id"] != first["id"]
+    found = bare.inside(bare.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+    assert (without["total"], found["total"], found["unavailable"]) == (40, 48, None)
+    simulated = [cell for cell in without["cells"] if cell["verdict"] != "unavailable"]
+    assert simulated == [cell for cell in found["cells"] if cell["strategy"] != "lv_hil"]
