@@ -22,8 +22,8 @@ PATIENCE = 80.0  # for the compiler; the first time ziglang builds its own runti
 MOST_CACHED = 120_000_000  # what the compiler keeps; its runtime takes 50 MB, each controller about one [bytes]
 FOLDER = "RIDELAB_ECU_DIR"
 REMEDY = "make compiler"  # installs the package ziglang, a C compiler that builds for the control unit too
-NO_COMPILER = f"There is no C compiler to build the ECU's program: install one (gcc or clang), or run {REMEDY}"
-NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a Cortex-M3: run {REMEDY}"
+NO_COMPILER = f"There is no C compiler to build the ECU's program: install one (gcc, clang) or run “{REMEDY}”"
+NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a Cortex-M3: run “{REMEDY}”"
 
 
 class EcuError(Exception):
@@ -131,7 +131,7 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
         reasons.append(reason)
     if not reasons:
         raise EcuError(NO_COMPILER)
-    other = "" if has_zig() else f"; another compiler comes with {REMEDY}"
+    other = "" if has_zig() else f"; “{REMEDY}” installs another compiler"
     raise EcuError(f"The ECU's program cannot be built: {'; '.join(reasons)}{other}")
 
 

@@ -21,7 +21,7 @@ from tests.api.conftest import Service, serve
 from tests.api.streams import told
 from tests.html import check, read
 from tests.servers.compilers import Bare
-from tests.servers.reproduction import rows
+from tests.servers.reproduction import rows, store_in
 
 SMALL = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
@@ -108,14 +108,14 @@ def test_the_sources_are_exported_and_say_what_builds_them(bare: Service) -> Non
 @pytest.fixture(scope="module")
 def simulated(bare: Service) -> None:
     """What the paper page's five simulated strategies give is stored; each switch as if it changed nothing."""
-    kept = [item for item in rows() if item.strategy != "paper.ecu_values"]
-    default = default_choices()
+    store = bare.app.state.store
+    store_in(store, ecu=False)
+    default, as_default = default_choices(), rows()[0].summary["rows"]
     for reading in READINGS.values():
         for choice in reading.choices[1:]:
             given = ({**default, reading.id: choice.id},)
-            kept.append(stored_rows(work.simulated_values, given, SEEDS, kept[0].summary["rows"], 1.0))
-    for item in kept:
-        bare.app.state.store.runs.save_result(item, CORE_VERSION)
+            item = stored_rows(work.simulated_values, given, SEEDS, as_default, 1.0)
+            store.runs.save_result(item, CORE_VERSION)
 
 
 def paper(service: Service, path: str = "", **query: str) -> httpx.Response:

@@ -78,18 +78,24 @@ def computed() -> list[dict[str, Any]]:
     return parts
 
 
-def store_in(store: Store) -> None:
-    """Put it where this store's service looks for it; what is there stays."""
+def store_in(store: Store, *, ecu: bool = True) -> None:
+    """Put it where this store's service looks for it; what is there stays.
+
+    Args:
+        store: Of the service.
+        ecu: With hardware in the loop, which a service without a C compiler has never computed.
+    """
     for item in rows():
-        store.runs.save_result(item, CORE_VERSION)
+        if ecu or item.strategy != "paper.ecu_values":
+            store.runs.save_result(item, CORE_VERSION)
 
 
-def store_in_database(url: str) -> None:
+def store_in_database(url: str, *, ecu: bool = True) -> None:
     """The same for a database of that SQLAlchemy URL, brought up to the newest schema."""
     store = Store(url)
     try:
         store.migrate()
-        store_in(store)
+        store_in(store, ecu=ecu)
     finally:
         store.close()
 

@@ -30,6 +30,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const [axis, setAxis] = useState<Axis>("time");
   const [zoom, setZoom] = useState<Zoom | null>(null);
   const ids = useMemo(() => Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : [])), [run]);
+  const drawn = strategies.filter(({ id }) => ids.includes(id));
   const series = useQuery(seriesQuery(run.id, ids, DETAIL_POINTS));
   const scene = useMemo(() => {
     if (!series.data) return null;
@@ -42,7 +43,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
       <header className={classes.head}>
         <h2 className={classes.title}>Figures 19 to 22, for this scenario</h2>
         <span className={classes.keys}>
-          {strategies.map((strategy) => (
+          {drawn.map((strategy) => (
             <span key={strategy.id} className={classes.columnHead}>
               <StrategyKey strategy={strategy} /> {strategy.label}
             </span>

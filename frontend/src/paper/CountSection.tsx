@@ -25,8 +25,8 @@ export function CountSection({ paper, words }: Props) {
       <div className={classes.counts}>
         <div className={classes.count} data-testid="count">
           <p className={classes.countLine}>
-            <strong className={classes.countNumber}>{paper.reached}</strong> of {paper.total} cells reached
-            {paper.unavailable && <span className={classes.aside}>{paper.unavailable.cells} not available here</span>}
+            <strong className={classes.countNumber}>{paper.reached}</strong> of {paper.total} cells reached{paper.unavailable && ", "}
+            {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
           </p>
           <VerdictBar counts={paper.counts} large />
           <VerdictCountList counts={paper.counts} />

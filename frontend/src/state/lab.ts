@@ -103,10 +103,12 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       });
   };
 
-  const historiesOf = (run: Run): Promise<Histories> =>
-    queries
-      .query(seriesQuery(run.id, Object.keys(run.strategies), OVERVIEW_POINTS))
-      .then((series) => ({ series, missing: null }), withoutSeries);
+  const historiesOf = async (run: Run): Promise<Histories> => {
+    // One that could not be computed takes nothing from the others.
+    const ids = Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : []));
+    if (ids.length === 0) return { series: {}, missing: "None of its strategies could be computed." };
+    return queries.query(seriesQuery(run.id, ids, OVERVIEW_POINTS)).then((series) => ({ series, missing: null }), withoutSeries);
+  };
 
   // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
   // shares or goes back to an address that is not of what is shown.

@@ -1,0 +1,100 @@
+"""The pages of a service that finds no C compiler: what needs one says so where its result would stand."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+from playwright.sync_api import Browser, expect
+
+from backend.hil.build import NO_COMPILER, NO_CROSS_COMPILER
+from tests.browser.dashboard import Dashboard
+from tests.servers.api import Api
+from tests.servers.compilers import Bare
+from tests.servers.reproduction import store_in_database
+
+LONG_MS = 60_000  # computing on a busy machine
+
+
+def typeset(sentence: str) -> str:
+    return sentence.replace("'", "’")
+
+
+@pytest.fixture(scope="module")
+def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Api]:
+    """It has stored what of the paper's reproduction is only simulated."""
+    folder = tmp_path_factory.mktemp("bare")
+    store_in_database(f"sqlite:///{folder}/data/ridelab.sqlite", ecu=False)
+    api = Api(folder, **Bare(folder).environment)
+    api.wait_until_ready()
+    yield api
+    api.end()
+
+
+@pytest.fixture
+def visitor(browser: Browser, bare: Api) -> Iterator[Dashboard]:
+    context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=bare.url)
+    dashboard = Dashboard(context.new_page(), bare.url)
+    yield dashboard
+    context.close()
+    assert dashboard.failures == []
+
+
+def test_the_paper_counts_what_is_available_and_names_the_rest(visitor: Dashboard, bare: Api) -> None:
+    page = visitor.page
+    page.goto("/paper")
+    count = page.get_by_test_id("count")
+    expect(count).to_be_visible(timeout=LONG_MS)
+    found = httpx.get(f"{bare.url}/api/v1/paper", timeout=60).json()
+    expect(count).to_contain_text(f"{found['reached']} of 40 cells reached, 8 not available here")
+    expect(page.get_by_test_id("count-without")).to_contain_text(f"{found['without_preview']['reached']} of 40")
+    expect(page.get_by_test_id("unavailable")).to_contain_text(f"not counted. {typeset(NO_COMPILER)}.")
+    expect(page.get_by_text(f"The {40 - found['reached']} cells not reached")).to_be_visible()
+    for table in (9, 10):
+        shown = page.locator(f"table[data-table='{table}']")
+        own = shown.locator("tr[data-verdict=unavailable]")
+        expect(own.locator("td[data-own]").get_by_text("not available")).to_have_count(4)
+        expect(own.locator("td[data-without]").get_by_text("not available")).to_have_count(4)
+        expect(shown.get_by_text(typeset(NO_COMPILER))).to_be_visible()
+    figure = page.locator("#figure-19")
+    expect(figure).to_contain_text(typeset(NO_COMPILER), timeout=LONG_MS)
+    expect(page.locator("#figure-14")).not_to_contain_text("compiler")
+    visitor.expect_accessible()
+    page.set_viewport_size({"width": 400, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") == 400
+    reason = page.locator("table[data-table='9']").get_by_text(typeset(NO_COMPILER))
+    reason.scroll_into_view_if_needed()
+    expect(reason).to_be_in_viewport(ratio=1)
+
+
+def test_the_ecu_s_page_shows_the_rest_and_exports(visitor: Dashboard) -> None:
+    page = visitor.page
+    page.goto("/ecu")
+    expect(page.get_by_role("alert")).to_have_text(
+        f"LV as ECU code could not be driven: {NO_COMPILER}", timeout=LONG_MS
+    )
+    expect(page.locator("tr[data-cell]").first).to_contain_text("0.149")
+    histories = page.get_by_role("region", name="Time histories")
+    histories.locator("section").first.scroll_into_view_if_needed()
+    expect(histories.locator(".scatterlayer .trace").first).to_be_visible()
+    expect(histories).not_to_contain_text("LV as ECU code")
+    report = page.get_by_role("region", name="Build report")
+    report.get_by_role("button", name="Build and measure").click()
+    expect(report.get_by_role("alert")).to_have_text(f"{NO_CROSS_COMPILER}.", timeout=LONG_MS)
+    clock = page.get_by_role("region", name="In real time")
+    clock.get_by_role("button", name="Drive in real time").click()
+    expect(clock.get_by_role("alert")).to_have_text(f"{NO_COMPILER}.", timeout=LONG_MS)
+    # The server is not busy: nobody is asked to wait.
+    expect(page.get_by_test_id("connection")).to_have_count(0)
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Export controller (C)").click()
+    assert Path(download.value.path()).read_bytes()[:2] == b"PK"
+    visitor.expect_accessible()
+
+
+def test_in_the_lab_the_other_strategies_stay(visitor: Dashboard) -> None:
+    page = visitor.page
+    visitor.open()
+    visitor.chip("LV as ECU code").click()
+    expect(page.get_by_text(f"LV as ECU code could not be computed: {NO_COMPILER}")).to_be_visible(timeout=LONG_MS)
+    visitor.expect_curves()
