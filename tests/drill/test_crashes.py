@@ -1,37 +1,136 @@
-"""The crash drill at length: DRILL_KILLS kills (50) of each topology, the choices by DRILL_SEED (1)."""
+"""The crash drill: DRILL_KILLS kills (50) of each topology at random, the choices by DRILL_SEED (1).
+
+Kill -9 while batches run; afterwards everything accepted is complete, each result stored once. By hand:
+DRILL_KILLS=200 python -m pytest tests/drill/test_crashes.py -s
+"""
 
 import os
 import random
+import time
+from collections import Counter
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import psutil
 import pytest
+from sqlalchemy import func, select
 
-from tests.faults.crash_drill import Drill, database, kill_program, kill_worker
-from tests.faults.test_crash_drill import drill_one_machine
+from backend.store.tables import results
+from tests.servers.accepted import Accepted, database
+from tests.servers.api import Api
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
+from tests.servers.process import Program
 
 KILLS = int(os.environ.get("DRILL_KILLS", "50"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))
+RUNS = 240  # of one batch: some seconds of two cores
+LEAST_WORK = 200  # runs that wait while it kills
+WHILE_WORKING = 0.7  # of the kills come while results come in, the others at any moment, such as during a start
+
+Victim = Callable[[], str | None]  # kills something and tells what, or tells that there is nothing to kill
+
+
+def drill(accepted: Accepted, victims: Sequence[Victim], chance: random.Random) -> None:
+    """Kill so often, at random moments, each victim in turns that are shuffled; then wait for everything."""
+    killed: Counter[str] = Counter()
+    turns: list[Victim] = []
+    accepted.submit()
+    while killed.total() < KILLS:
+        if chance.random() < WHILE_WORKING:
+            accepted.await_work()
+        time.sleep(chance.uniform(0.01, 1.5))  # the moment of the kill is what chance is for
+        turns = turns or chance.sample(victims, len(victims))
+        what = turns.pop()()
+        if what is None:
+            continue
+        killed[what] += 1
+        accepted.check_stored()
+        print(f"{killed.total():3} of {KILLS}: killed {what}, {len(accepted.stored)} results stored")
+        if accepted.waiting() < LEAST_WORK:
+            accepted.submit()
+    accepted.finish()
+    with accepted.engine.connect() as connection:
+        stored = connection.execute(select(func.count()).select_from(results)).scalar_one()
+    assert stored == len(accepted.batches) * RUNS, "a result of every run, and none besides"
+    print(f"killed {dict(killed)}; {len(accepted.batches)} batches, {stored} results")
+
+
+def kill_program(program: Program) -> Victim:
+    """The program itself, what it started left to notice."""
+
+    def kill() -> str | None:
+        if not program.running:
+            return None
+        program.kill()
+        return program.name
+
+    return kill
+
+
+def kill_worker(program: Program, chance: random.Random) -> Victim:
+    """One of the processes that compute for it."""
+
+    def kill() -> str | None:
+        found = []
+        for child in program.children():
+            try:
+                if "spawn_main" in " ".join(child.cmdline()):
+                    found.append(child)
+            except psutil.NoSuchProcess:
+                continue
+        if not found:
+            return None
+        try:
+            chance.choice(found).kill()
+        except psutil.NoSuchProcess:
+            return None
+        return f"a process of {program.name}"
+
+    return kill
+
+
+def kill_everything(topology: Topology, postgres: Postgres) -> Victim:
+    """Whatever is started again by itself, and the database with it, which is started again here."""
+
+    def kill() -> str:
+        for program in (*topology.replicas, *topology.workers, topology.scheduler):
+            program.kill()
+        postgres.kill()
+        postgres.start()
+        return "everything at once"
+
+    return kill
 
 
 @pytest.mark.timeout(60 * KILLS + 300)
 def test_one_machine(tmp_path: Path) -> None:
-    drill_one_machine(tmp_path, KILLS, SEED)
+    """One service with an embedded cluster on SQLite: the service and its processes are killed."""
+    api = Api(tmp_path, RIDELAB_LOG_LEVEL="warning")
+    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
+    chance = random.Random(SEED)  # noqa: S311 - reproducible is what it has to be
+    try:
+        api.wait_until_ready()
+        victims = [kill_program(api), kill_worker(api, chance), kill_worker(api, chance)]
+        drill(Accepted(url=api.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
+    finally:
+        engine.dispose()
+        api.end()
 
 
 @pytest.mark.timeout(60 * KILLS + 300)
 def test_a_cluster(tmp_path: Path, postgres: Postgres) -> None:
-    """Two replicas on PostgreSQL, a Dask scheduler and two workers: any of them, and any process of theirs."""
+    """Two replicas on PostgreSQL, a Dask scheduler and two workers: any of them, any process of theirs, all at once."""
     topology = Topology(tmp_path, postgres, API_WORKERS="1", WORKER_CORES="1", RIDELAB_LOG_LEVEL="warning")
+    engine = database(topology.database)
+    chance = random.Random(SEED)  # noqa: S311 - reproducible is what it has to be
     try:
         topology.wait_until_ready()
-        chance = random.Random(SEED)  # noqa: S311 - reproducible is what it has to be
         parts = [topology.scheduler, *topology.workers, *topology.replicas]
         victims = [kill_program(part) for part in parts]
         victims += [kill_worker(worker, chance) for worker in topology.workers]
-        engine = database(topology.database)
-        Drill(url=topology.url, victims=victims, engine=engine, seed=SEED).run(KILLS, print)
-        engine.dispose()
+        victims.append(kill_everything(topology, postgres))
+        drill(Accepted(url=topology.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
     finally:
+        engine.dispose()
         topology.end()

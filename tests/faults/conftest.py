@@ -1,12 +1,11 @@
 """The service as its users start it: `python -m backend` in a process of its own."""
 
 import contextlib
+import json
 import os
 import re
-import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +14,12 @@ import httpx
 import psutil
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from backend.store import Store
+from tests.data.links import dump
+from tests.servers.process import ROOT, wait_until
+
+PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
+OLD = [json.loads(path.read_text()) for path in sorted(Path(dump.__file__).parent.glob("schema-*.json"))]
 
 
 @dataclass
@@ -24,61 +28,78 @@ class Process:
 
     process: subprocess.Popen[str]
     client: httpx.Client
+    log_file: Path
 
-    def workers(self) -> list[psutil.Process]:
-        """Its worker processes, by their command line."""
+    @property
+    def log(self) -> str:
+        """All it logged so far."""
+        return self.log_file.read_text(errors="replace")
+
+    def family(self) -> list[psutil.Process]:
+        """The processes it started, and theirs."""
+        return psutil.Process(self.process.pid).children(recursive=True)
+
+    def workers(self, nice: int = 0) -> list[psutil.Process]:
+        """Its processes for interactive runs, or (`NICE`) those for batches."""
         found = []
-        for child in psutil.Process(self.process.pid).children(recursive=True):
+        for child in self.family():
             with contextlib.suppress(psutil.Error):  # it may end meanwhile
-                if "spawn_main" in " ".join(child.cmdline()):
+                if "spawn_main" in " ".join(child.cmdline()) and child.nice() == nice:
                     found.append(child)
         return found
 
-    def cpu_times(self) -> dict[int, float]:
+    def cpu_times(self, nice: int = 0) -> dict[psutil.Process, float]:
         """Processor time of each worker so far [s]."""
         times = {}
-        for worker in self.workers():
+        for worker in self.workers(nice):
             with contextlib.suppress(psutil.Error):
                 spent = worker.cpu_times()
-                times[worker.pid] = spent.user + spent.system
+                times[worker] = spent.user + spent.system
         return times
 
-    def wait_until_warm(self, count: int, seconds: float = 90) -> None:
+    def wait_until_warm(self, count: int) -> None:
         """Wait for so many workers of which none computes (or warms up) for half a second."""
-        end, before, quiet = time.monotonic() + seconds, self.cpu_times(), 0
-        while quiet < 5:
-            assert time.monotonic() < end, "the workers did not get warm"
-            time.sleep(0.1)
+        before, quiet = self.cpu_times(), 0
+
+        def still() -> bool:
+            nonlocal before, quiet
             now = self.cpu_times()
-            still = now.keys() == before.keys() and sum(now.values()) - sum(before.values()) < 0.02
-            quiet = quiet + 1 if still and len(now) == count else 0
+            same = now.keys() == before.keys() and sum(now.values()) - sum(before.values()) < 0.02
+            quiet = quiet + 1 if same and len(now) == count else 0
             before = now
+            return quiet == 5
 
-    def wait_for_busy(self, among: set[int] | None = None, seconds: float = 60) -> psutil.Process:
-        """The worker that computes, once one does."""
-        end, before = time.monotonic() + seconds, self.cpu_times()
-        while time.monotonic() < end:
-            for pid, spent in self.cpu_times().items():
-                if (among is None or pid in among) and spent - before.get(pid, spent) > 0.15:
-                    return psutil.Process(pid)
-            time.sleep(0.01)
-        raise TimeoutError("No worker computes")
+        wait_until(still, "the workers are warm", 90, pause=0.1)
 
-    def wait_until_ready(self, seconds: float = 90) -> None:
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            try:
-                if self.client.get("/readyz").status_code == 200:
-                    return
-            except httpx.TransportError:
-                pass
-            assert self.process.poll() is None, "the service ended"
-            time.sleep(0.05)
-        raise TimeoutError("The service did not get ready")
+    def wait_for_busy(self, nice: int = 0, among: psutil.Process | None = None) -> psutil.Process:
+        """The worker that computes, once one does, or that one does."""
+        before, busy = self.cpu_times(nice), list[psutil.Process]()
 
-    def kill(self) -> None:
-        self.process.send_signal(signal.SIGKILL)
+        def look() -> bool:
+            now = self.cpu_times(nice)
+            chosen = now if among is None else now.keys() & {among}
+            busy.extend(worker for worker in chosen if now[worker] - before.get(worker, now[worker]) > 0.15)
+            return bool(busy)
+
+        wait_until(look, "a worker computes", pause=0.01)
+        return busy[0]
+
+    def is_ready(self) -> bool:
+        """Whether it says so now."""
+        with contextlib.suppress(httpx.TransportError):
+            return self.client.get("/readyz").status_code == 200
+        return False
+
+    def end(self) -> None:
+        """Kill it and all it started, whatever became of it."""
+        self.client.close()
+        for process in self.family() if self.process.poll() is None else ():
+            with contextlib.suppress(psutil.NoSuchProcess):
+                process.kill()
+        self.process.kill()
         self.process.wait()
+        assert self.process.stdout is not None
+        self.process.stdout.close()
 
 
 Start = Callable[..., Process]
@@ -88,30 +109,28 @@ def starter(folder: Path) -> Iterator[Start]:
     """Starts services on free ports and one data directory, and ends what is left of them."""
     started: list[Process] = []
 
-    def start_one(*, ready: bool = True, **environment: str) -> Process:
+    def start_one(**environment: str) -> Process:
         command = [sys.executable, "-W", "error", "-m", "backend", "--port", "0", "--data-dir", str(folder / "data")]
         log = folder / f"log-{len(started)}"
         with log.open("w") as sink:
             process = subprocess.Popen(
                 command, cwd=ROOT, env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=sink, text=True
             )
+        service = Process(process=process, client=httpx.Client(timeout=90), log_file=log)
+        started.append(service)
         assert process.stdout is not None
         line = process.stdout.readline()
         address = re.fullmatch(r"Ridelab is at (http://127\.0\.0\.1:\d+)\n", line)
-        assert address, f"{line!r} {log.read_text()}"
-        service = Process(process=process, client=httpx.Client(base_url=address[1], timeout=90))
-        started.append(service)
-        if ready:
-            service.wait_until_ready()
+        assert address, f"{line!r} {service.log}"
+        service.client.base_url = httpx.URL(address[1])
+        wait_until(service.is_ready, "the service is ready", 90)
         return service
 
-    yield start_one
-    for service in started:
-        service.client.close()
-        if service.process.poll() is None:
-            service.kill()
-        if service.process.stdout is not None:
-            service.process.stdout.close()
+    try:
+        yield start_one
+    finally:
+        for service in started:
+            service.end()
 
 
 @pytest.fixture
@@ -121,7 +140,34 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
 
 @pytest.fixture(scope="session")
-def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Process]:
-    """One service for every test that only kills its workers: it has to get over each."""
-    for start_one in starter(tmp_path_factory.mktemp("shared")):
-        yield start_one(RIDELAB_WORKERS="2")
+def built(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """A built frontend, as far as the service cares."""
+    folder = tmp_path_factory.mktemp("dist")
+    (folder / "index.html").write_text(PAGE)
+    return str(folder)
+
+
+@pytest.fixture(scope="session")
+def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What a database held when an older schema version was today's, put into a database of its time, one by one."""
+    folder = tmp_path_factory.mktemp("shared") / "data"
+    folder.mkdir()
+    store = Store(f"sqlite:///{folder}/ridelab.sqlite")
+    for content in OLD:
+        store.migrate(content["revision"])
+        dump.load(store, content)
+    store.close()
+    return folder / "ridelab.sqlite"
+
+
+@pytest.fixture(scope="session")
+def start_beside(database: Path) -> Iterator[Start]:
+    """Start a service on the database of `service`."""
+    yield from starter(database.parent.parent)
+
+
+@pytest.fixture(scope="session")
+def service(start_beside: Start, built: str) -> Process:
+    """One service for every test it can outlive: workers killed, batches cancelled, no room on the disk."""
+    workers = {"RIDELAB_WORKERS": "2", "RIDELAB_BATCH_WORKERS": "1"}
+    return start_beside(**workers, RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)

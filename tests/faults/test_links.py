@@ -1,9 +1,6 @@
-"""Links outlive the process that made them, the database's schema and the core that computed what they open."""
+"""Links outlive the database's schema and the core that computed what they open."""
 
 import json
-import sqlite3
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import httpx
@@ -12,71 +9,24 @@ import pytest
 
 from backend import pins
 from backend.links.models import Link
-from backend.store import Store
 from sim_core import __version__
 from sim_core.scenario import Scenario
 from sim_core.signals import SIGNALS
 from sim_core.simulation import simulate
 from tests.data.links import dump
-from tests.faults.conftest import Process, Start, starter
-
-FIXTURES = sorted(Path(dump.__file__).parent.glob("schema-*.json"))
-PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
-SCENARIO = {"road": {"length": 60, "bump": {"start": 30}}}
+from tests.faults.conftest import OLD, PAGE, Process
 
 
-@pytest.fixture(scope="module")
-def built(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """A built frontend, as far as the service cares."""
-    folder = tmp_path_factory.mktemp("dist")
-    (folder / "index.html").write_text(PAGE)
-    return str(folder)
-
-
-def link_to(service: Process, run_id: str, **view: Any) -> str:
-    answer = service.client.post("/api/v1/links", json={"run_id": run_id, "view": view})
-    assert answer.status_code == 201, answer.text
-    slug: str = answer.json()["slug"]
-    return slug
-
-
-def test_a_link_survives_a_kill_right_after_its_answer(start: Start, built: str, tmp_path: Path) -> None:
-    service = start(RIDELAB_WORKERS="1", RIDELAB_FRONTEND_DIR=built)
-    run = service.client.post("/api/v1/runs", json={"scenario": SCENARIO, "strategies": ["lv", "passive"]}).json()
-    query = f"/api/v1/runs/{run['id']}/series?strategy=lv,passive&encoding=base64"
-    series = service.client.get(query).content
-    slug = link_to(service, run["id"], zoom=[1, 2], baseline="passive")
-    service.kill()
-    with sqlite3.connect(tmp_path / "data" / "ridelab.sqlite") as connection:
-        assert connection.execute("PRAGMA integrity_check").fetchall() == [("ok",)]
-    connection.close()
-    again = start(RIDELAB_WORKERS="1", RIDELAB_FRONTEND_DIR=built)
-    link = again.client.get(f"/api/v1/links/{slug}").json()
-    assert link["series_pinned"] is True
-    assert link["view"] == {"zoom": [1, 2], "baseline": "passive"}
-    assert link["run"]["strategies"]["lv"]["metrics"] == run["strategies"]["lv"]["metrics"]
-    assert again.client.get(query).content == series
-    assert "LV control against passive" in again.client.get(f"/s/{slug}").text
-
-
-@pytest.fixture(scope="module", params=FIXTURES, ids=lambda path: path.stem)
-def old(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """What a database held when that schema version was today's, put into a database of its time."""
-    content: dict[str, Any] = json.loads(request.param.read_text())
-    content["folder"] = tmp_path_factory.mktemp(request.param.stem)
-    (content["folder"] / "data").mkdir()
-    store = Store(f"sqlite:///{content['folder']}/data/ridelab.sqlite")
-    store.migrate(content["revision"])
-    dump.load(store, content)
-    store.close()
+@pytest.fixture(scope="module", params=OLD, ids=lambda content: f"schema-{content['runs'][0]['schema_version']}")
+def old(request: pytest.FixtureRequest) -> dict[str, Any]:
+    """What the database held when that schema version was today's."""
+    content: dict[str, Any] = request.param
     return content
 
 
 @pytest.fixture(scope="module")
-def client(old: dict[str, Any], built: str) -> Iterator[httpx.Client]:
-    """Today's service on that database."""
-    for start_one in starter(old["folder"]):
-        yield start_one(RIDELAB_WORKERS="1", RIDELAB_FRONTEND_DIR=built).client
+def client(service: Process) -> httpx.Client:
+    return service.client
 
 
 def test_a_link_of_an_older_version_opens_with_its_numbers(client: httpx.Client, old: dict[str, Any]) -> None:

@@ -8,14 +8,14 @@ from typing import Any
 
 import httpx
 
-from tests.servers.process import Program, free_port, wait_until
+from tests.servers.process import Program, request, reserved_port, wait_until
 
 
 class Api(Program):
     """One replica."""
 
-    def __init__(self, folder: Path, *, name: str = "api", port: int | None = None, **environment: str) -> None:
-        self.port = port or free_port()
+    def __init__(self, folder: Path, *, name: str = "api", **environment: str) -> None:
+        self.port = reserved_port()
         command = [sys.executable, "-m", "backend", "--port", str(self.port), "--data-dir", str(folder / "data")]
         super().__init__(name, command, folder=folder, environment=environment, restart=True)
 
@@ -28,7 +28,7 @@ class Api(Program):
     def ready(self) -> bool:
         """Whether it says so now."""
         with contextlib.suppress(httpx.TransportError):
-            return httpx.get(f"{self.url}/readyz", timeout=5).status_code == 200
+            return request("GET", f"{self.url}/readyz", timeout=5).status_code == 200
         return False
 
     def wait_until_ready(self) -> None:
@@ -41,7 +41,7 @@ def ask(url: str, method: str, path: str, seconds: float = 120, **options: Any) 
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         with contextlib.suppress(httpx.TransportError):
-            answer = httpx.request(method, f"{url}/api/v1{path}", timeout=30, **options)
+            answer = request(method, f"{url}/api/v1{path}", timeout=30, **options)
             if answer.is_success:
                 return answer.json()
             assert answer.status_code in (429, 502, 503, 504), f"{answer.status_code} {answer.text}"

@@ -11,7 +11,7 @@ from sqlalchemy import NullPool, create_engine, make_url
 
 from tests.servers.haproxy import Proxy
 from tests.servers.postgres import Postgres
-from tests.servers.process import ROOT, Program, free_port, wait_until
+from tests.servers.process import ROOT, Program, reserved_port, wait_until
 from tests.servers.programs import find
 
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
@@ -26,11 +26,11 @@ class Topology:
         self.encrypted = encrypted
         self.database = postgres.new_database()
         self._variables = variables
-        self._scheduler_port = free_port()
+        self._scheduler_port = reserved_port()
         self._secrets()
         self.scheduler = self._start("scheduler")
         self.workers = [self._start("worker", number) for number in (1, 2)]
-        self._ports = [free_port(), free_port()]
+        self._ports = [reserved_port(), reserved_port()]
         self.replicas = [self._start("api", number) for number in (1, 2)]
         self.proxy = Proxy(folder, [f"127.0.0.1:{port}" for port in self._ports])
 

@@ -6,7 +6,16 @@ from pathlib import Path
 
 import pytest
 
+from tests.servers import leftovers
 from tests.servers.postgres import Postgres
+
+
+@pytest.fixture(scope="session", autouse=True)
+def nothing_left_running() -> Iterator[None]:
+    """Set up before and so ended after every other: what any test started has ended by then."""
+    leftovers.mark()
+    yield
+    assert not leftovers.left_running(15)
 
 
 @pytest.fixture(scope="session")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import httpx
 
-from tests.servers.process import ROOT, Program, free_port, wait_until
+from tests.servers.process import ROOT, Program, request, reserved_port, wait_until
 from tests.servers.programs import find
 
 CONFIGURATION = ROOT / "backend/deploy/haproxy.cfg"
@@ -16,8 +16,8 @@ class Proxy(Program):
     """HAProxy on a free port, its replicas at these addresses (host:port)."""
 
     def __init__(self, folder: Path, replicas: Sequence[str], **environment: str) -> None:
-        self.port = free_port()
-        self.tls_port = free_port()
+        self.port = reserved_port()
+        self.tls_port = reserved_port()
         servers = folder / "servers.cfg"
         lines = [f"    server api{number} {address}" for number, address in enumerate(replicas, 1)]
         servers.write_text("\n".join(["backend api from replicas", *lines, ""]))
@@ -36,6 +36,6 @@ class Proxy(Program):
     def answers(self, path: str) -> bool:
         """Whether it answers that path with 200."""
         try:
-            return httpx.get(self.url + path, timeout=5).status_code == 200
+            return request("GET", self.url + path, timeout=5).status_code == 200
         except httpx.TransportError:
             return False

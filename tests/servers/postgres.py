@@ -4,7 +4,6 @@ import itertools
 import os
 import shutil
 import signal
-import socket
 import subprocess
 import tempfile
 import time
@@ -14,6 +13,7 @@ from urllib.parse import quote
 import psutil
 import psycopg
 
+from tests.servers.process import reserved_port
 from tests.servers.programs import find, unprivileged
 
 USER = "ridelab"
@@ -28,9 +28,7 @@ class Postgres:
     def __init__(self) -> None:
         # Not in pytest's folder: that one only root may enter, and PostgreSQL does not run as root.
         self.folder = Path(tempfile.mkdtemp(prefix="ridelab-postgres-"))
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port: int = probe.getsockname()[1]
+        self.port = reserved_port()
         self._as_user = unprivileged("postgres")
         self._process: subprocess.Popen[bytes] | None = None
         self._names = (f"test_{number}" for number in itertools.count())
@@ -98,8 +96,7 @@ class Postgres:
 
     def url(self, name: str) -> str:
         """The SQLAlchemy URL of that database."""
-        address = f"{USER}:{quote(PASSWORD, safe='')}@127.0.0.1:{self.port}"
-        return f"postgresql+psycopg://{address}/{name}"
+        return url(self.port, name)
 
     def execute(self, statement: str) -> list[tuple[object, ...]]:
         """Run one statement as the administrator, outside a transaction; what it returns, if anything."""
@@ -134,6 +131,11 @@ class Postgres:
         )
         if done.returncode != 0:
             raise RuntimeError(f"initdb failed:\n{done.stdout}{done.stderr}")
+
+
+def url(port: int, name: str) -> str:
+    """The SQLAlchemy URL of a database at that port of this machine."""
+    return f"postgresql+psycopg://{USER}:{quote(PASSWORD, safe='')}@127.0.0.1:{port}/{name}"
 
 
 def program(name: str) -> str:

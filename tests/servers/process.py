@@ -4,33 +4,52 @@ import contextlib
 import os
 import signal
 import socket
+import ssl
 import subprocess
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
+import httpx
 import psutil
 
 ROOT = Path(__file__).parents[2]
 
 
-def free_port() -> int:
-    """A port nobody listens on now."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
+# For plain HTTP no certificate is needed; without this httpx reads all it knows for every request, 20 ms of a core.
+_NO_CERTIFICATES = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+_reserved: list[socket.socket] = []
+
+
+def reserved_port() -> int:
+    """A port of this machine for a server of ours, which may end and come back; nobody else gets it meanwhile.
+
+    A socket stays bound to it and never listens. While it is there the system gives the port to nobody who wants any
+    one, and to a server that asks for this very one and sets SO_REUSEADDR, as all do that are started here.
+    """
+    holder = socket.socket()
+    holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    holder.bind(("127.0.0.1", 0))
+    _reserved.append(holder)  # as long as this process lives
+    port: int = holder.getsockname()[1]
     return port
 
 
-def wait_until(condition: Callable[[], object], what: str, seconds: float = 60) -> None:
+def request(method: str, url: str, *, timeout: float = 60, **options: Any) -> httpx.Response:
+    """The answer to one request to a server of this machine."""
+    return httpx.request(method, url, timeout=timeout, verify=_NO_CERTIFICATES, **options)
+
+
+def wait_until(condition: Callable[[], object], what: str, seconds: float = 60, *, pause: float = 0.05) -> None:
     """Wait for it to hold; an OSError means not yet."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         with contextlib.suppress(OSError):
             if condition():
                 return
-        time.sleep(0.05)
+        time.sleep(pause)
     raise TimeoutError(f"It took too long: {what}")
 
 
@@ -48,6 +67,7 @@ class Program:
         self._log = folder / f"{name}.log"
         self._environment = {**os.environ, **environment}
         self._restart = restart
+        self._lock = threading.Lock()  # held while it is started again, or told not to be
         self._ended = threading.Event()
         self._may_live = threading.Event()
         self._may_live.set()
@@ -79,18 +99,27 @@ class Program:
 
     def kill(self, *, stays_dead: bool = False) -> None:
         """Kill -9 its process, and only that one: what it started is left alone, as a crash would leave it."""
-        if stays_dead:
-            self._may_live.clear()
-        self._process.kill()
-        self._process.wait()
+        with self._lock:
+            if stays_dead:
+                self._may_live.clear()
+            process = self._process
+        process.kill()
+        process.wait()
 
     def revive(self) -> None:
         """Let it be started again, where it was to stay dead."""
         self._may_live.set()
 
+    def terminate(self, seconds: float = 15) -> int:
+        """End its process in order; its exit code. It is started again where it would be after a crash."""
+        process = self._process
+        process.send_signal(signal.SIGTERM)
+        return process.wait(seconds)
+
     def end(self, seconds: float = 15) -> int | None:
         """End it in order, for good; returns its exit code, None where it had to be killed."""
-        self._ended.set()
+        with self._lock:
+            self._ended.set()
         self._may_live.set()
         left = self.children()
         code: int | None = None
@@ -117,6 +146,8 @@ class Program:
             if not self._restart or self._ended.wait(self.PAUSE):
                 return
             self._may_live.wait()
-            if self._ended.is_set():
-                return
-            self._process = self._spawn()
+            with self._lock:
+                if self._ended.is_set():
+                    return
+                if self._may_live.is_set():
+                    self._process = self._spawn()

@@ -18,7 +18,7 @@ from backend.settings import Settings
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.servers import loops
-from tests.servers.process import ROOT, Program, free_port
+from tests.servers.process import ROOT, Program, reserved_port
 
 PAGE = (ROOT / "docs/operations.md").read_text()
 PLAIN = {"DASK_CONFIG": "backend/deploy/dask.yaml", "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "false"}
@@ -36,7 +36,7 @@ def documented(role: str, port: int, folder: Path) -> list[str]:
 
 @pytest.fixture
 def address(tmp_path: Path) -> Iterator[str]:
-    port = free_port()
+    port = reserved_port()
     worker = documented("worker", port, tmp_path)
     with_nanny = [word for word in worker if word != "--no-nanny"]
     assert PLAIN.items() <= dict(re.findall(r"(DASK_\w+)=([\w./]+)", PAGE)).items() >= MAY_HAVE_CHILDREN.items()

@@ -1,0 +1,106 @@
+"""Batches a service accepted: whatever becomes of it, each completes, and each result is stored once."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from sqlalchemy import Engine, create_engine, func, select, text
+
+from backend.store.tables import batch_runs, results
+from sim_core import dotted
+from sim_core.scenario import Scenario
+from sim_core.simulation import simulate
+from tests.servers.api import ask
+from tests.servers.process import wait_until
+
+
+@dataclass
+class Accepted:
+    """The batches handed in, and the results seen in the database.
+
+    Attributes:
+        url: Where the service is asked; it may be down at any moment.
+        engine: The database, looked at from outside.
+        seed: Same seed, same batches.
+        runs: Of each batch; an even number.
+        batches: Their ids.
+        stored: Rows of results by key, as they were first seen.
+    """
+
+    url: str
+    engine: Engine
+    seed: int
+    runs: int
+    batches: list[str] = field(default_factory=list)
+    stored: dict[str, Any] = field(default_factory=dict)
+
+    def submit(self) -> None:
+        """A batch nobody had before, accepted for certain: asked with one key until it is."""
+        number = len(self.batches)
+        ranges = {"road.bump.height": [0.02, 0.12]}
+        sweep = {"latin_hypercube": {"ranges": ranges, "samples": self.runs // 2, "seed": number}}
+        body = {"scenario": {"road": {"length": 126.0}}, "strategies": ["lv", "passive"], "sweep": sweep}
+        key = {"Idempotency-Key": f"accepted-{self.seed}-{number}"}
+        self.batches.append(ask(self.url, "POST", "/batches", json=body, headers=key)["id"])
+
+    def waiting(self) -> int:
+        """Runs that are not computed yet."""
+        chosen = select(func.count()).where(batch_runs.c.batch_id.in_(self.batches), batch_runs.c.status == "waiting")
+        with self.engine.connect() as connection:
+            return int(connection.execute(chosen).scalar_one())
+
+    def await_work(self) -> None:
+        """Until results come in again; a service that has just been killed takes some seconds."""
+        before = self.waiting()
+        wait_until(lambda: self.waiting() != before, "results come in", 90)
+
+    def check_stored(self) -> None:
+        """What was stored once is there still, and is the same row: it was neither lost nor computed again."""
+        with self.engine.connect() as connection:
+            now = {
+                row.key: (row.created_at, row.compute_ms, row.summary)
+                for row in connection.execute(select(results)).all()
+            }
+        for key, row in self.stored.items():
+            assert now.get(key) == row, "a stored result changed or was lost"
+        self.stored = now
+
+    def finish(self) -> None:
+        """Wait for every batch, and check all of it."""
+        for batch_id in self.batches:
+            self._finish_one(batch_id)
+        self.check_stored()
+        keys = select(batch_runs.c.result_key).where(batch_runs.c.batch_id.in_(self.batches))
+        with self.engine.connect() as connection:
+            assert set(connection.execute(keys).scalars()) <= set(self.stored), "a result of every run"
+            if self.engine.dialect.name == "sqlite":
+                assert connection.execute(text("PRAGMA integrity_check")).scalar_one() == "ok"
+
+    def _finish_one(self, batch_id: str) -> None:
+        batch: dict[str, Any] = {}
+
+        def is_over() -> bool:
+            batch.update(ask(self.url, "GET", f"/batches/{batch_id}"))
+            return batch["state"] not in ("queued", "running")
+
+        wait_until(is_over, f"{batch_id} ends", 180, pause=0.2)
+        assert (batch["state"], batch["done"], batch["failed"]) == ("done", self.runs, 0), batch["reason"]
+        rows = ask(self.url, "GET", f"/batches/{batch_id}/results")["rows"]
+        assert [row["run"] for row in rows] == list(range(self.runs))
+        assert {row["status"] for row in rows} == {"ok"}
+        _is_right(batch, rows[self.seed % self.runs])
+
+
+def database(url: str) -> Engine:
+    """The database as an onlooker reads it, who notices when the server went away and came back."""
+    patience = {"timeout": 30} if url.startswith("sqlite") else {}
+    return create_engine(url, connect_args=patience, pool_pre_ping=True)
+
+
+def _is_right(batch: dict[str, Any], row: dict[str, Any]) -> None:
+    """One row against the core itself."""
+    changes = {each["name"]: row[each["name"]] for each in batch["fields"]}
+    scenario = Scenario.model_validate(dotted.with_changes(batch["scenario"], changes))
+    expected = simulate(scenario, row["strategy"]).metrics["bump"]["body_acceleration"]["peak"]
+    found = row["metrics"]["bump"]["body_acceleration"]["peak"]
+    # Only the blocks a control law is computed in may differ between processes, in their last bits.
+    assert abs(found - expected) <= 1e-9 * expected

@@ -1,0 +1,37 @@
+"""Finds processes that tests started and did not end."""
+
+import os
+import time
+
+import psutil
+
+MARK = "STARTED_BY_TESTS_OF"  # in the environment of whatever this process starts
+OURS = "multiprocessing.resource_tracker"  # Python's own; it ends with the process that runs the tests
+
+
+def mark() -> None:
+    """From now on all this process starts, and all that those start, can be found again."""
+    os.environ[MARK] = str(os.getpid())
+
+
+def left_running(seconds: float) -> list[str]:
+    """What still runs of it after so long, as pid and command; it is killed."""
+    end = time.monotonic() + seconds
+    while (left := _marked()) and time.monotonic() < end:
+        time.sleep(0.1)
+    for process in left:
+        process.kill()
+    return [f"{process.pid}: {command}" for process, command in left.items()]
+
+
+def _marked() -> dict[psutil.Process, str]:
+    found = {}
+    for process in psutil.process_iter():
+        try:
+            if process.environ().get(MARK) == str(os.getpid()) and process.status() != psutil.STATUS_ZOMBIE:
+                command = " ".join(process.cmdline())
+                if OURS not in command and process.pid != os.getpid():
+                    found[process] = command
+        except psutil.Error:  # it ended, or is not ours to look at
+            continue
+    return found
