@@ -295,9 +295,10 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
 def test_a_private_service_that_still_starts_ends_with_its_command(
     elsewhere: Path, how: signal.Signals, code: int, message: str
 ) -> None:
+    before = set(private_services())
     arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
     process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: psutil.Process(process.pid).children(), "it starts its service")
+    wait_until(lambda: set(private_services()) - before, "it starts its service")
     process.send_signal(how)
     _, said = process.communicate(timeout=60)
     assert (process.returncode, said) == (code, message)

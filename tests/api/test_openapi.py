@@ -150,34 +150,33 @@ def built(tmp_path: Path) -> Path:
     return tmp_path / "dist"
 
 
-async def get(settings: Settings, path: str) -> httpx.Response:
-    """The answer of an application that was not started: pages need neither store nor workers."""
-    transport = httpx.ASGITransport(app=create_app(settings))
-    async with httpx.AsyncClient(transport=transport, base_url="http://ridelab") as client:
-        return await client.get(path)
+def visitor(settings: Settings) -> httpx.AsyncClient:
+    """Of an application that was not started: pages need neither store nor workers."""
+    return httpx.AsyncClient(transport=httpx.ASGITransport(app=create_app(settings)), base_url="http://ridelab")
 
 
 @pytest.mark.anyio
 async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
-    settings = Settings(frontend_dir=built)
-    for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA"):
-        page = await get(settings, path)
-        assert page.status_code == 200
-        assert page.headers["content-type"].startswith("text/html")
-        assert page.headers["cache-control"] == "no-cache"
-        assert "Ridelab" in page.text
-    hashed = await get(settings, "/assets/index-abc123.js")
-    assert "immutable" in hashed.headers["cache-control"]
-    assert hashed.headers["content-type"].startswith("text/javascript")
-    assert (await get(settings, "/favicon.svg")).headers["content-type"] == "image/svg+xml"
-    assert (await get(settings, "/docs-assets/swagger-ui-bundle.js")).status_code == 200
-    for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s"):
-        assert (await get(settings, path)).status_code == 404
+    async with visitor(Settings(frontend_dir=built)) as client:
+        for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA"):
+            page = await client.get(path)
+            assert page.status_code == 200
+            assert page.headers["content-type"].startswith("text/html")
+            assert page.headers["cache-control"] == "no-cache"
+            assert "Ridelab" in page.text
+        hashed = await client.get("/assets/index-abc123.js")
+        assert "immutable" in hashed.headers["cache-control"]
+        assert hashed.headers["content-type"].startswith("text/javascript")
+        assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
+        assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
+        for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s"):
+            assert (await client.get(path)).status_code == 404
 
 
 @pytest.mark.anyio
 async def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
-    page = await get(Settings(frontend_dir=tmp_path), "/")
+    async with visitor(Settings(frontend_dir=tmp_path)) as client:
+        page = await client.get("/")
     assert page.status_code == 503
     assert "make setup" in page.json()["detail"]
 

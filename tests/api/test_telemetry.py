@@ -99,6 +99,7 @@ def test_refusals_are_counted_by_reason(client: httpx.Client) -> None:
 
 
 def test_gauges_tell_what_is_held_now(service: Any) -> None:
+    wait_until(lambda: service.app.state.workers.load["idle"] == 2, "both workers are warm and free")
     with (
         service.app.state.admission.streaming("192.0.2.1"),
         service.app.state.admission.computing("192.0.2.1", Scenario(), ["passive"]),
@@ -107,7 +108,8 @@ def test_gauges_tell_what_is_held_now(service: Any) -> None:
     assert held["ridelab_open_streams", ()] == 1
     assert held["ridelab_open_requests", ()] == 1
     assert held["ridelab_admitted_cost_seconds", ()] > 0
-    assert held["ridelab_workers", (("state", "busy"),)] + held["ridelab_workers", (("state", "idle"),)] == 2
+    assert held["ridelab_workers", (("state", "busy"),)] == 0
+    assert held["ridelab_workers", (("state", "idle"),)] == 2
     assert held["ridelab_worker_queue", ()] == 0
     build = [dict(labels) for name, labels in held if name == "ridelab_build_info"]
     assert [labels["version"] for labels in build] == [__version__]
