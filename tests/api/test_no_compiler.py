@@ -32,18 +32,22 @@ FEW = 2  # roads that are driven anew
 SCENARIO = SMALL
 
 
-@pytest.fixture(scope="module")
-def machine(tmp_path_factory: pytest.TempPathFactory) -> Bare:
-    return Bare(tmp_path_factory.mktemp("machine"))
+# Where it is not there yet, it is computed before the compilers are gone.
+pytestmark = pytest.mark.usefixtures("reproduction")
 
 
-@pytest.fixture(scope="module")
-def bare(machine: Bare, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+def serve_on(machine: Bare, data: Path) -> Iterator[Service]:
     """Whatever builds and drives is a process of its own, with that machine's environment."""
     with pytest.MonkeyPatch.context() as patch:
         for name, value in machine.environment.items():
             patch.setenv(name, value)
-        yield from serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=1, batch_workers=1))
+        yield from serve(Settings(data_dir=data, workers=1, batch_workers=1))
+
+
+@pytest.fixture(scope="module")
+def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    machine = Bare(tmp_path_factory.mktemp("machine"))
+    yield from serve_on(machine, tmp_path_factory.mktemp("data"))
 
 
 @pytest.fixture
@@ -166,16 +170,25 @@ def test_so_do_the_switches_figures_and_the_report(bare: Service) -> None:
     assert [row.text.count("not available") for row in judged] == [2] * 8
 
 
-def test_it_serves_once_there_is_a_compiler(bare: Service, machine: Bare) -> None:
-    """The last test here: from now on the machine has one."""
-    first = bare.run(["lv_hil", "passive"], SMALL).json()
-    without = bare.inside(bare.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+@pytest.fixture
+def machine(tmp_path: Path) -> Bare:
+    return Bare(tmp_path)
+
+
+@pytest.fixture
+def served(machine: Bare, tmp_path: Path) -> Iterator[Service]:
+    yield from serve_on(machine, tmp_path / "data")
+
+
+def test_it_serves_once_there_is_a_compiler(served: Service, machine: Bare) -> None:
+    first = served.run(["lv_hil", "passive"], SMALL).json()
+    without = served.inside(served.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
     machine.install()
-    second = bare.run(["lv_hil", "passive"], SMALL).json()
+    second = served.run(["lv_hil", "passive"], SMALL).json()
     assert second["strategies"]["lv_hil"]["status"] == "ok"
     assert second["strategies"]["passive"]["cached"] is True
     assert second["id"] != first["id"]
-    found = bare.inside(bare.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+    found = served.inside(served.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
     assert (without["total"], found["total"], found["unavailable"]) == (40, 48, None)
     simulated = [cell for cell in without["cells"] if cell["verdict"] != "unavailable"]
     assert simulated == [cell for cell in found["cells"] if cell["strategy"] != "lv_hil"]
