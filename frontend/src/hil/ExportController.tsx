@@ -14,7 +14,7 @@ export function ExportController({ scenario }: { readonly scenario: Scenario | u
         Export controller (C)
       </Button>
       <Text size="xs" c="dimmed">
-        A zip: the tables for this scenario, the C99 program without dynamic memory, a Makefile and how to build it.
+        A zip: the tables for this scenario, the C99 program without dynamic memory, a Makefile and how to build it, with any C compiler.
       </Text>
       {error && (
         <Text className={classes.error ?? ""} role="alert">
