@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
 from urllib.parse import quote
@@ -12,12 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sqlalchemy import delete, select, update
-from sqlalchemy.exc import IntegrityError
 
 from backend import exports, pins
 from backend.admission import Admission
 from backend.links.models import CreatedLink, Link
-from backend.store import Store, StoredLink, StoredResult
+from backend.store import Store
 from backend.store.tables import pinned_series, results, run_results, runs
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION
@@ -372,25 +370,3 @@ def test_a_batch_is_seen_over_the_fields_it_sweeps(
     answer = client.post("/api/v1/links", json={"batch_id": batch["id"], "view": view})
     assert answer.status_code == 422
     assert answer.json()["errors"] == [{"pointer": "/view/x", "message": "This batch sweeps road.bump.height"}]
-
-
-def test_links_are_kept_on_either_database(migrated_url: str) -> None:
-    store = Store(migrated_url)
-    try:
-        outcomes = [
-            StoredResult(key=key, strategy="lv", status="ok", summary={}, compute_ms=1.0) for key in ("k1", "k2")
-        ]
-        store.runs.save(run_id="r" * 22, core_version="1", schema_version=1, scenario={}, outcomes=outcomes)
-        link = StoredLink(slug="s" * 22, kind="run", target="r" * 22, view=VIEW, created_at=datetime.now(UTC))
-        content = bytes(range(256)) * 5000
-        store.links.save(link, {"k1": content})
-        store.links.save(replace(link, slug="u" * 22), {"k2": b"", "k1": b"another"})
-        assert store.links.load("s" * 22) == link
-        assert store.links.load("t" * 22) is None
-        assert store.links.pinned(["k1", "k2", "k3"]) == {"k1", "k2"}
-        assert store.links.load_pins(["k1", "k2", "k3"]) == {"k1": content, "k2": b""}, "the first pin stays"
-        with pytest.raises(IntegrityError):
-            store.links.save(replace(link, slug="v" * 22, target="x" * 22), {})
-        assert store.links.load("v" * 22) is None
-    finally:
-        store.close()

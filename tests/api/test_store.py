@@ -5,6 +5,8 @@ import sqlite3
 import threading
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +18,7 @@ from sqlalchemy import func, inspect, select
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
 import backend.migrations
-from backend.store import Store, StoredResult, StoredRun
+from backend.store import Store, StoredLink, StoredResult, StoredRun
 from backend.store.database import wal_is_safe
 from backend.store.tables import metadata, results
 from tests.servers.postgres import Postgres
@@ -149,6 +151,22 @@ def test_unknown_runs_and_results_are_absent(store: Store) -> None:
     assert store.runs.load("none") is None
     assert set(store.runs.load_results(["a", "none"])) == {"a"}
     assert store.runs.load_results([]) == {}
+
+
+def test_links_keep_their_view_and_each_results_first_pin(store: Store) -> None:
+    save(store, "r" * 22, "k1", "k2")
+    view = {"baseline": "lv", "zoom": [1.25, 7]}
+    link = StoredLink(slug="s" * 22, kind="run", target="r" * 22, view=view, created_at=datetime.now(UTC))
+    content = bytes(range(256)) * 5000
+    store.links.save(link, {"k1": content})
+    store.links.save(replace(link, slug="u" * 22), {"k2": b"", "k1": b"another"})
+    assert store.links.load("s" * 22) == link
+    assert store.links.load("t" * 22) is None
+    assert store.links.pinned(["k1", "k2", "k3"]) == {"k1", "k2"}
+    assert store.links.load_pins(["k1", "k2", "k3"]) == {"k1": content, "k2": b""}, "the first pin stays"
+    with pytest.raises(IntegrityError):
+        store.links.save(replace(link, slug="v" * 22, target="x" * 22), {})
+    assert store.links.load("v" * 22) is None
 
 
 def test_many_writers_of_the_same_results_wait_for_each_other(open_store: OpenStore) -> None:

@@ -177,11 +177,11 @@ def lines(text: io.StringIO) -> list[dict[str, Any]]:
     return [json.loads(line) for line in text.getvalue().splitlines()]
 
 
-def accesses(text: io.StringIO) -> list[dict[str, Any]]:
-    """The requests' own lines. One is written after its answer went out, so the first may still be to come."""
+def accesses(text: io.StringIO, name: str) -> list[dict[str, Any]]:
+    """Lines of requests of that name. One is written after its answer went out, so the first may still be to come."""
 
     def found() -> list[dict[str, Any]]:
-        return [line for line in lines(text) if line["logger"] == "backend.access"]
+        return [line for line in lines(text) if line["logger"] == "backend.access" and line["request_id"] == name]
 
     wait_until(found, "a request's line in the log", 10)
     return found()
@@ -189,9 +189,9 @@ def accesses(text: io.StringIO) -> list[dict[str, Any]]:
 
 def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Client, logged: Any) -> None:
     text = logged("json")
+    client.get("/healthz", headers={"X-Request-ID": "trace-8"})
     client.get(f"/api/v1/runs/{MARK}?{MARK}", headers={"X-Request-ID": "trace-8", "User-Agent": MARK})
-    client.get("/healthz")
-    found = accesses(text)
+    found = accesses(text, "trace-8")
     assert len(found) == 1, "health is asked all the time and logged at level debug"
     line = found[0]
     assert line.pop("duration_ms") > 0
@@ -226,8 +226,8 @@ def test_what_goes_wrong_is_logged_under_its_requests_name(
     assert error["request_id"] == "trace-9"
     assert "for the log alone" in error["exception"]
     assert "for the log alone" not in response.text
-    assert accesses(text)[0]["status"] == 500
-    assert accesses(text)[0]["route"] == "/api/v1/runs"
+    (line,) = accesses(text, "trace-9")
+    assert (line["status"], line["route"]) == (500, "/api/v1/runs")
 
 
 FORGED = 'x\n{"event": "forged", "level": "error"}\r\x1b[2J\x00\u2028\u0085y'
@@ -235,9 +235,9 @@ FORGED = 'x\n{"event": "forged", "level": "error"}\r\x1b[2J\x00\u2028\u0085y'
 
 @pytest.mark.parametrize("form", ["json", "console"])
 def test_no_text_makes_a_line_of_its_own(logged: Any, form: str) -> None:
-    text = logged(form)
-    logging.getLogger("some.library").warning("it said %s", FORGED, extra={"more": FORGED})
-    structlog.stdlib.get_logger("backend.some").warning(FORGED, value=FORGED, nested={"deep": [FORGED]})
+    text = logged(form, "error")  # what the service says of its work meanwhile is none
+    logging.getLogger("some.library").error("it said %s", FORGED, extra={"more": FORGED})
+    structlog.stdlib.get_logger("backend.some").error(FORGED, value=FORGED, nested={"deep": [FORGED]})
     content = text.getvalue()
     assert len(content.splitlines()) == 2, content
     assert not set(content) & ({chr(code) for code in CONTROL} - {"\n"})
