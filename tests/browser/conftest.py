@@ -18,10 +18,10 @@ expect.set_options(timeout=WAIT_MS)
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     if not (ROOT / "frontend/dist/index.html").is_file():
         pytest.fail("The dashboard is not built: make setup builds it")
-    server = Server(tmp_path_factory.mktemp("server") / "data")
-    server.start()
+    server = Server(tmp_path_factory.mktemp("server"))
+    server.wait_until_ready()
     yield server
-    server.stop()
+    server.end()
 
 
 @pytest.fixture(scope="session")

@@ -4,10 +4,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, Literal
 
-import httpx
 from playwright.sync_api import ConsoleMessage, Error, Locator, Page, Response, Route, ViewportSize, expect
 
-from tests.servers.process import ROOT
+from tests.servers.process import ROOT, request
 
 AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
 LONG_MS = 60_000  # computing on a busy machine
@@ -98,8 +97,9 @@ class Dashboard:
 
     def stored_run(self) -> dict[str, Any]:
         """The run the address names, as the API has it."""
-        answer: dict[str, Any] = httpx.get(f"{self.url}/api/v1/runs/{self.run_id}").raise_for_status().json()
-        return answer
+        answer = request("GET", f"{self.url}/api/v1/runs/{self.run_id}")
+        run: dict[str, Any] = answer.raise_for_status().json()
+        return run
 
     def shown_values(self) -> dict[str, float]:
         """`strategy window.signal.statistic` -> the table's unrounded value."""

@@ -5,7 +5,6 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-import httpx
 from playwright.sync_api import Page, expect
 
 from tests.browser.dashboard import LONG_MS, WINDOWS, Dashboard
@@ -21,7 +20,7 @@ SHORT = {
 
 def run(server: Server, scenario: dict[str, Any]) -> dict[str, Any]:
     body = {"scenario": scenario, "strategies": ["lv", "lv_hil", "lqr"]}
-    answer: dict[str, Any] = httpx.post(f"{server.url}/api/v1/runs", json=body, timeout=60).raise_for_status().json()
+    answer: dict[str, Any] = server.post("/runs", body)
     return answer
 
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-import httpx
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
@@ -11,6 +10,7 @@ from backend.hil.build import NO_COMPILER, NO_CROSS_COMPILER
 from tests.browser.dashboard import LAPTOP, Dashboard
 from tests.servers.api import Api
 from tests.servers.compilers import Bare
+from tests.servers.process import request
 from tests.servers.reproduction import store_in_database
 
 LONG_MS = 60_000  # computing on a busy machine
@@ -48,7 +48,7 @@ def visitor(tab: Page, bare: Api) -> Iterator[Dashboard]:
 
 def test_the_paper_counts_what_is_available_and_names_the_rest(visitor: Dashboard, bare: Api) -> None:
     page = visitor.page
-    found = httpx.get(f"{bare.url}/api/v1/paper", timeout=60).json()
+    found = request("GET", f"{bare.url}/api/v1/paper").json()
     # What the switches do is 12 reproductions more: tests/api looks at the real answer.
     effects = {"rows": [], "complete": True, "unavailable": found["unavailable"]}
     page.route("**/api/v1/paper/readings*", lambda route: route.fulfill(json=effects))

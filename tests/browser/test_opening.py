@@ -1,6 +1,5 @@
 """What a visitor meets first: the paper's scenario, in both colour schemes and at every size."""
 
-import httpx
 import pytest
 from playwright.sync_api import Browser, expect
 
@@ -19,7 +18,7 @@ def test_opens_on_the_papers_scenario_with_every_figure(browser: Browser, server
     expect(dashboard.page).to_have_title("100 mm bump, 50 → 22.5 km/h · Ridelab")
     expect(dashboard.page.get_by_text("The paper’s scenario")).to_be_visible()
     dashboard.expect_table_to_be_the_stored_run()
-    names = httpx.get(f"{server.url}/api/v1/figures").json()["figures"]
+    names = server.get("/figures")["figures"]
     panels = dashboard.page.locator("section[data-figure]")
     assert panels.evaluate_all("panels => panels.map(panel => panel.dataset.figure)") == [
         figure["layout"]["meta"]["signal"] for figure in names.values()

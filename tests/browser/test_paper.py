@@ -5,12 +5,12 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-import httpx
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.browser.dashboard import Dashboard
 from tests.browser.server import Server
+from tests.servers.process import request
 
 FIGURES = [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
 VERDICTS = ("reached", "smaller", "contradicts")
@@ -58,7 +58,7 @@ def answer(page: Page, query: str = "") -> dict[str, Any]:
     """The API's answer for the same readings."""
     base = re.match(r"https?://[^/]+", page.url)
     assert base is not None
-    found: dict[str, Any] = httpx.get(f"{base[0]}/api/v1/paper{query}", timeout=60).raise_for_status().json()
+    found: dict[str, Any] = request("GET", f"{base[0]}/api/v1/paper{query}").raise_for_status().json()
     return found
 
 

@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-import httpx
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 from backend.figures import PANELS
 from tests.browser.dashboard import Dashboard, Scheme, violations
 from tests.browser.server import Server
+from tests.servers.process import request
 
 TICKS: dict[Scheme, str] = {"light": "rgb(74, 85, 91)", "dark": "rgb(169, 179, 185)"}
 DRAWN = "[data-figure] .scatterlayer .trace"
@@ -19,8 +19,8 @@ DRAWN = "[data-figure] .scatterlayer .trace"
 def report(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A saved report of a run of two strategies."""
     body = {"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "passive"]}
-    run = httpx.post(f"{server.url}/api/v1/runs", json=body, timeout=60).raise_for_status().json()
-    answer = httpx.get(f"{server.url}/api/v1/runs/{run['id']}/report.html", timeout=60).raise_for_status()
+    run = server.post("/runs", body)
+    answer = request("GET", f"{server.url}/api/v1/runs/{run['id']}/report.html").raise_for_status()
     path = tmp_path_factory.mktemp("reports") / "report.html"
     path.write_bytes(answer.content)
     return path
@@ -95,5 +95,5 @@ def test_the_export_menu_gives_the_report_of_what_is_shown(dashboard: Dashboard)
     assert [text for text in failures if "favicon" not in text] == []
     expect(report.locator("header")).to_contain_text(dashboard.run_id)
     expect(report.locator("tr.baseline").first).to_contain_text("LQR")
-    assert httpx.get(download.value.url).content == download.value.path().read_bytes()
+    assert request("GET", download.value.url).content == download.value.path().read_bytes()
     report.close()

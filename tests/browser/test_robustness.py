@@ -3,7 +3,6 @@
 import re
 from typing import Any
 
-import httpx
 from playwright.sync_api import Locator, Page, expect
 
 from tests.browser.dashboard import LONG_MS, Dashboard
@@ -22,7 +21,7 @@ def expect_results(page: Page) -> None:
 
 
 def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, server: Server) -> None:
-    run = httpx.post(f"{server.url}/api/v1/runs", json={"scenario": SHORT, "strategies": ["lv"]}, timeout=60).json()
+    run = server.post("/runs", {"scenario": SHORT, "strategies": ["lv"]})
     page = dashboard.page
     page.goto(f"/robustness?run={run['id']}")
     expect(page.get_by_text("Other than the paper: Length 95\u00a0m")).to_be_visible()
@@ -43,7 +42,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     expect(page).to_have_url(re.compile(r"/robustness/[\w-]{22}\?one=[\w-]{22}$"), timeout=LONG_MS)
     expect_results(page)
     batch = page.url.split("/robustness/")[1][:22]
-    told: dict[str, Any] = httpx.get(f"{server.url}/api/v1/batches/{batch}/summary", timeout=60).json()
+    told: dict[str, Any] = server.get(f"/batches/{batch}/summary")
     lead = page.get_by_role("region", name="Leads").locator(f"tr[data-strategy=lqr] [data-cell='{PEAK}']")
     expect(lead).to_contain_text(f"{round(100 * told['strategies']['lqr']['figures'][PEAK]['margin']['worse'])}\u2009%")
     limits = page.get_by_role("region", name="Limits", exact=True)
@@ -61,7 +60,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     row.get_by_role("button").click()
     expect(page).to_have_url(re.compile("/r/"), timeout=LONG_MS)
     worst = told["strategies"]["lv"]["figures"][PEAK]["highest"]
-    opened = httpx.get(f"{server.url}/api/v1/runs/{dashboard.run_id}", timeout=60).json()
+    opened = dashboard.stored_run()
     assert opened["scenario"]["mismatch"]["damping"] == worst["at"]["mismatch.damping"]
     # Another process: the blocks a law is computed in may differ in their last bits.
     ours = opened["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
@@ -71,7 +70,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
 def test_unstable_loops_are_told_before_anything_else(dashboard: Dashboard, server: Server) -> None:
     sweep = {"latin_hypercube": {"ranges": {"mismatch.damping": [0.2, 0.6]}, "samples": 8}}
     body = {"scenario": SHORT, "strategies": ["lv", "passive"], "sweep": sweep}
-    batch = httpx.post(f"{server.url}/api/v1/batches", json=body, timeout=60).raise_for_status().json()
+    batch = server.post("/batches", body)
     page = dashboard.page
     page.goto(f"/robustness/{batch['id']}")
     expect_results(page)

@@ -5,7 +5,6 @@ import re
 import secrets
 import sqlite3
 
-import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -173,7 +172,7 @@ def older_run(server: Server, run_id: str, *, factor: float, pinned: bool) -> st
 
 def link_to(server: Server, run_id: str) -> str:
     """A link as a script makes it: no word about the view."""
-    made = httpx.post(f"{server.url}/api/v1/links", json={"run_id": run_id}).raise_for_status().json()
+    made = server.post("/links", {"run_id": run_id})
     return f"{server.url}{made['url']}"
 
 

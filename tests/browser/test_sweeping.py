@@ -5,7 +5,6 @@ import json
 import re
 from pathlib import Path
 
-import httpx
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
@@ -243,7 +242,7 @@ def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard:
     expect_done(page)
     expect(page.locator(".scatterlayer .point")).to_have_count(9)  # each run, and the ring
     expect(page.locator(".scatterlayer .js-line")).to_have_count(4)  # a width and a strategy each
-    rows = httpx.get(f"{server.url}/api/v1/batches/{path.split('/')[-1]}/results?format=json").json()["rows"]
+    rows = server.get(f"/batches/{path.split('/')[-1]}/results?format=json")["rows"]
     airborne = [str(row["run"]) for row in rows if row["events"]["airborne_ms"] > 0]
     assert airborne
     marked = page.locator("tr[data-run]:has([data-doubt~=airborne_ms])")

@@ -3,7 +3,6 @@
 import re
 from typing import Any
 
-import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -16,12 +15,12 @@ SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_dis
 def submit(server: Server, **wish: Any) -> str:
     """A tuning of the LQR on a short road, which is quick, as a script begins it; its id."""
     body = {"scenario": SHORT, "strategy": "lqr", "seeds": [1], "fresh_seeds": [101, 102], "population": 4, **wish}
-    tuning: str = httpx.post(f"{server.url}/api/v1/tunings", json=body, timeout=60).raise_for_status().json()["id"]
+    tuning: str = server.post("/tunings", body)["id"]
     return tuning
 
 
 def stored(server: Server, tuning: str) -> dict[str, Any]:
-    answer: dict[str, Any] = httpx.get(f"{server.url}/api/v1/tunings/{tuning}").raise_for_status().json()
+    answer: dict[str, Any] = server.get(f"/tunings/{tuning}")
     return answer
 
 

@@ -110,9 +110,12 @@ class Program:
         """Let it be started again, where it was to stay dead."""
         self._may_live.set()
 
-    def terminate(self, seconds: float = 15) -> int:
+    def terminate(self, seconds: float = 15, *, stays_dead: bool = False) -> int:
         """End its process in order; its exit code. It is started again where it would be after a crash."""
-        process = self._process
+        with self._lock:
+            if stays_dead:
+                self._may_live.clear()
+            process = self._process
         process.send_signal(signal.SIGTERM)
         return process.wait(seconds)
 
