@@ -20,7 +20,8 @@ test: development ## everything: style, types, import rules, all tests, browser 
 	$(MAKE) check
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
-drill: development ## at length: fifty kills at random, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
+drill: development ## at length: new random scenarios, fifty kills, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
+	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation --numprocesses 2
 	$(BIN)/python -m pytest tests/drill -s
 
 check: check-python check-frontend ## style, types and import rules

@@ -1,5 +1,7 @@
 """Random cars, bumps and scenarios for property tests: the ranges people drag sliders over."""
 
+import os
+
 from hypothesis import strategies as st
 
 from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed, Vehicle
@@ -65,3 +67,8 @@ scenarios = st.builds(
         solver=st.sampled_from(["daqp", "osqp"]),
     ),
 )
+
+
+def examples(count: int) -> int:
+    """How many a test of whole runs takes: a third of these always, all of them and new ones in `make drill`."""
+    return count if os.environ.get("HYPOTHESIS_PROFILE") == "search" else count // 3

@@ -10,7 +10,7 @@ from sim_core.signals import PAPER_SIGNALS
 from sim_core.simulation import simulate
 from tests.validation.reference.bump import crossing, peaks
 from tests.validation.reference.vehicle import OUTPUTS, road_response, state_space, stationary_rms
-from tests.validation.strategies import between, bumps, vehicles
+from tests.validation.strategies import between, bumps, examples, vehicles
 
 
 def test_papers_peaks_over_the_bump_alone() -> None:
@@ -27,7 +27,7 @@ def smooth_scenario(car: Vehicle, bump: Bump, speed_kmh: float) -> Scenario:
     )
 
 
-@settings(max_examples=30)
+@settings(max_examples=examples(30))
 @given(vehicles, bumps, between(10, 100))
 def test_peaks_of_any_car_bump_and_speed(car: Vehicle, bump: Bump, speed_kmh: float) -> None:
     """Within 0.3 % of an adaptive solver, for every shape, kinked ones included.
@@ -62,7 +62,7 @@ def test_nothing_moves_on_a_smooth_road_without_a_bump() -> None:
             assert np.abs(result.series[name]).max() < 1e-12, name
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(vehicles)
 def test_settled_car_stays_settled_and_free_motion_dies_out(car: Vehicle) -> None:
     """After the bump nothing drives the car: the springs' energy peaks lower in each third of the rest."""

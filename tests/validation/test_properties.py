@@ -8,12 +8,12 @@ from hypothesis import strategies as st
 from backend.hil.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.strategies import STRATEGIES
-from tests.validation.strategies import between, bumps, scenarios, vehicles
+from tests.validation.strategies import between, bumps, examples, scenarios, vehicles
 
 ACTIVE = ["lv", "suspension_only", "lqr"]
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(60))
 @given(scenarios, st.sampled_from(list(STRATEGIES)))
 def test_any_run_is_finite_and_keeps_or_reports_its_limits(scenario: Scenario, strategy: str) -> None:
     result = simulate(scenario, strategy)
@@ -34,7 +34,7 @@ def test_any_run_is_finite_and_keeps_or_reports_its_limits(scenario: Scenario, s
             assert 0 <= statistics["rms"] <= statistics["peak"]
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(vehicles, bumps)
 def test_known_road_and_enough_force_hold_the_travel_or_say_so(car: Vehicle, bump: Bump) -> None:
     """At the control instants the MPC with lookahead keeps 80 mm wherever the force allows; else it reports slack."""
@@ -47,7 +47,7 @@ def test_known_road_and_enough_force_hold_the_travel_or_say_so(car: Vehicle, bum
         assert at_instants <= 0.08 * 1.01 or result.events["max_slack_mm"] > 0.05
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(scenarios)
 def test_height_zero_is_no_bump_at_all(scenario: Scenario) -> None:
     """The same numbers whatever the bump's shape or width."""
@@ -64,7 +64,7 @@ def test_height_zero_is_no_bump_at_all(scenario: Scenario) -> None:
         np.testing.assert_allclose(wide[name], values, atol=1e-10 * np.abs(values).max(), err_msg=name)
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(scenarios)
 def test_every_strategy_drives_the_same_road_and_the_rear_follows_the_front(scenario: Scenario) -> None:
     """Heights over position agree to what lies between two samples; a rear axle's are the front's, L later.
@@ -156,7 +156,7 @@ def test_the_edges_of_what_may_be_typed(name: str) -> None:
         )
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(vehicles, st.tuples(between(0, 10), between(0, 10), between(0.1, 10)), between(0, 10), st.sampled_from(ACTIVE))
 def test_any_weights_make_a_loop_that_settles(
     car: Vehicle, weights: tuple[float, float, float], travel: float, strategy: str
