@@ -145,7 +145,7 @@ def test_what_the_server_refuses_lands_at_the_field(dashboard: Dashboard) -> Non
     assert (mpc["control_horizon"], mpc["prediction_horizon"]) == (80, 90)
 
 
-def test_a_nullable_field_has_an_off_state(dashboard: Dashboard) -> None:
+def test_a_field_may_be_off_and_a_class_shows_its_number(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
     page.get_by_role("button", name="Actuator").click()
@@ -158,10 +158,6 @@ def test_a_nullable_field_has_an_off_state(dashboard: Dashboard) -> None:
     switch.press("Space")
     expect(page).to_have_url(address)
 
-
-def test_the_road_class_always_shows_its_number(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
     page.get_by_role("button", name="Road", exact=True).click()
     expect(page.get_by_text("Class B · Gd = 64×10⁻⁶ m³")).to_be_visible()
     page.get_by_role("radiogroup", name="Road class").get_by_text("C", exact=True).click()
@@ -180,7 +176,7 @@ def test_presets_open_their_scenario(dashboard: Dashboard) -> None:
     expect(page).to_have_title(re.compile("60 mm pothole"))
 
 
-def test_baseline_is_chosen_by_a_click(dashboard: Dashboard) -> None:
+def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> None:
     dashboard.open()
     cell = "td[data-cell='bump.body_acceleration.peak']"
     lv = dashboard.row("lv").locator(cell)
@@ -192,9 +188,6 @@ def test_baseline_is_chosen_by_a_click(dashboard: Dashboard) -> None:
     worse = 100 * (values["passive bump.body_acceleration.peak"] / values["lv bump.body_acceleration.peak"] - 1)
     expect(dashboard.row("passive").locator(cell)).to_contain_text(f"▲ +{worse:.0f}\u2009%, worse")
 
-
-def test_strategies_are_switched_by_chips(dashboard: Dashboard) -> None:
-    dashboard.open()
     panel = dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")
     expect(panel).to_have_count(3)
     dashboard.chip("LQR").click()

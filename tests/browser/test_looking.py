@@ -1,7 +1,6 @@
 """Cursor, zoom, the moving car, keyboard, accessibility; and a server that goes away."""
 
 import re
-from pathlib import Path
 
 from playwright.sync_api import Locator, expect
 
@@ -17,7 +16,7 @@ def middle_of(panel: Locator) -> tuple[float, float, float]:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
 
 
-def test_one_cursor_reads_every_plot(dashboard: Dashboard) -> None:
+def test_one_cursor_reads_every_plot_and_moves_the_car(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page
     panels = page.locator("section[data-figure]")
@@ -26,7 +25,19 @@ def test_one_cursor_reads_every_plot(dashboard: Dashboard) -> None:
     speed = panels.nth(1).locator("header")
     expect(speed).to_contain_text("50.0")  # the passive car's speed, wherever the cursor is
     expect(panels.first.locator("header")).to_contain_text(re.compile(r"\d"))
-    expect(page.get_by_role("slider", name="Cursor")).to_have_attribute("aria-valuetext", re.compile(r"^\d+\.\d\d m$"))
+    cursor, lane = page.get_by_role("slider", name="Cursor"), page.get_by_role("region", name="The moving car")
+    expect(cursor).to_have_attribute("aria-valuetext", re.compile(r"^\d+\.\d\d m$"))
+
+    cursor.fill("60")
+    expect(lane).to_contain_text("60.0 m")
+    page.get_by_text("Time", exact=True).click()  # another axis, the same place
+    expect(cursor).to_have_attribute("aria-valuetext", re.compile(" s$"))
+    expect(lane).to_contain_text(re.compile(r"(59\.9|60\.0|60\.1) m"))
+
+    cursor.fill("0")
+    page.get_by_role("button", name="Play").click()
+    expect(lane).to_contain_text(re.compile(r"· [1-9]\d*\.\d m"))
+    page.get_by_role("button", name="Pause").click()
 
 
 def test_zoom_is_shared_and_a_double_click_ends_it(dashboard: Dashboard) -> None:
@@ -43,27 +54,6 @@ def test_zoom_is_shared_and_a_double_click_ends_it(dashboard: Dashboard) -> None
     assert first() == second() != []
     page.mouse.dblclick(x, y)
     expect(page).not_to_have_url(re.compile("zoom"))
-
-
-def test_time_and_distance_show_the_same_place(dashboard: Dashboard) -> None:
-    dashboard.open()
-    cursor = dashboard.page.get_by_role("slider", name="Cursor")
-    cursor.fill("60")
-    lane = dashboard.page.get_by_role("region", name="The moving car")
-    expect(lane).to_contain_text("60.0 m")
-    dashboard.page.get_by_text("Time", exact=True).click()
-    expect(cursor).to_have_attribute("aria-valuetext", re.compile(" s$"))
-    expect(lane).to_contain_text(re.compile(r"(59\.9|60\.0|60\.1) m"))
-
-
-def test_the_car_plays(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page = dashboard.page
-    cursor = page.get_by_role("slider", name="Cursor")
-    cursor.fill("0")
-    page.get_by_role("button", name="Play").click()
-    expect(page.get_by_role("region", name="The moving car")).to_contain_text(re.compile(r"· [1-9]\d*\.\d m"))
-    page.get_by_role("button", name="Pause").click()
 
 
 def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:
@@ -147,23 +137,6 @@ def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
     page.unroute(refused)
     dashboard.expect_curves()
     expect(page.get_by_test_id("connection")).to_have_count(0)
-
-
-def test_exports(dashboard: Dashboard, tmp_path: Path) -> None:
-    dashboard.open()
-    page = dashboard.page
-    sizes = {}
-    for name, suffix in (("LV control as CSV", ".csv"), ("PNG picture", ".png"), ("SVG drawing", ".svg")):
-        page.get_by_role("button", name="Export").click()
-        with page.expect_download() as download:
-            page.get_by_role("menuitem", name=name).click()
-        path = tmp_path / f"export{suffix}"
-        download.value.save_as(path)
-        sizes[suffix] = path.stat().st_size
-        assert download.value.suggested_filename.startswith(f"ridelab-{dashboard.run_id}")
-    assert min(sizes.values()) > 50_000
-    assert (tmp_path / "export.csv").read_text().startswith("time [s],position [m],speed [m/s]")
-    assert (tmp_path / "export.png").read_bytes()[:4] == b"\x89PNG"
 
 
 def test_results_no_real_car_would_have_are_marked(dashboard: Dashboard) -> None:

@@ -80,7 +80,7 @@ def settled(page: Page) -> Locator:
     return main
 
 
-def test_the_count_is_what_the_tables_show_and_the_api_says(paper: Page) -> None:
+def test_count_and_misprints_are_what_the_tables_show_and_the_api_says(paper: Page) -> None:
     api = answer(paper)
     assert api["total"] == len(api["cells"])
     for verdict in VERDICTS:
@@ -88,6 +88,13 @@ def test_the_count_is_what_the_tables_show_and_the_api_says(paper: Page) -> None
     expect(paper.get_by_test_id("count")).to_contain_text(f"{api['reached']} of {api['total']} cells reached")
     without = api["without_preview"]["reached"]
     expect(paper.get_by_test_id("count-without")).to_contain_text(f"{without} of {api['total']}")
+    found = [cell for cell in api["cells"] if cell["misprint"]]
+    assert len(found) == 3  # Table 8 rear tyre, Table 9 body acceleration twice: physics.md
+    for cell in found:
+        row = paper.locator(f"#table-{cell['table']}-{cell['strategy']}-{cell['against']}-{cell['signal']}")
+        follows = f"{abs(cell['misprint']['follows']):g}"
+        expect(row).to_contain_text(re.compile(rf"misprint: [−+]{re.escape(follows)}\s%"))
+
     # What is not reached is named; a name leads to its row.
     missed = api["total"] - api["reached"]
     paper.get_by_text(f"The {missed} cells not reached").click()
@@ -95,15 +102,6 @@ def test_the_count_is_what_the_tables_show_and_the_api_says(paper: Page) -> None
     target = first.get_attribute("href")
     first.click()
     expect(paper.locator(f"{target}:target")).to_be_in_viewport()
-
-
-def test_misprints_show_the_value_that_follows(paper: Page) -> None:
-    found = [cell for cell in answer(paper)["cells"] if cell["misprint"]]
-    assert len(found) == 3  # Table 8 rear tyre, Table 9 body acceleration twice: physics.md
-    for cell in found:
-        row = paper.locator(f"#table-{cell['table']}-{cell['strategy']}-{cell['against']}-{cell['signal']}")
-        follows = f"{abs(cell['misprint']['follows']):g}"
-        expect(row).to_contain_text(re.compile(rf"misprint: [−+]{re.escape(follows)}\s%"))
 
 
 def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -> None:

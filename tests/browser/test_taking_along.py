@@ -61,6 +61,30 @@ def test_copied_commands_give_the_same_run(dashboard: Dashboard, clipboard: Page
     assert shell(f"python -c '{script}\nprint(run.id)'").strip() == dashboard.run_id
 
 
+def test_files_of_every_kind(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    names = {
+        "LV control as CSV": "csv",
+        "LV control as Parquet": "parquet",
+        "PNG picture": "png",
+        "SVG drawing": "svg",
+    }
+    files: dict[str, bytes] = {}
+    for name, suffix in names.items():
+        page.get_by_role("button", name="Export").click()
+        with page.expect_download() as download:
+            page.get_by_role("menuitem", name=name).click()
+        files[suffix] = download.value.path().read_bytes()
+        assert download.value.suggested_filename.startswith(f"ridelab-{dashboard.run_id}")
+        assert download.value.suggested_filename.endswith(suffix)
+    assert min(map(len, files.values())) > 50_000
+    assert files["csv"].startswith(b"time [s],position [m],speed [m/s]")
+    assert files["parquet"][:4] == b"PAR1"
+    assert files["png"][:4] == b"\x89PNG"
+    assert dashboard.run_id in files["svg"].decode()
+
+
 def test_a_command_stands_there_where_copying_is_refused(dashboard: Dashboard) -> None:
     page = dashboard.page
     dashboard.open()
@@ -71,18 +95,6 @@ def test_a_command_stands_there_where_copying_is_refused(dashboard: Dashboard) -
     expect(dialog.get_by_role("textbox")).to_have_value(
         f"ridelab run --strategy lv,lqr,passive --server {dashboard.url}"
     )
-
-
-def test_parquet_files_and_the_runs_id_in_pictures(dashboard: Dashboard, tmp_path: Path) -> None:
-    dashboard.open()
-    page = dashboard.page
-    for name in ("LV control as Parquet", "SVG drawing"):
-        page.get_by_role("button", name="Export").click()
-        with page.expect_download() as download:
-            page.get_by_role("menuitem", name=name).click()
-        download.value.save_as(tmp_path / name)
-    assert (tmp_path / "LV control as Parquet").read_bytes()[:4] == b"PAR1"
-    assert dashboard.run_id in (tmp_path / "SVG drawing").read_text()
 
 
 def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> None:
