@@ -11,13 +11,15 @@ PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test drill check check-python check-frontend audit bench margins ecu paper setup development compiler lock clean
+.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper setup development compiler lock clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
 
 test: development ## everything: style, types, import rules, all tests, browser included; the slowest 25 are printed
-	$(MAKE) check
+	$(MAKE) check suite
+
+suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
 drill: development ## at length: new random scenarios, fifty kills, load, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
