@@ -103,4 +103,4 @@ lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
 
 clean:
-	rm -rf $(VENV) frontend/dist frontend/node_modules
+	rm -rf $(VENV) .cache frontend/dist frontend/node_modules

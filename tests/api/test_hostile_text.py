@@ -78,6 +78,8 @@ def test_no_part_of_an_address_comes_back(client: httpx.Client, run: dict[str, A
         (f"/api/v1/runs/{run['id']}/figures/{name}", {}),
         (f"/api/v1/runs/{run['id']}/series", {"strategy": name}),
         (f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "signals": name, "format": name}),
+        (f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "points": name}),
+        (f"/api/v1/runs/{run['id']}/figures", {"x": name}),
         ("/", {name: name}),
         ("/docs", {name: name}),
     ):
@@ -174,7 +176,7 @@ def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any]
         422: [client.post("/api/v1/runs", json={}), client.get(f"/api/v1/runs/{run['id']}/series?points=1")],
     }
     answers[200] += [client.get(f"{series}&format={name}") for name in ("json", "csv", "parquet")]
-    answers[200] += [client.head("/")]
+    answers[200] += [client.head("/"), *(client.get(path) for path in ("/healthz", "/readyz", "/api/v1/schema"))]
     answers[206] = [client.get(assets[0], headers={"Range": "bytes=0-1"})]
     monkeypatch.setattr(service.app.state.runs, "get", lambda *_: 1 / 0)
     answers[500] = [client.get(f"/api/v1/runs/{run['id']}")]
@@ -236,6 +238,7 @@ def test_no_name_of_ours_is_a_formula_or_a_script() -> None:
 
 def test_the_documentation_loads_nothing_from_elsewhere(client: httpx.Client) -> None:
     page = client.get("/docs").text
+    assert "<script>" not in page, "the content security policy would block it"
     loaded = re.findall(r'<(?:script|link|img|iframe|a)\b[^>]*?(?:src|href)="([^"]*)"', page)
     assert len(loaded) >= 3
     for source in loaded:

@@ -123,18 +123,6 @@ def test_answers_are_described_precisely(description: dict[str, Any]) -> None:
     assert schemas["RunRequest"]["properties"]["strategies"]["items"]["enum"] == list(STRATEGIES)
 
 
-def test_nothing_leads_outside(client: httpx.Client, description: dict[str, Any]) -> None:
-    page = client.get("/docs")
-    assert page.status_code == 200
-    sources = re.findall(r'(?:src|href)="([^"]*)"', page.text)
-    assert sources
-    assert all(source.startswith("/") and not source.startswith("//") for source in sources)
-    assert "<script>" not in page.text, "the content security policy would block it"
-    assert "://" not in page.text
-    assert "://" not in client.get("/docs.js").text
-    assert "://" not in json.dumps(description.get("servers", ""))
-
-
 @pytest.fixture
 def built(tmp_path: Path) -> Path:
     """A built frontend, as far as the service cares."""

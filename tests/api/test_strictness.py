@@ -22,11 +22,7 @@ def scenario(text: str) -> str:
 @pytest.mark.parametrize(
     ("body", "status", "pointer"),
     [
-        ('{"strategies": ["passive"], "strategies": ["lv"]}', 422, ""),
         (scenario('{"road": {"seed": 1, "seed": 2}}'), 422, ""),
-        (scenario('{"road": {"length": NaN}}'), 422, ""),
-        (scenario('{"road": {"length": Infinity}}'), 422, ""),
-        (scenario('{"road": {"length": -Infinity}}'), 422, ""),
         (scenario('{"road": {"length": 1e999}}'), 422, "/scenario/road/length"),
         (scenario('{"road": {"length": "150"}}'), 422, "/scenario/road/length"),
         (scenario('{"road": {"length": true}}'), 422, "/scenario/road/length"),
@@ -34,7 +30,6 @@ def scenario(text: str) -> str:
         (scenario('{"road": {"seed": 1.5}}'), 422, "/scenario/road/seed"),
         (scenario('{"road": {"seed": ' + "9" * 300 + "}}"), 422, "/scenario/road/seed"),
         (scenario('{"road": {"length": ' + "9" * 308 + "}}"), 422, "/scenario/road/length"),
-        (scenario('{"road": {"length": ' + "9" * 5000 + "}}"), 422, ""),
         (scenario('{"road": {"bump": {"height": 3}}}'), 422, "/scenario/road/bump/height"),
         (scenario('{"road": {"bump": {"shape": "cube"}}}'), 422, "/scenario/road/bump/shape"),
         (scenario('{"road": {"bump": {"colour": 1}}}'), 422, "/scenario/road/bump"),
@@ -58,16 +53,8 @@ def scenario(text: str) -> str:
         ('"' + MARK + '"', 422, ""),
         ("", 422, ""),
         ('{"strategies": ["\\ud800"]}', 422, ""),
-        ('{"\\udfff": 1}', 422, ""),
         ("{", 400, ""),
-        ('{"strategies": ["passive"]} {}', 400, ""),
-        ("{'strategies': []}", 400, ""),
-        ('\ufeff{"strategies": ["passive"]}', 400, ""),
-        (b'{"strategies": ["\xff"]}', 400, ""),
-        (b'{"strategies": ["\xed\xa0\x80"]}', 400, ""),
         ('{"a": ' * 33 + "1" + "}" * 33, 400, ""),
-        ("[" * 500_000, 400, ""),
-        ("[" * 100_000 + "]" * 100_000, 400, ""),
     ],
     ids=lambda value: str(value)[:60] if isinstance(value, str | bytes) else str(value),
 )
@@ -126,35 +113,6 @@ def test_no_error_echoes_what_was_sent(client: httpx.Client, body: str) -> None:
         assert 400 <= response.status_code < 500
         assert MARK not in response.text
         assert all(MARK not in value for value in response.headers.values())
-
-
-@pytest.mark.parametrize(
-    "path",
-    [
-        f"/{MARK}",
-        f"/api/v1/{MARK}",
-        f"/api/v1/runs/{MARK}",
-        f"/api/v1/runs/{MARK * 10}",
-        f"/assets/{MARK}.js",
-        f"/api/v1/runs/AAAAAAAAAAAAAAAAAAAAAA/series?points={MARK}",
-        f"/api/v1/runs/AAAAAAAAAAAAAAAAAAAAAA/series?signals={MARK}",
-        f"/api/v1/runs/AAAAAAAAAAAAAAAAAAAAAA/series?format={MARK}",
-        f"/api/v1/runs/AAAAAAAAAAAAAAAAAAAAAA/figures/{MARK}",
-        f"/api/v1/runs/AAAAAAAAAAAAAAAAAAAAAA/figures?x={MARK}",
-    ],
-)
-def test_no_error_echoes_the_address(client: httpx.Client, path: str) -> None:
-    response = client.get(path)
-    assert response.status_code in (404, 422)
-    assert response.headers["content-type"] == "application/problem+json"
-    assert MARK not in response.text
-
-
-@pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""])
-def test_a_body_that_is_not_called_json_is_415(client: httpx.Client, kind: str) -> None:
-    response = post(client, '{"strategies": ["passive"]}', kind=kind)
-    assert response.status_code == 415
-    assert response.headers["content-type"] == "application/problem+json"
 
 
 def test_json_with_a_charset_is_json(client: httpx.Client) -> None:
