@@ -11,6 +11,7 @@ export default defineConfig({
     chunkSizeWarningLimit: 1300, // plotly's basic bundle is one file
     // An inlined asset would be a data: address, which the page's content security policy forbids.
     assetsInlineLimit: 0,
+    reportCompressedSize: false, // nobody reads it there
   },
-  test: { include: ["src/**/*.test.ts"], environment: "node" },
+  test: { include: ["src/**/*.test.ts"], environment: "node", isolate: false },
 });

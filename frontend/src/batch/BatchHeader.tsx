@@ -1,7 +1,7 @@
 /** Name, the way to other pages, sharing, files and the colour scheme. */
 
 import { Button, Menu } from "@mantine/core";
-import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "@tabler/icons-react";
+import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../icons";
 import { api } from "../api/client";
 import type { Batch } from "../api/types";
 import { download } from "../export/image";

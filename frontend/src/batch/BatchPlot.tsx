@@ -2,7 +2,7 @@
 
 import { Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
-import { IconAlertTriangle } from "@tabler/icons-react";
+import { IconAlertTriangle } from "../icons";
 import { useCallback, useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
 import { isFinal } from "../api/follow";
 import type { Batch, Catalogue, Strategy } from "../api/types";

@@ -1,7 +1,7 @@
 /** Every run as a row, a page of them at a time, sorted by any column. */
 
 import { ActionIcon, Checkbox, Pagination, Text, Tooltip, UnstyledButton } from "@mantine/core";
-import { IconAlertTriangle, IconArrowsSort, IconExternalLink, IconSortAscending, IconSortDescending } from "@tabler/icons-react";
+import { IconAlertTriangle, IconArrowsSort, IconExternalLink, IconSortAscending, IconSortDescending } from "../icons";
 import { useMemo, useState } from "react";
 import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";

@@ -1,5 +1,5 @@
 import { Text } from "@mantine/core";
-import { IconLock } from "@tabler/icons-react";
+import { IconLock } from "../icons";
 import type { Link } from "../api/types";
 import share from "../share/share.module.css";
 import { formatDay } from "../units/dates";

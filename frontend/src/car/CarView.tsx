@@ -2,7 +2,7 @@
 
 import { ActionIcon, NativeSelect, Tooltip } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
-import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "@tabler/icons-react";
+import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "../icons";
 import { useEffect, useEffectEvent, useState } from "react";
 import type { StrategyId } from "../api/types";
 import { axisUnit } from "../plots/figure";

@@ -1,7 +1,7 @@
 /** Label, help, mark of a change and error: the same around every field. */
 
 import { ActionIcon, Text, Tooltip } from "@mantine/core";
-import { IconArrowBackUp, IconInfoCircle } from "@tabler/icons-react";
+import { IconArrowBackUp, IconInfoCircle } from "../icons";
 import { useEffect, useRef, type ReactNode } from "react";
 import classes from "./editor.module.css";
 

@@ -1,7 +1,7 @@
 /** Data, pictures and commands of what is shown. */
 
 import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
-import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "@tabler/icons-react";
+import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "../icons";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";

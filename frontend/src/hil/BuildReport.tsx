@@ -1,7 +1,7 @@
 /** Whether the controller fits the part: memory and time of the scenario's own and of smaller ones, with what each loses. */
 
 import { Button, Skeleton, Switch, Text } from "@mantine/core";
-import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
+import { IconAlertTriangle, IconCheck } from "../icons";
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";

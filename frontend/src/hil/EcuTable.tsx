@@ -1,7 +1,7 @@
 /** LV in the ECU beside LV in the simulation: the paper's eight figures and the rule for them. */
 
 import { Anchor, Text } from "@mantine/core";
-import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
+import { IconAlertTriangle, IconCheck } from "../icons";
 import type { Catalogue, FigureTemplate, Strategy, Summary } from "../api/types";
 import { headingOf, VIEWS } from "../tables/ComparisonTable";
 import { ChangeMark } from "../tables/ChangeMark";

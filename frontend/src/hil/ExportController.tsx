@@ -1,7 +1,7 @@
 /** The C sources of this scenario's controller, as a zip. */
 
 import { Button, Text } from "@mantine/core";
-import { IconDownload } from "@tabler/icons-react";
+import { IconDownload } from "../icons";
 import type { Scenario } from "../api/types";
 import classes from "./hil.module.css";
 import { useController } from "./useController";

@@ -2,7 +2,7 @@
 
 import { Anchor, Button, Text } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
-import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "@tabler/icons-react";
+import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../icons";
 import { api } from "../api/client";
 import type { Paper, PaperCell } from "../api/types";
 import { runKey } from "../state/queries";

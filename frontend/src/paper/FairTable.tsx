@@ -1,7 +1,7 @@
 /** Controller, speed, preview and weights varied one at a time, over the same roads: sortable, filterable. */
 
 import { NativeSelect, SegmentedControl, Text, UnstyledButton } from "@mantine/core";
-import { IconArrowsSort, IconSortAscending, IconSortDescending } from "@tabler/icons-react";
+import { IconArrowsSort, IconSortAscending, IconSortDescending } from "../icons";
 import { useState, type ReactNode } from "react";
 import type { Combination } from "../api/types";
 import { formatPercent } from "../tables/change";

@@ -3,7 +3,7 @@
 import { Anchor, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
-import { IconFileDescription } from "@tabler/icons-react";
+import { IconFileDescription } from "../icons";
 import { useEffect, type ReactNode } from "react";
 import { api } from "../api/client";
 import { ApiProblem } from "../api/problem";

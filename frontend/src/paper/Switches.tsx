@@ -1,7 +1,7 @@
 /** Where the paper leaves something open, the reader chooses; the rest of the page follows. */
 
 import { Button, SegmentedControl, Text } from "@mantine/core";
-import { IconRestore } from "@tabler/icons-react";
+import { IconRestore } from "../icons";
 import { useId } from "react";
 import type { Paper, PaperReading } from "../api/types";
 import { count } from "../units/format";

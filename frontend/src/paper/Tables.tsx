@@ -1,7 +1,7 @@
 /** The paper's comparing tables, each with ours beside it: what it prints, what comes out here, the verdict. */
 
 import { Anchor, Text } from "@mantine/core";
-import { IconAlertTriangle, IconEyeOff } from "@tabler/icons-react";
+import { IconAlertTriangle, IconEyeOff } from "../icons";
 import type { Paper, PaperCell, PaperJudgement, PaperTable } from "../api/types";
 import { formatPercent } from "../tables/change";
 import { formatResult } from "../units/format";

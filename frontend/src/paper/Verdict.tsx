@@ -1,6 +1,6 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
-import { IconArrowDownRight, IconCheck, IconMinus, IconX } from "@tabler/icons-react";
+import { IconArrowDownRight, IconCheck, IconMinus, IconX } from "../icons";
 import type { PaperJudgement, VerdictCounts } from "../api/types";
 import classes from "./verdict.module.css";
 import { countsInWords, totalOf, VERDICTS, wordOf } from "./verdicts";

@@ -1,7 +1,7 @@
 /** A value whose run opens in the lab; what the fields are there is told before. */
 
 import { Button, Tooltip } from "@mantine/core";
-import { IconExternalLink } from "@tabler/icons-react";
+import { IconExternalLink } from "../icons";
 import { showCell } from "../batch/show";
 import classes from "./robustness.module.css";
 import { nameOf } from "./names";

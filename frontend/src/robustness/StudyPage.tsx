@@ -2,7 +2,7 @@
 
 import { Button, Collapse, Text } from "@mantine/core";
 import { useDisclosure, useDocumentTitle } from "@mantine/hooks";
-import { IconAdjustments, IconPlus } from "@tabler/icons-react";
+import { IconAdjustments, IconPlus } from "../icons";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";

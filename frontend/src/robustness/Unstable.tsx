@@ -1,7 +1,7 @@
 /** Says before everything else that some of what follows is an oscillation. */
 
 import { Alert } from "@mantine/core";
-import { IconAlertTriangle } from "@tabler/icons-react";
+import { IconAlertTriangle } from "../icons";
 import type { BatchSummary, Strategy } from "../api/types";
 import { formatWhole } from "../units/format";
 

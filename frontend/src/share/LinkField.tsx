@@ -1,7 +1,7 @@
 /** An address to be read, selected and copied. */
 
 import { ActionIcon, TextInput, Tooltip } from "@mantine/core";
-import { IconCheck, IconCopy } from "@tabler/icons-react";
+import { IconCheck, IconCopy } from "../icons";
 import { useEffect, useRef } from "react";
 import { useCopied } from "../export/useCopied";
 

@@ -1,7 +1,7 @@
 /** One click makes a link, copies it and shows it; where copying is refused, the address stands there to be copied. */
 
 import { Button, Popover, Text, Tooltip } from "@mantine/core";
-import { IconLink } from "@tabler/icons-react";
+import { IconLink } from "../icons";
 import { useRef, useState } from "react";
 import { ApiProblem } from "../api/problem";
 import type { NewLink } from "../api/types";

@@ -1,7 +1,7 @@
 /** Says that this is a shared result, when and by what it was computed, and the two ways on. */
 
 import { Button, Text } from "@mantine/core";
-import { IconCopy, IconLock, IconRefresh } from "@tabler/icons-react";
+import { IconCopy, IconLock, IconRefresh } from "../icons";
 import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
 import type { Link } from "../api/types";

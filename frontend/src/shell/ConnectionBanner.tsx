@@ -2,7 +2,7 @@
 
 import { Button, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
-import { IconPlugConnectedX } from "@tabler/icons-react";
+import { IconPlugConnectedX } from "../icons";
 import { useCallback, useEffect, useState } from "react";
 import { probe, type Readiness } from "../api/client";
 import { connection, type Trouble } from "../api/connection";

@@ -2,7 +2,7 @@
 
 import { Button, Drawer } from "@mantine/core";
 import { useDisclosure, useMediaQuery } from "@mantine/hooks";
-import { IconAdjustmentsHorizontal } from "@tabler/icons-react";
+import { IconAdjustmentsHorizontal } from "../icons";
 import { Editor } from "../editor/Editor";
 import type { Group } from "../editor/schema";
 import { useReadOnly } from "../state/context";

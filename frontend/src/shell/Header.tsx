@@ -1,7 +1,7 @@
 /** Name, presets, undo and redo, what the last answer cost, sharing and the colour scheme. */
 
 import { Button, Menu, Text } from "@mantine/core";
-import { IconArrowBackUp, IconArrowForwardUp, IconTemplate } from "@tabler/icons-react";
+import { IconArrowBackUp, IconArrowForwardUp, IconTemplate } from "../icons";
 import type { Preset } from "../api/types";
 import { useDesk, useLab, useReadOnly } from "../state/context";
 import { useSelect } from "../state/store";

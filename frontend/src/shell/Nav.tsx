@@ -1,7 +1,7 @@
 /** The way between the pages: links where there is room, else a menu under the name of the page shown. */
 
 import { Button, Menu } from "@mantine/core";
-import { IconChevronDown } from "@tabler/icons-react";
+import { IconChevronDown } from "../icons";
 import { PAGES, pageAt, type Page } from "../pages";
 import classes from "./nav.module.css";
 

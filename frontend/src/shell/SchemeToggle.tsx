@@ -1,7 +1,7 @@
 /** Dark or light, whatever the system says. */
 
 import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
-import { IconMoon, IconSun } from "@tabler/icons-react";
+import { IconMoon, IconSun } from "../icons";
 import { IconButton } from "./IconButton";
 
 export function SchemeToggle() {

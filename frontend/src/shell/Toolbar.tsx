@@ -1,7 +1,7 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
 import { Button, SegmentedControl, Tooltip } from "@mantine/core";
-import { IconZoomReset } from "@tabler/icons-react";
+import { IconZoomReset } from "../icons";
 import { memo } from "react";
 import type { Strategy } from "../api/types";
 import { switchAxis } from "../state/axis";

@@ -2,7 +2,7 @@
 
 import { Button, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { IconGridDots } from "@tabler/icons-react";
+import { IconGridDots } from "../icons";
 import { useQuery } from "@tanstack/react-query";
 import { lazy, Suspense } from "react";
 import shell from "../shell/shell.module.css";

@@ -1,7 +1,7 @@
 /** One swept field: its values in a grid, or its range. */
 
 import { ActionIcon, Chip, Group, SegmentedControl, Text, TextInput } from "@mantine/core";
-import { IconX } from "@tabler/icons-react";
+import { IconX } from "../icons";
 import { useId } from "react";
 import { humanise, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";

@@ -1,7 +1,7 @@
 /** A line for each reason to doubt a result, with what it means on hover, focus or touch. */
 
 import { Tooltip } from "@mantine/core";
-import { IconAlertTriangle } from "@tabler/icons-react";
+import { IconAlertTriangle } from "../icons";
 import type { Doubt } from "./doubts";
 import classes from "./tables.module.css";
 

@@ -1,7 +1,7 @@
 /** The comparison, and on demand everything else the run says in numbers. */
 
 import { Button } from "@mantine/core";
-import { IconChevronDown, IconChevronUp } from "@tabler/icons-react";
+import { IconChevronDown, IconChevronUp } from "../icons";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";

@@ -1,7 +1,7 @@
 /** The paper's weights and the tuned ones, on the roads trained on and on fresh ones. */
 
 import { Skeleton, Text } from "@mantine/core";
-import { IconAlertTriangle, IconCheck, IconEqual } from "@tabler/icons-react";
+import { IconAlertTriangle, IconCheck, IconEqual } from "../icons";
 import type { ComparedPoint, TunedFigure, Tuning } from "../api/types";
 import { isFinal } from "../api/follow";
 import type { Figure } from "../batch/figures";

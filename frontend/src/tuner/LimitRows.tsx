@@ -1,7 +1,7 @@
 /** What may not be exceeded on any road trained on. */
 
 import { ActionIcon, Text, TextInput } from "@mantine/core";
-import { IconX } from "@tabler/icons-react";
+import { IconX } from "../icons";
 import { fullName, type Figure } from "../batch/figures";
 import type { DraftErrors } from "../order/problems";
 import { prettyUnit } from "../units/format";

@@ -1,7 +1,7 @@
 /** What is made small: up to three objectives. */
 
 import { ActionIcon, NativeSelect, Text, TextInput } from "@mantine/core";
-import { IconX } from "@tabler/icons-react";
+import { IconX } from "../icons";
 import type { Catalogue } from "../api/types";
 import { fullName, type Figure } from "../batch/figures";
 import type { DraftErrors } from "../order/problems";
