@@ -10,4 +10,4 @@ import os
 for _library in ("OPENBLAS", "MKL", "OMP"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
-__version__ = "0.2.0"  # part of every stored result's key: raise it whenever a number can change
+__version__ = "0.3.0"  # part of every stored result's key: raise it whenever a number can change

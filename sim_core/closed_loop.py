@@ -6,15 +6,17 @@ controller, and so on. Only steps at a limit cost a call each (docs/decisions/00
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from sim_core.controller import Controller, LinearLaw
 from sim_core.half_car import FORCES, STATES
 from sim_core.plant import Plant
+from sim_core.recurrence import Recurrence, recurrence
 from sim_core.result import FloatArray
 
-_FIRST_BLOCK, _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 64, 512, 4
+_FIRST_BLOCK, _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 256, 512, 8
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -33,6 +35,12 @@ def near_rest(plant: Plant, law: LinearLaw) -> FloatArray:
     gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
     free = np.hstack([plant.A, np.zeros((n, FORCES))])
     return np.vstack([free + plant.B @ gain, gain])
+
+
+@lru_cache(maxsize=64)
+def _free_run(plant: Plant, law: LinearLaw) -> Recurrence:
+    """The loop over a block while no limit binds."""
+    return recurrence(near_rest(plant, law), _LONGEST_BLOCK)
 
 
 class ClosedLoop:
@@ -63,14 +71,12 @@ class ClosedLoop:
         state, previous, limited = np.zeros(n), np.zeros(FORCES), 0
         for stage, first, last in stages:
             law = self._controller.law(stage)
-            feed, offsets = self._controller.ahead(stage, first, last)
-            powers = self._powers(law)
+            feed = self._controller.feed(stage, first, last)
             k, block = first, _FIRST_BLOCK
             while k < last:
                 stop = min(k + block, last)
-                here = slice(k - first, stop - first)
-                z = self._speculate(powers, state, previous, feed[here], k)
-                count = self._accepted(law, z, offsets[here])
+                z = self._speculate(law, state, previous, feed[k - first : stop - first], k)
+                count = self._accepted(stage, z, k)
                 states[k : k + count], commands[k : k + count] = z[:count, :n], z[1 : count + 1, n:]
                 state, previous = z[count, :n], z[count, n:]
                 k += count
@@ -85,42 +91,24 @@ class ClosedLoop:
                     limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
         return Course(states=states, commands=commands, limited=limited)
 
-    def _powers(self, law: LinearLaw) -> list[FloatArray]:
-        """Powers 1, 2, 4, … of the closed loop over [plant state; previous command], transposed."""
-        powers = [near_rest(self._plant, law).T]
-        while 2 ** len(powers) <= _LONGEST_BLOCK:
-            powers.append(powers[-1] @ powers[-1])
-        return powers
-
     def _speculate(
-        self, powers: list[FloatArray], state: FloatArray, previous: FloatArray, feed: FloatArray, k: int
+        self, law: LinearLaw, state: FloatArray, previous: FloatArray, feed: FloatArray, k: int
     ) -> FloatArray:
-        """[plant state; previous command] of a block as if no limit bound: row 0 is now, row i after i steps.
-
-        z[i + 1] = M z[i] + f[i] for all i at once: prefix sums with doubling strides (Hillis and Steele 1986).
-        """
+        """[plant state; previous command] of a block as if no limit bound: row 0 is now, row i after i steps."""
         count, n = len(feed), self._plant.size
-        z = np.empty((count + 1, n + FORCES))
-        z[0, :n], z[0, n:] = state, previous
-        z[1:, :n] = self._forcing[k : k + count] + feed @ self._plant.B.T
-        z[1:, n:] = feed
-        stride = 1
-        for power in powers:
-            if stride > count:
-                break
-            z[stride:] += z[:-stride] @ power
-            stride *= 2
-        return z
+        inputs = np.empty((count, n + FORCES))
+        inputs[:, :n] = self._forcing[k : k + count] + feed @ self._plant.B.T
+        inputs[:, n:] = feed
+        return _free_run(self._plant, law).run(np.concatenate([state, previous]), inputs)
 
-    def _accepted(self, law: LinearLaw, z: FloatArray, offsets: FloatArray) -> int:
-        """How many steps of a speculated block no limit would have changed."""
+    def _accepted(self, stage: str, z: FloatArray, k: int) -> int:
+        """How many steps of a block speculated from step k on no limit would have changed."""
         n = self._plant.size
-        now = z[:-1]
+        now, commands = z[:-1], z[1:, n:]
         measured = now if n == STATES else np.hstack([now[:, :STATES], now[:, n:]])
-        # `not <=` rather than `>`: a NaN must not pass. The margin keeps rounding from passing a limit.
-        broken = ~(np.abs(measured @ law.checks.T + offsets) <= law.bounds * (1 - 1e-9)).all(axis=1)
+        held = self._controller.holds(k, stage, measured, commands)
         if np.isfinite(self._most_change):
-            broken |= (np.abs(z[1:, n:] - now[:, n:]) > self._most_change).any(axis=1)
+            held &= (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
         if np.isfinite(self._most_force):
-            broken |= (np.abs(z[1:, n:]) > self._most_force).any(axis=1)
-        return int(broken.argmax()) if broken.any() else len(now)
+            held &= (np.abs(commands) <= self._most_force).all(axis=1)
+        return len(held) if held.all() else int(held.argmin())

@@ -1,11 +1,17 @@
 """ISO 2631-1 frequency weighting Wk of vertical acceleration, weighted RMS and vibration dose value."""
 
+from dataclasses import dataclass
+from functools import lru_cache
 from math import pi, sqrt
 
 import numpy as np
+from scipy.linalg import expm
 
-from sim_core.filters import Quadratic, Quotient, filtered
+from sim_core.recurrence import Recurrence, recurrence
 from sim_core.result import FloatArray
+
+Quadratic = tuple[float, float, float]  # coefficients, highest power first
+Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
 
 # ISO 2631-1:1997, table A.1, principal weighting Wk: frequencies [Hz] and quality factors.
 F1, F2, F3, F4, Q4, F5, Q5, F6, Q6 = 0.4, 100.0, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91
@@ -35,11 +41,65 @@ def wk_gain(frequency: FloatArray) -> FloatArray:
     return np.asarray(np.abs(np.prod([np.polyval(b, s) / np.polyval(a, s) for b, a in wk_quotients()], axis=0)))
 
 
-def weighted(acceleration: FloatArray, step: float) -> FloatArray:
-    """Acceleration (n,) [m/s^2], sampled every `step` [s], through Wk."""
-    for quotient in wk_quotients():
-        acceleration = filtered(acceleration, quotient, step)
-    return acceleration
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class _Weighting:
+    """Wk over a row of samples, straight between them: [state (8); samples] to the weighted samples but the last.
+
+    `inputs` (samples, 8) is what a row adds to the state after it, `between` that state over the rows.
+    """
+
+    outputs: FloatArray
+    inputs: FloatArray
+    between: Recurrence
+
+
+@lru_cache(maxsize=32)
+def _weighting(step: float, samples: int, rows: int) -> _Weighting:
+    """For at most so many rows of so many samples, `step` [s] apart."""
+    A, B, C = _wk_states()
+    n = len(A)
+    ramp = np.zeros((n + 2, n + 2))  # the state, the input, and its change over the step
+    ramp[:n, :n], ramp[:n, n], ramp[n, n + 1] = A, B, 1 / step
+    over_step = expm(ramp * step)[:n]
+    state, seen = np.eye(n, n + samples), []
+    for j in range(samples - 1):
+        seen.append(C @ state)
+        state = over_step[:, :n] @ state
+        state[:, n + j] += over_step[:, n] - over_step[:, n + 1]
+        state[:, n + j + 1] += over_step[:, n + 1]
+    return _Weighting(
+        outputs=np.ascontiguousarray(np.stack(seen).T),
+        inputs=np.ascontiguousarray(state[:, n:].T),
+        between=recurrence(state[:, :n], rows),
+    )
+
+
+def _wk_states() -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Wk as x' = A x + B a, y = C x, its quotients one after another."""
+    n = 2 * len(wk_quotients())
+    A, B, C, through = np.zeros((n, n)), np.zeros(n), np.zeros(n), 1.0
+    for i, ((b2, b1, b0), (_, a1, a0)) in enumerate(wk_quotients()):
+        own = slice(2 * i, 2 * i + 2)
+        A[own, own] = [[0.0, 1.0], [-a0, -a1]]
+        A[2 * i + 1] += C  # what the quotients before it give
+        B[2 * i + 1] = through
+        C, through = b2 * C, b2 * through
+        C[own] = b0 - b2 * a0, b1 - b2 * a1
+    return A, B, C
+
+
+def weighted(rows: FloatArray, step: float) -> FloatArray:
+    """Acceleration [m/s^2] through Wk, from rest: samples but the last of each row, end to end.
+
+    Args:
+        rows: Samples `step` apart, straight in between, from one jump to the next (rows, samples): a row's last sample
+            and the next one's first are at the same time.
+        step: In s.
+    """
+    weighting = _weighting(step, rows.shape[1], 1 << len(rows).bit_length())
+    inputs = rows @ weighting.inputs
+    states = weighting.between.run(np.zeros(inputs.shape[1]), inputs)[:-1]
+    return (np.hstack([states, rows]) @ weighting.outputs).ravel()
 
 
 def vibration_dose(weighted_acceleration: FloatArray, step: float) -> float:

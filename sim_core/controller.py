@@ -8,23 +8,21 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.half_car import FORCES, STATES
 from sim_core.result import FloatArray
 
+BoolArray = NDArray[np.bool_]
 MEASURED = STATES + FORCES  # what a law multiplies: the state, then the previous command
+WITHIN = 1 - 1e-9  # of a limit: so that rounding does not pass it
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LinearLaw:
-    """u = gain·z + feed, exact as long as |checks·z + offsets| <= bounds in every row.
-
-    z (10,) = [state (8); previous command (2) in N]; gain (2, 10); checks (rows, 10); bounds (rows,).
-    """
+    """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10)."""
 
     gain: FloatArray
-    checks: FloatArray
-    bounds: FloatArray
 
 
 @dataclass(slots=True)
@@ -47,10 +45,20 @@ class Controller(ABC):
     def law(self, stage: str) -> LinearLaw:
         """The law of a driving stage while no limit binds."""
 
-    def ahead(self, stage: str, first: int, last: int) -> tuple[FloatArray, FloatArray]:
-        """What preview adds in control steps first to last - 1 of a stage: feed (n, 2) [N] and offsets (n, rows)."""
-        count = last - first
-        return np.zeros((count, FORCES)), np.zeros((count, len(self.law(stage).bounds)))
+    def feed(self, stage: str, first: int, last: int) -> FloatArray:
+        """What preview adds to the law's force in control steps first to last - 1 of a stage (n, 2) [N]."""
+        return np.zeros((last - first, FORCES))
+
+    @abstractmethod
+    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
+        """In which of some control steps the law is exact, because no limit binds (n,).
+
+        Args:
+            first: Index of the first of them.
+            stage: Driving stage.
+            measured: What the law multiplied in each (n, 10).
+            commands: What it gave (n, 2) [N].
+        """
 
     @abstractmethod
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
@@ -64,12 +72,19 @@ class Controller(ABC):
         """
 
 
+_NO_FORCE = LinearLaw(gain=np.zeros((FORCES, MEASURED)))
+
+
 class PassiveController(Controller):
     """No force, ever."""
 
     def law(self, stage: str) -> LinearLaw:
-        """Zero, without a limit."""
-        return LinearLaw(gain=np.zeros((FORCES, MEASURED)), checks=np.zeros((0, MEASURED)), bounds=np.zeros(0))
+        """Zero."""
+        return _NO_FORCE
+
+    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
+        """Always."""
+        return np.ones(len(commands), dtype=np.bool_)
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
         """Zero."""

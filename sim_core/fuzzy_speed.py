@@ -59,12 +59,18 @@ def torque_surface() -> TorqueSurface:
             index = SETS.index(conclusion)
             fired[index] = np.fmax(fired[index], strength)
 
-    aggregated = np.fmin(fired[0][..., None], torque[0])
-    clipped = np.empty_like(aggregated)
-    for index in range(1, len(SETS)):
-        np.fmin(fired[index][..., None], torque[index], out=clipped)
-        np.fmax(aggregated, clipped, out=aggregated)
-    trapezoid = np.ones_like(torque_universe)
-    trapezoid[[0, -1]] = 0.5
-    centroid = (aggregated @ (trapezoid * torque_universe)) / (aggregated @ trapezoid)
+    # Between two neighbouring peaks of the torque only their two sets are concluded at all.
+    weight = np.ones_like(torque_universe)
+    weight[[0, -1]] = 0.5  # trapezoids
+    moments = np.stack([weight * torque_universe, weight], axis=1)
+    between = _TORQUE_STEPS // (len(SETS) - 1)
+    centroid = np.empty(fired.shape[1:])
+    for i in range(len(centroid)):
+        sums = np.zeros((fired.shape[2], 2))
+        for low in range(len(SETS) - 1):
+            part = slice(low * between, (low + 1) * between + (low == len(SETS) - 2))
+            concluded = np.fmin(fired[low, i, :, None], torque[low, part])
+            other = np.fmin(fired[low + 1, i, :, None], torque[low + 1, part])
+            sums += np.fmax(concluded, other, out=concluded) @ moments[part]
+        centroid[i] = sums[:, 0] / sums[:, 1]
     return TorqueSurface(tuple(tuple(map(float, row)) for row in centroid))

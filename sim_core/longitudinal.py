@@ -73,20 +73,26 @@ class Drive:
 
     def time_at(self, position: float) -> float:
         """When the front axle is at a position [m] [s]."""
-        if position <= self.position[0]:
-            return float(self.time[0] + (position - self.position[0]) / self.speed[0])
-        if position >= self.position[-1]:
-            return float(self.time[-1] + (position - self.position[-1]) / self.speed[-1])
-        i = int(np.searchsorted(self.position, position)) - 1
-        x0, x1 = float(self.position[i]), float(self.position[i + 1])
-        v0, v1 = float(self.speed[i]), float(self.speed[i + 1])
-        step = float(self.time[1] - self.time[0])
-        low, high = 0.0, 1.0
-        for _ in range(50):  # bisection: the cubic of `at` is monotonic here
-            s = (low + high) / 2
-            place = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
-            low, high = (s, high) if place < position else (low, s)
-        return float(self.time[i]) + step * high
+        return _time_at(self, position)
+
+
+@lru_cache(maxsize=1024)
+def _time_at(drive: Drive, position: float) -> float:
+    """The inverse of `Drive.at`, kept: every run over a drive asks for the same few places."""
+    if position <= drive.position[0]:
+        return float(drive.time[0] + (position - drive.position[0]) / drive.speed[0])
+    if position >= drive.position[-1]:
+        return float(drive.time[-1] + (position - drive.position[-1]) / drive.speed[-1])
+    i = int(np.searchsorted(drive.position, position)) - 1
+    x0, x1 = float(drive.position[i]), float(drive.position[i + 1])
+    v0, v1 = float(drive.speed[i]), float(drive.speed[i + 1])
+    step = float(drive.time[1] - drive.time[0])
+    low, high = 0.0, 1.0
+    for _ in range(50):  # bisection: the cubic of `at` is monotonic here
+        s = (low + high) / 2
+        place = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
+        low, high = (s, high) if place < position else (low, s)
+    return float(drive.time[i]) + step * high
 
 
 def drive(scenario: Scenario, policy: SpeedPolicy) -> Drive:

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from sim_core.controller import Controller, LinearLaw
+from sim_core.controller import WITHIN, BoolArray, Controller, LinearLaw
 from sim_core.cost import KILO, CostTerms, stage_cost
 from sim_core.errors import RidelabError
 from sim_core.half_car import FORCES, STATES, discrete
@@ -86,6 +86,14 @@ def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
     return np.asarray(-KILO * np.linalg.solve(curvature, np.stack(parts, axis=-1).reshape(FORCES, -1)))
 
 
+@lru_cache(maxsize=64)
+def _law(design: Regulator) -> LinearLaw:
+    """The regulator's forces [N]."""
+    gain = np.zeros((FORCES, STATES + FORCES))
+    gain[:, :STATES] = -design.K * KILO
+    return LinearLaw(gain=gain)
+
+
 class LqrController(Controller):
     """The regulator within the force limit; it does not know the travel limit, and of the road only its feedforward.
 
@@ -94,9 +102,7 @@ class LqrController(Controller):
 
     def __init__(self, design: Regulator, force_limit: float, feed: FloatArray | None = None) -> None:
         super().__init__()
-        gain = np.zeros((FORCES, STATES + FORCES))
-        gain[:, :STATES] = -design.K * KILO
-        self._law = LinearLaw(gain=gain, checks=gain, bounds=np.full(FORCES, force_limit))
+        self._law = _law(design)
         self._limit = force_limit
         self._feed = feed
 
@@ -104,11 +110,13 @@ class LqrController(Controller):
         """The same in every stage."""
         return self._law
 
-    def ahead(self, stage: str, first: int, last: int) -> tuple[FloatArray, FloatArray]:
-        """The feedforward, which is part of the force that the limit checks too."""
-        if self._feed is None:
-            return super().ahead(stage, first, last)
-        return self._feed[first:last], self._feed[first:last]
+    def feed(self, stage: str, first: int, last: int) -> FloatArray:
+        """The feedforward."""
+        return super().feed(stage, first, last) if self._feed is None else self._feed[first:last]
+
+    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
+        """Where its forces are within the limit."""
+        return np.asarray((np.abs(commands) <= self._limit * WITHIN).all(axis=1))
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
         """The regulator's force, clipped."""

@@ -1,28 +1,71 @@
-"""Metrics of a run: RMS and peak per window as the paper's tables, and what the field expects beside them."""
+"""Metrics of a run: RMS and peak per window as the paper's tables, and what the field expects beside them.
+
+A record has a row for each held command, with the values at both its ends: forces jump where a command changes, and so
+do the accelerations. Mean squares are trapezoids within the rows; windows end between samples, where the drive does.
+"""
 
 from dataclasses import dataclass
-from math import sqrt
+from itertools import pairwise
+from math import ceil, floor, sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
+from sim_core.caching import kept
 from sim_core.comfort import vibration_dose, weighted
 from sim_core.controller import SolverReport
+from sim_core.half_car import OUTPUTS
 from sim_core.hil.loop import Tally
 from sim_core.longitudinal import KMH, TARGET_BAND, Drive
-from sim_core.result import FloatArray, Span, StrategyResult
-from sim_core.road import kinks
+from sim_core.result import FloatArray, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.signals import METRIC_SIGNALS
+from sim_core.signals import METRIC_SIGNALS, WINDOWS
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
+from sim_core.track import AxlePath, SampledDrive, Track
+
+RECORD = (*OUTPUTS, "front_force", "rear_force")  # the order of plant.Plant.record
+_ROW = {signal: row for row, signal in enumerate(RECORD)}
+_JUMPING = ("body_acceleration", "pitch_acceleration")  # with the force; steep lines in between
+_TYRE_LOADS = ("front_tyre_load", "rear_tyre_load")
+_SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
+_NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at it
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Recording:
-    """Series on the fine grid (signals.SIGNALS), its step [s], and the deflections' speeds (2, n) [m/s]."""
+    """RECORD's signals (10, rows, fine steps of a row + 1) from x = 0 on, and the track they were recorded on."""
 
-    step: float
-    series: dict[str, FloatArray]
-    deflection_speed: FloatArray
+    table: FloatArray
+    track: Track
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class AxleKinks:
+    """The sample before each kink of an axle's road (k,), and which are met on rough road, bump and after."""
+
+    samples: NDArray[np.intp]
+    within: tuple[slice, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Windows:
+    """Where a record's windows lie in the samples of its rows put end to end.
+
+    Attributes:
+        weights: Share of each sample in a window's mean (windows, samples), by trapezoids.
+        segments: Share of the line from each sample to the next in the same (windows, samples - 1); 0 across a jump.
+        within: The samples of the rough road, of the bump, and of what follows it.
+        ends: Of the windows' ends between two samples, the one before and how far on to the next.
+        kinks: Where each axle meets the kinks of its road.
+        duration: Of the whole record [s].
+    """
+
+    weights: FloatArray
+    segments: FloatArray
+    within: tuple[slice, ...]
+    ends: tuple[tuple[int, float], ...]
+    kinks: tuple[AxleKinks, ...]
+    duration: float
 
 
 def evaluate(
@@ -36,40 +79,38 @@ def evaluate(
     tally: Tally | None = None,
 ) -> StrategyResult:
     """Everything a run reports, from its recording; `tally` of a strategy with an ECU."""
-    series = recording.series
-    windows = _windows(scenario, series["position"])
-    arrival = float(drive.at(np.array(drive.time_at(scenario.road.bump.start)))[1])
-    between = _between_samples(scenario, drive, recording)
-    metrics = {
-        window: {
-            signal: _statistics(series[signal][kept], between.get((window, signal), 0.0)) for signal in METRIC_SIGNALS
-        }
-        for window, kept in windows.items()
-    }
+    bump, track = scenario.road.bump, recording.track
+    bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
+    rows, per_row = recording.table.shape[1:]
+    places = _windows(track.drive, drive, bump.start, bump_end, scenario.road.length, rows, per_row)
+    samples = recording.table.reshape(len(RECORD), -1)
+    tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
+    metrics = _by_window(samples, places, track, tyres)
+
+    arrival = float(drive.at(np.array(drive.time_at(bump.start)))[1])
     static = scenario.real_vehicle.static_loads
-    bump_end = scenario.road.bump.start + scenario.road.bump.width + scenario.vehicle.wheelbase
     planned = strategy.speed is SpeedPolicy.PLANNED
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
-    rough = metrics["rough_road"]
-    power = np.abs(series["front_force"] * recording.deflection_speed[0])
-    power += np.abs(series["rear_force"] * recording.deflection_speed[1])
-    filtered = weighted(series["body_acceleration"], recording.step)
+    rough, whole = metrics["rough_road"], metrics["whole"]
+    travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
+    power = _power(samples) if actuated else np.zeros(1)
+    filtered = weighted(recording.table[_ROW["body_acceleration"]], track.fine_step)[: len(track.series["time"])]
     return StrategyResult(
         strategy=strategy.id,
         metrics=metrics,
         comfort={
-            "weighted_rms": _rms(filtered),
-            "vibration_dose": vibration_dose(filtered, recording.step),
+            "weighted_rms": sqrt(float(filtered @ filtered) / len(filtered)),
+            "vibration_dose": vibration_dose(filtered, track.fine_step),
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-            "actuator_mean_power": float(power.mean()),
-            "actuator_peak_power": float(power.max()),
+            "actuator_mean_power": float(power @ places.weights[-1]) if actuated else 0.0,
+            "actuator_peak_power": float(power[: places.within[-1].stop].max()),
         },
         events={
-            **_airborne(recording, static),
+            **_airborne(samples, places, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": bump_end <= scenario.road.length,
-            "travel_exceeded_mm": _travel_exceeded(scenario, series),
+            "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
             "limited_steps": limited_steps,
             "qp_solves": report.solves,
             "qp_fallbacks": report.fallbacks,
@@ -90,77 +131,109 @@ def evaluate(
         stages=stages,
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=series,
+        series=Series(track.series, dict(zip(RECORD, recording.table, strict=True))),
     )
 
 
-def _windows(scenario: Scenario, position: FloatArray) -> dict[str, slice]:
-    """Samples of each window; the front axle from 0 to the bump, and on the bump until the rear has left it."""
-    bump = scenario.road.bump
-    arrival = int(position.searchsorted(bump.start))
-    leaving = int(position.searchsorted(bump.start + bump.width + scenario.vehicle.wheelbase, side="right"))
-    return {"rough_road": slice(0, arrival), "bump": slice(arrival, leaving), "whole": slice(0, len(position))}
-
-
-def _rms(values: FloatArray) -> float:
-    return sqrt(float(np.dot(values, values)) / len(values))
-
-
-def _statistics(values: FloatArray, between: float) -> dict[str, float]:
-    return {"rms": _rms(values), "peak": float(max(values.max(), -values.min(), between))}
-
-
-def _between_samples(scenario: Scenario, drive: Drive, recording: Recording) -> dict[tuple[str, str], float]:
-    """Magnitudes that no sample shows, by (window, signal), to join the peaks.
-
-    At the bump window's two ends every signal, linear between samples; where an axle meets a kink of the bump its tyre
-    load, which turns there: carried on from the three samples before (error of third order in the fine step).
-    """
-    bump, series, h = scenario.road.bump, recording.series, recording.step
-    last = len(series["time"]) - 1
-    found: dict[tuple[str, str], float] = {}
-    for end in (bump.start, bump.start + bump.width + scenario.vehicle.wheelbase):
-        i, share = _place(drive.time_at(end), h)
-        if i < last:
-            for signal in METRIC_SIGNALS:
-                low, high = float(series[signal][i]), float(series[signal][i + 1])
-                _join(found, ("bump", signal), abs(low + share * (high - low)))
-    for signal, behind in (("front_tyre_load", 0.0), ("rear_tyre_load", scenario.vehicle.wheelbase)):
-        for kink in kinks(bump):
-            i, share = _place(drive.time_at(kink + behind), h)
-            if 2 <= i <= last:
-                before, middle, here = (float(value) for value in series[signal][i - 2 : i + 1])
-                slope, bend = here - middle, here - 2 * middle + before
-                _join(found, ("bump", signal), abs(here + share * slope + share * (share + 1) / 2 * bend))
-    found |= {("whole", signal): value for (_, signal), value in found.items()}
-    return found
-
-
-def _place(time: float, step: float) -> tuple[int, float]:
-    """The sample before a time, and how far on to the next."""
-    place = time / step
-    return int(place), place - int(place)
-
-
-def _join(found: dict[tuple[str, str], float], key: tuple[str, str], value: float) -> None:
-    found[key] = max(value, found.get(key, 0.0))
-
-
-def _airborne(recording: Recording, static: tuple[float, float]) -> dict[str, float]:
-    """Time with a tyre pulling on the road, which only the linear model can [ms]."""
-    front = recording.series["front_tyre_load"] < -static[0]
-    rear = recording.series["rear_tyre_load"] < -static[1]
-    each = recording.step * 1000
+def _by_window(
+    samples: FloatArray, places: Windows, track: Track, tyres: tuple[float, float]
+) -> dict[str, dict[str, dict[str, float]]]:
+    """RMS and peak of METRIC_SIGNALS in WINDOWS, from samples (10, n)."""
+    squares = np.stack([places.weights @ (values * values) for values in samples])
+    for signal in _JUMPING:  # straight between samples: a trapezoid's (a² + b²)/2 is (b - a)²/6 more than their mean
+        change = np.diff(samples[_ROW[signal]])
+        squares[_ROW[signal]] -= places.segments @ (change * change) / 6
+    rms = np.sqrt(np.maximum(squares, 0))
+    peaks = [np.maximum(part.max(axis=1, initial=0), -part.min(axis=1, initial=0)) for part in _parts(samples, places)]
+    for axle, signal in enumerate(_TYRE_LOADS):
+        row, at, share = _ROW[signal], places.kinks[axle].samples, track.drive.axles[axle].kink_share
+        before = samples[row].take(at)
+        there = before + share * (samples[row].take(at + 1) - before) + tyres[axle] * track.kink_rise[axle]
+        for peak, part in zip(peaks, places.kinks[axle].within, strict=True):
+            peak[row] = max(peak[row], there[part].max(initial=0), -there[part].min(initial=0))
+    arrival, leaving, end = (
+        np.abs(samples[:, i] + share * (samples[:, i + 1] - samples[:, i])) if share else np.zeros(len(samples))
+        for i, share in places.ends
+    )
+    rough, bump = np.maximum(peaks[0], arrival), np.maximum.reduce([peaks[1], arrival, leaving])
+    by_window = rough, bump, np.maximum.reduce([rough, bump, peaks[2], end])
     return {
-        "airborne_ms": float(np.count_nonzero(front | rear)) * each,
-        "front_airborne_ms": float(np.count_nonzero(front)) * each,
-        "rear_airborne_ms": float(np.count_nonzero(rear)) * each,
+        window: {
+            signal: {"rms": float(rms[_ROW[signal], i]), "peak": float(by_window[i][_ROW[signal]])}
+            for signal in METRIC_SIGNALS
+        }
+        for i, window in enumerate(WINDOWS)
     }
 
 
-def _travel_exceeded(scenario: Scenario, series: dict[str, FloatArray]) -> float:
-    largest = max(float(np.abs(series[name]).max()) for name in ("front_deflection", "rear_deflection"))
-    return max(0.0, largest - scenario.mpc.deflection_limit) * 1000
+def _parts(samples: FloatArray, places: Windows) -> list[FloatArray]:
+    return [samples[:, part] for part in places.within]
+
+
+@kept(16)
+def _windows(
+    track: SampledDrive, drive: Drive, bump_start: float, bump_end: float, length: float, rows: int, per_row: int
+) -> Windows:
+    """The windows of a record with so many rows of so many samples."""
+    h, fine = track.fine_step, per_row - 1
+    arrival, leaving, end = (drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))
+    edges = [round(place) if abs(place - round(place)) < _SNAP else place for place in (0.0, arrival, leaving, end)]
+    spans = list(pairwise(edges))
+
+    steps = np.arange(rows * fine)
+    segments = np.zeros((len(WINDOWS), rows, per_row))
+    for i, (first, last) in enumerate([spans[0], spans[1], (edges[0], edges[-1])]):
+        share = np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) / (last - first)
+        segments[i, :, :-1] = share.reshape(rows, fine)
+    weights = segments / 2
+    weights[:, :, 1:] += segments[:, :, :-1] / 2
+
+    def sample(step: int) -> int:
+        return step // fine * per_row + step % fine
+
+    def first_sample(place: float) -> int:
+        return sample(ceil(place))
+
+    def stop_sample(place: float) -> int:
+        """One past the last sample up to a place; where a row ends there, that row's last."""
+        whole = floor(place)
+        return sample(whole) if whole == place and whole % fine == 0 else sample(whole) + 1
+
+    def axle_kinks(axle: AxlePath) -> AxleKinks:
+        met = axle.kink_step + axle.kink_share
+        inside = (slice(*met.searchsorted((first - _NEAR, last + _NEAR))) for first, last in spans)
+        return AxleKinks(samples=axle.kink_step // fine * per_row + axle.kink_step % fine, within=tuple(inside))
+
+    return Windows(
+        weights=weights.reshape(len(WINDOWS), -1),
+        segments=segments.reshape(len(WINDOWS), -1)[:, :-1],
+        within=tuple(slice(first_sample(first), stop_sample(last)) for first, last in spans),
+        ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),
+        kinks=tuple(axle_kinks(axle) for axle in track.axles),
+        duration=(edges[-1] - edges[0]) * h,
+    )
+
+
+def _power(samples: FloatArray) -> FloatArray:
+    """|u·ḋ| summed over both axles (n,) [W]."""
+    front, rear = (
+        np.abs(samples[_ROW[f"{axle}_force"]] * samples[_ROW[f"{axle}_deflection_speed"]]) for axle in ("front", "rear")
+    )
+    return np.asarray(front + rear)
+
+
+def _airborne(samples: FloatArray, places: Windows, static: tuple[float, float]) -> dict[str, float]:
+    """Time with a tyre pulling on the road, which only the linear model can [ms]."""
+    loads = [samples[_ROW[signal]] for signal in _TYRE_LOADS]
+    if all(load.min() >= -rest for load, rest in zip(loads, static, strict=True)):
+        return {"airborne_ms": 0.0, "front_airborne_ms": 0.0, "rear_airborne_ms": 0.0}
+    front, rear = (load < -rest for load, rest in zip(loads, static, strict=True))
+    milliseconds = places.weights[-1] * (places.duration * 1000)
+    return {
+        "airborne_ms": float((front | rear) @ milliseconds),
+        "front_airborne_ms": float(front @ milliseconds),
+        "rear_airborne_ms": float(rear @ milliseconds),
+    }
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

@@ -8,18 +8,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
 from sim_core.caching import kept
-from sim_core.controller import Controller, LinearLaw
+from sim_core.controller import MEASURED, WITHIN, BoolArray, Controller, LinearLaw
 from sim_core.cost import KILO, CostTerms, stage_cost
 from sim_core.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.lqr import regulator
+from sim_core.preview import flattened
 from sim_core.qp import SOLVERS, QpShape, QpSolver
 from sim_core.result import FloatArray
 from sim_core.scenario import Mpc, Vehicle
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm
+_CLEAR = 0.99  # of a limit in single precision, whose rounding is 1e-5 of the terms added: clear of it
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
 
@@ -28,8 +31,8 @@ class MpcDesign:
     """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
 
     The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
-    b = limit - rows_given·[the same]. `law` gives the first force in N and checks every force and deflection;
-    `feed` and `offsets` (…, 3 Np) are its preview columns.
+    b = limit - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each force and
+    deflection of the horizon on [the same], each over its bound, and `screen` is their transpose in single precision.
     """
 
     shape: QpShape
@@ -38,7 +41,9 @@ class MpcDesign:
     row_limits: FloatArray
     law: LinearLaw
     feed: FloatArray
-    offsets: FloatArray
+    checks: FloatArray
+    bounds: FloatArray
+    screen: NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -125,15 +130,17 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     bounds = np.concatenate(
         [np.full(free, horizon.force_limit), np.full(2 * horizon.prediction, terms.deflection_limit)]
     )
-    law = LinearLaw(gain=optimum[:FORCES, : STATES + FORCES] * KILO, checks=checks[:, : STATES + FORCES], bounds=bounds)
+    checks /= bounds[:, None]
     return MpcDesign(
         shape=_shape(H, travel_moves, horizon.prediction, horizon.force_limit),
         linear=2 * linear,
         rows_given=np.vstack([travel, -travel]) * CENTI,
         row_limits=np.full(4 * horizon.prediction, terms.deflection_limit * CENTI),
-        law=law,
+        law=LinearLaw(gain=optimum[:FORCES, : STATES + FORCES] * KILO),
         feed=optimum[:FORCES, STATES + FORCES :] * KILO,
-        offsets=checks[:, STATES + FORCES :],
+        checks=checks,
+        bounds=bounds,
+        screen=np.ascontiguousarray(checks.T, dtype=np.float32),
     )
 
 
@@ -158,6 +165,7 @@ class MpcController(Controller):
     """MPC over a known preview: the law where it holds, else a QP, verified; else the other solver; else hold."""
 
     def __init__(self, designs: Mapping[str, MpcDesign], windows: FloatArray, mpc: Mpc) -> None:
+        """Over `preview`'s windows (3, steps, Np)."""
         super().__init__()
         self._designs = designs
         self._windows = windows
@@ -169,15 +177,32 @@ class MpcController(Controller):
         """The stage's unconstrained optimum."""
         return self._designs[stage].law
 
-    def ahead(self, stage: str, first: int, last: int) -> tuple[FloatArray, FloatArray]:
-        """Preview's part of the force and of every check."""
-        chosen, windows = self._designs[stage], self._windows[first:last]
-        return windows @ chosen.feed.T, windows @ chosen.offsets.T
+    def feed(self, stage: str, first: int, last: int) -> FloatArray:
+        """Preview's part of the force."""
+        return np.asarray(flattened(self._windows[:, first:last]) @ self._designs[stage].feed.T)
+
+    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
+        """Where every force and deflection of the horizon is within its limit.
+
+        Single precision rules most steps out; those near a limit are judged again in double.
+        """
+        chosen, count = self._designs[stage], len(measured)
+        ahead = self._windows[:, first : first + count]
+        given = np.empty((count, len(chosen.screen)), dtype=np.float32)
+        given[:, :MEASURED] = measured
+        given[:, MEASURED:].reshape(count, len(ahead), -1)[...] = ahead.transpose(1, 0, 2)
+        share = given @ chosen.screen
+        held = np.abs(share, out=share).max(axis=1) <= _CLEAR
+        near = np.flatnonzero(~held)
+        if len(near):
+            given_near = np.hstack([measured[near], flattened(ahead[:, near])])
+            held[near] = (np.abs(given_near @ chosen.checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
+        return np.asarray(held)
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
         """The first force of the constrained optimum."""
         chosen = self._designs[stage]
-        given = np.concatenate([state, previous, self._windows[step]])
+        given = np.concatenate([state, previous, self._windows[:, step].ravel()])
         f = np.zeros(len(chosen.shape.H))
         f[:-2] = chosen.linear @ given
         f[-2:] = SLACK_LINEAR / CENTI

@@ -11,14 +11,15 @@ from sim_core.result import FloatArray
 from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_LIFT = 16  # fine steps in one matrix product; more would cost more than they save
-RECORDED = len(OUTPUTS) + FORCES  # outputs of each fine step: half_car.OUTPUTS, then the actuators' forces [N]
+RECORDED = len(OUTPUTS) + FORCES  # what is recorded: half_car.OUTPUTS, then the actuators' forces [N]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Lift:
     """`fine` steps as one linear map of [plant state; command in N; disturbances (3 · fine)].
 
-    `outputs` (n + 2 + 3 · fine, RECORDED · fine): at the start of each fine step. `end` (…, n): the state after all.
+    `outputs` (n + 2 + 3 · fine, outputs · (fine + 1)): output after output, each at the start of every fine step and at
+    the end of the last. `end` (…, n): the state after all.
     """
 
     fine: int
@@ -44,17 +45,22 @@ class Plant:
         return len(self.A)
 
     def record(self, states: FloatArray, commands: FloatArray, disturbance: FloatArray) -> FloatArray:
-        """Outputs on the fine grid (RECORDED, steps · fine) from states (steps, n) and commands (steps, 2)."""
-        rows, used = [], 0
+        """Outputs (RECORDED, steps, fine + 1) from states (steps, n) and commands (steps, 2).
+
+        A row begins with the value after its command has changed and ends with the value before the next one does.
+        """
+        steps, used = len(states), 0
+        table = np.empty((RECORDED, steps, sum(lift.fine for lift in self.lifts) + 1))
+        table[len(OUTPUTS) :] = commands.T[:, :, None]  # of an ideal actuator; a lagging one's forces come out below
         for lift in self.lifts:
             width = DISTURBANCES * lift.fine
-            given = np.hstack([states, commands, disturbance[:, used : used + width]])
-            rows.append((given @ lift.outputs).reshape(len(states), lift.fine, RECORDED))
-            if lift is not self.lifts[-1]:
+            given = np.hstack([states, commands, disturbance[:, used * DISTURBANCES : used * DISTURBANCES + width]])
+            rows = (given @ lift.outputs).reshape(steps, -1, lift.fine + 1)
+            table[: rows.shape[1], :, used : used + lift.fine + 1] = rows.transpose(1, 0, 2)
+            used += lift.fine
+            if used + 1 < table.shape[2]:
                 states = given @ lift.end
-            used += width
-        table = rows[0] if len(rows) == 1 else np.concatenate(rows, axis=1)
-        return np.ascontiguousarray(table.reshape(-1, RECORDED).T)
+        return table
 
 
 @lru_cache(maxsize=64)
@@ -62,19 +68,19 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant
     """The plant over a control step [s] of `fine` fine steps."""
     model = half_car(vehicle)
     A, inputs = model.A, np.hstack([model.B, model.E])
-    outputs = np.vstack([np.hstack([model.C, model.D, model.F]), np.eye(FORCES, STATES + FORCES + 3, k=STATES)])
+    outputs = np.hstack([model.C, model.D, model.F])
     if actuator.bandwidth is not None:  # u̇ = 2π f (command - u): the forces become states, the command drives them
         corner = 2 * pi * actuator.bandwidth
         A = np.block([[model.A, model.B], [np.zeros((FORCES, STATES)), -corner * np.eye(FORCES)]])
         command = np.vstack([np.zeros((STATES, FORCES)), corner * np.eye(FORCES)])
         inputs = np.hstack([command, np.vstack([model.E, np.zeros((FORCES, DISTURBANCES))])])
-        force, disturbed = outputs[:, STATES : STATES + FORCES], outputs[:, STATES + FORCES :]
-        outputs = np.hstack([outputs[:, :STATES], force, np.zeros_like(force), disturbed])
+        outputs = np.vstack([outputs, np.eye(FORCES, outputs.shape[1], k=STATES)])
+        outputs = np.insert(outputs, [STATES + FORCES] * FORCES, 0.0, axis=1)  # a command is no force yet
     fine_A, fine_inputs = hold(A, inputs, step / fine)
-    lifts, left = [], fine
-    while left:
-        lifts.append(_lift(fine_A, fine_inputs, outputs, min(left, _LONGEST_LIFT)))
-        left -= lifts[-1].fine
+    longest = _lift(fine_A, fine_inputs, outputs, min(fine, _LONGEST_LIFT))
+    lifts = [longest] * (fine // longest.fine)
+    if fine % longest.fine:
+        lifts.append(_lift(fine_A, fine_inputs, outputs, fine % longest.fine))
     whole = _lift(fine_A, fine_inputs, outputs[:0], fine).end.T
     n = len(A)
     return Plant(A=whole[:, :n], B=whole[:, n : n + FORCES], E=whole[:, n + FORCES :].T, lifts=tuple(lifts))
@@ -84,12 +90,13 @@ def _lift(A: FloatArray, inputs: FloatArray, outputs: FloatArray, fine: int) -> 
     """Roll `fine` steps of p' = A p + inputs·[command; disturbance] into one map."""
     n = len(A)
     width = n + FORCES + DISTURBANCES * fine
-    state, rows = np.eye(n, width), []
+    state, held, rows = np.eye(n, width), np.zeros((FORCES + DISTURBANCES, width)), []
+    held[:FORCES, n : n + FORCES] = np.eye(FORCES)
     for j in range(fine):
-        held = np.zeros((FORCES + DISTURBANCES, width))
-        held[:FORCES, n : n + FORCES] = np.eye(FORCES)
         first = n + FORCES + DISTURBANCES * j
-        held[FORCES:, first : first + DISTURBANCES] = np.eye(DISTURBANCES)
+        held[FORCES:] = np.eye(DISTURBANCES, width, k=first)
         rows.append(outputs[:, :n] @ state + outputs[:, n:] @ held)
         state = A @ state + inputs @ held
-    return Lift(fine=fine, outputs=np.ascontiguousarray(np.vstack(rows).T), end=np.ascontiguousarray(state.T))
+    rows.append(outputs[:, :n] @ state + outputs[:, n:] @ held)
+    by_output = np.stack(rows, axis=1).reshape(-1, width)
+    return Lift(fine=fine, outputs=np.ascontiguousarray(by_output.T), end=np.ascontiguousarray(state.T))

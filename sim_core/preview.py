@@ -19,7 +19,6 @@ EXACT = Mismatch()
 _NOISE_STREAM = 2  # a generator of its own beside the road's
 
 
-@kept(48)
 def preview_windows(
     mode: Preview,
     road: Road,
@@ -29,10 +28,28 @@ def preview_windows(
     wheelbase: float,
     mismatch: Mismatch = EXACT,
 ) -> FloatArray:
-    """Disturbances over the horizon as expected at each control step, shape (steps, 3 · horizon).
+    """`preview`, flattened: (steps, 3 · horizon)."""
+    windows = preview(mode, road, drive, track, horizon, wheelbase, mismatch)
+    return flattened(windows)
 
-    Columns: mean velocity of the front axle's road in each interval, then of the rear's [m/s], then the braking
-    deceleration [m/s^2].
+
+def flattened(windows: FloatArray) -> FloatArray:
+    """Windows (3, steps, horizon), or some steps of them, as rows (steps, 3 · horizon)."""
+    return windows.transpose(1, 0, 2).reshape(windows.shape[1], -1)
+
+
+def preview(
+    mode: Preview,
+    road: Road,
+    drive: Drive,
+    track: Track,
+    horizon: int,
+    wheelbase: float,
+    mismatch: Mismatch = EXACT,
+) -> FloatArray:
+    """Disturbances over the horizon as expected at each control step (3, steps, horizon); perhaps a view.
+
+    Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration [m/s^2].
 
     Args:
         mode: none, wheelbase or lookahead.
@@ -43,28 +60,40 @@ def preview_windows(
         wheelbase: L [m].
         mismatch: How the sensors that look ahead err.
     """
-    surface, time, h = profile(road), track.time, track.step
-    steps = len(time) - 1
-    windows = np.zeros((steps, DISTURBANCES, horizon))
     if mode == "lookahead":
-        further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
-        position, _ = drive.at(further - mismatch.preview_delay)
-        position = position - mismatch.preview_offset
-        noise = np.random.default_rng((road.seed, _NOISE_STREAM))
-        for axle, behind in enumerate((0.0, wheelbase)):
-            height = mismatch.preview_gain * surface.height(position - behind)
-            if mismatch.preview_noise:
-                height = height + mismatch.preview_noise * noise.standard_normal(len(height))
-            velocity = np.diff(height) / h
-            windows[:, axle] = sliding_window_view(velocity, horizon)[:steps]
-        braking = drive.sample(drive.braking, further[:-1] + h / 2)
-        windows[:, 2] = sliding_window_view(braking, horizon)[:steps]
-    else:
-        position, speed = drive.at(time[:-1])
-        windows[:, 2] = drive.sample(drive.braking, time[:-1])[:, None]
-        if mode == "wheelbase":
-            ahead = speed[:, None] * h * np.arange(horizon + 1)
-            driven = ahead[:, 1:] <= wheelbase
-            heights = surface.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
-            windows[:, 1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
-    return windows.reshape(steps, DISTURBANCES * horizon)
+        ahead = _ahead(road, drive, track, horizon, wheelbase, mismatch)
+        return sliding_window_view(ahead, horizon, axis=1)  # a window is the one before, moved on
+    return _behind(mode, road, drive, track, horizon, wheelbase)
+
+
+@kept(16)
+def _ahead(road: Road, drive: Drive, track: Track, horizon: int, wheelbase: float, mismatch: Mismatch) -> FloatArray:
+    """What sensors and speed plan tell of every interval to come (3, steps + horizon - 1)."""
+    surface, time, h = profile(road), track.time, track.step
+    further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
+    position, _ = drive.at(further - mismatch.preview_delay)
+    position = position - mismatch.preview_offset
+    noise = np.random.default_rng((road.seed, _NOISE_STREAM)) if mismatch.preview_noise else None
+    ahead = np.empty((DISTURBANCES, len(further) - 1))
+    for axle, behind in enumerate((0.0, wheelbase)):
+        height = mismatch.preview_gain * surface.height(position - behind)
+        if noise is not None:
+            height = height + mismatch.preview_noise * noise.standard_normal(len(height))
+        ahead[axle] = np.diff(height) / h
+    ahead[2] = drive.sample(drive.braking, further[:-1] + h / 2)
+    return ahead
+
+
+@kept(48)
+def _behind(mode: Preview, road: Road, drive: Drive, track: Track, horizon: int, wheelbase: float) -> FloatArray:
+    """Windows without sensors ahead: what the front axle has driven, or nothing; braking stays what it is."""
+    surface, time, h = profile(road), track.time, track.step
+    windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
+    position, speed = drive.at(time[:-1])
+    windows[2] = drive.sample(drive.braking, time[:-1])[:, None]
+    if mode == "wheelbase":
+        ahead = speed[:, None] * h * np.arange(horizon + 1)
+        driven = ahead[:, 1:] <= wheelbase
+        heights = surface.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
+        windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
+    return windows

@@ -43,12 +43,13 @@ def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multip
     """Largest violation of the KKT conditions at y, relative; NaN or infinity for an answer that is not finite.
 
     For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
-    those of the box, then of A y <= b; positive at an upper limit, negative at a lower one.
+    those of the box, then of A y <= b; positive at an upper limit, negative at a lower one. Each row of the gradient is
+    judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force.
     """
     n = len(y)
     box, rows = multipliers[:n], multipliers[n:]
     gradient = shape.H @ y + f
-    stationary = np.abs(gradient + box + shape.A.T @ rows).max() / (1 + np.abs(f).max())
+    stationary = (np.abs(gradient + box + shape.A.T @ rows) / (1 + np.abs(f))).max()
     slack_high, slack_low, slack_rows = shape.high - y, y - shape.low, b - shape.A @ y
     primal = max(0.0, -slack_high.min(), -slack_low.min(), -slack_rows.min(initial=0.0))
     force = 1 + np.abs(multipliers).max()

@@ -1,13 +1,46 @@
 """What a simulation returns: metrics always, time histories beside them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core.signals import SIGNALS
+
 FloatArray = NDArray[np.float64]
+
+
+class Series(Mapping[str, FloatArray]):
+    """Time histories, put together when they are asked for: most runs are asked for their metrics alone.
+
+    Args:
+        shared: Signals as they are returned, all of one length.
+        rows: The others, each with a row for every held command (n, samples + 1): its last sample is the value before
+            the next command, which the histories leave out.
+    """
+
+    def __init__(self, shared: Mapping[str, FloatArray], rows: Mapping[str, FloatArray]) -> None:
+        self._made = dict(shared)
+        self._rows = rows
+        self._length = len(shared["time"])
+
+    def __getitem__(self, key: str) -> FloatArray:
+        """The history of a signal (samples,)."""
+        if key not in self._made:
+            if key not in SIGNALS:
+                raise KeyError(key)
+            self._made[key] = self._rows[key][:, :-1].reshape(-1)[: self._length]
+        return self._made[key]
+
+    def __iter__(self) -> Iterator[str]:
+        """Names in the catalogue's order."""
+        return iter(SIGNALS)
+
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(SIGNALS)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,12 +4,13 @@ Every strategy drives the same road whatever its speed, and the rear axle the fr
 """
 
 from dataclasses import dataclass
-from math import exp, pi, sqrt
+from functools import lru_cache
+from math import ceil, exp, floor, pi, sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.caching import kept
-from sim_core.filters import recursion
 from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Road
 
@@ -22,6 +23,32 @@ _AFTER = 1.0  # road made beyond its end [m]; further on it stays level
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class GridPlace:
+    """Positions as roughness samples: the one before, and the share of the way to the next."""
+
+    cell: NDArray[np.intp]
+    share: FloatArray
+
+
+def grid_place(position: FloatArray, samples: int) -> GridPlace:
+    """Where positions [m] are on a grid of so many samples; its ends for those beyond."""
+    place = np.clip((position + _BEFORE) / GRID, 0.0, samples - 1.000001)
+    cell = place.astype(np.intp)
+    return GridPlace(cell, place - cell)
+
+
+def grid_samples(length: float) -> int:
+    """Samples of a road's roughness, from `_BEFORE` to `_AFTER` its end [m]."""
+    return int((length + _BEFORE + _AFTER) / GRID) + 2
+
+
+def grid_between(first: float, last: float) -> FloatArray:
+    """Positions [m] of the roughness samples strictly between two positions, where the road's slope changes."""
+    numbers = np.arange(floor((first + _BEFORE) / GRID) + 1, ceil((last + _BEFORE) / GRID), dtype=np.float64)
+    return numbers * GRID - _BEFORE
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class RoadProfile:
     """Height of the road over distance: roughness samples, linear in between, and the bump's formula."""
 
@@ -30,13 +57,17 @@ class RoadProfile:
 
     def height(self, position: FloatArray) -> FloatArray:
         """Road height [m] at positions [m] of any shape; level beyond the road made."""
-        place = np.clip((position + _BEFORE) / GRID, 0.0, len(self.roughness) - 1.000001)
-        index = place.astype(np.intp)
-        low = self.roughness[index]
-        rough: FloatArray = low + (place - index) * (self.roughness[index + 1] - low)
-        inside = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
-        rough[inside] += bump_height(self.bump, position[inside])
-        return rough
+        return self.height_at(position, grid_place(position, len(self.roughness)))
+
+    def height_at(self, position: FloatArray, place: GridPlace) -> FloatArray:
+        """The same at positions whose place on the grid is known."""
+        rise = self.roughness[1:] - self.roughness[:-1]
+        height = self.roughness.take(place.cell)
+        height += place.share * rise.take(place.cell)
+        if self.bump.height:
+            inside = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
+            height[inside] += bump_height(self.bump, position[inside])
+        return height
 
 
 def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
@@ -82,6 +113,12 @@ def stationary_deviation(roughness: float) -> float:
     return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
 
 
+@lru_cache(maxsize=4)
+def _fade(keep: float, count: int) -> FloatArray:
+    """Powers 1, 2, … of a number (count,), each the one before times it: a longer road only goes on."""
+    return np.full(count, keep).cumprod()
+
+
 @kept(16)
 def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
     """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points.
@@ -89,13 +126,14 @@ def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
     Var(w) = 1/(2Δx) makes the one-sided PSD Gd(n0) n0² / (n² + n00²) (ISO 8608 with a cut-off). The same
     seed gives the same road for every length: a longer one only goes on.
     """
-    count = int((length + _BEFORE + _AFTER) / GRID) + 2
+    count = grid_samples(length)
     deviation = stationary_deviation(roughness)
     keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
     noise = np.random.default_rng(seed).standard_normal(count)
     noise[0] *= deviation
     noise[1:] *= deviation * sqrt(1 - keep**2)
-    samples = recursion(noise, -keep)
+    fade = _fade(keep, count)
+    samples: FloatArray = fade * (noise / fade).cumsum()  # each sample is `keep` of the one before, and its noise
     samples.flags.writeable = False
     return samples
 

@@ -6,7 +6,6 @@ from sim_core.closed_loop import ClosedLoop
 from sim_core.controller import Controller, PassiveController, SolverReport
 from sim_core.cost import CostTerms
 from sim_core.fields import Weights
-from sim_core.half_car import OUTPUTS
 from sim_core.hil.calibration import Calibration, Checked
 from sim_core.hil.drive import calibration, drive_hil, longest_fine_step
 from sim_core.hil.ecu import Connect
@@ -16,12 +15,12 @@ from sim_core.lqr import LqrController, feedforward, regulator
 from sim_core.metrics import Recording, evaluate
 from sim_core.mpc import CENTI, Horizon, MpcController, MpcDesign, design
 from sim_core.plant import plant
-from sim_core.preview import preview_windows
-from sim_core.result import FloatArray, StrategyResult
-from sim_core.road import detail
+from sim_core.preview import preview, preview_windows
+from sim_core.result import StrategyResult
+from sim_core.road import GRID, detail
 from sim_core.scenario import Actuator, Scenario
 from sim_core.stages import coordinated_weights, segments, spans
-from sim_core.strategies import Strategy, SuspensionPolicy, strategy
+from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, strategy
 from sim_core.track import Track, track
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
@@ -46,7 +45,7 @@ def simulate(scenario: Scenario, name: str | Strategy, connect: Connect = modell
     motion = drive(scenario, chosen.speed)
     stages = spans(scenario, chosen, motion)
     step = scenario.mpc.sample_time if actuated else CONTROL_STEP
-    way = track(scenario.road, scenario.vehicle.wheelbase, motion, step, fine_step(scenario))
+    way = track(scenario.road, scenario.vehicle.wheelbase, motion, step, fine_step(scenario, chosen.speed))
     actuator = scenario.actuator if actuated else Actuator()
     car = plant(scenario.real_vehicle, actuator, step, way.fine)
     controller = make_controller(scenario, chosen, motion, way)
@@ -54,8 +53,10 @@ def simulate(scenario: Scenario, name: str | Strategy, connect: Connect = modell
     most_force = np.inf if actuator.saturation is None else actuator.saturation
     loop = ClosedLoop(controller, car, way.disturbance @ car.E, most_change, most_force)
     course = loop.run(segments(stages, way.position))
-    outputs = car.record(course.states, course.commands, way.disturbance)
-    return evaluate(scenario, chosen, motion, stages, _recording(way, outputs), controller.report, course.limited)
+    on_record = slice(way.drive.before, None)
+    table = car.record(course.states[on_record], course.commands[on_record], way.disturbance[on_record])
+    recording = Recording(table=table, track=way)
+    return evaluate(scenario, chosen, motion, stages, recording, controller.report, course.limited)
 
 
 def simulate_ecu(scenario: Scenario, known: Calibration, connect: Connect = modelled) -> StrategyResult:
@@ -74,7 +75,8 @@ def simulate_ecu(scenario: Scenario, known: Calibration, connect: Connect = mode
     record = drive_hil(scenario, known, motion, way, segments(stages, way.position), connect)
     tally = record.tally
     report = SolverReport(solves=tally.limited, failures=tally.unfinished, max_slack=tally.slack / CENTI)
-    return evaluate(scenario, chosen, motion, stages, _recording(way, record.outputs), report, tally.limited, tally)
+    recording = Recording(table=record.table, track=way)
+    return evaluate(scenario, chosen, motion, stages, recording, report, tally.limited, tally)
 
 
 def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
@@ -91,25 +93,24 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
     return calibration(scenario, mpc_designs(scenario, chosen, drive(scenario, chosen.speed)), checked)
 
 
-def _recording(way: Track, outputs: FloatArray) -> Recording:
-    signals = dict(zip((*OUTPUTS, "front_force", "rear_force"), outputs[:, way.kept], strict=True))
-    deflection_speed = np.stack([signals.pop("front_deflection_speed"), signals.pop("rear_deflection_speed")])
-    return Recording(step=way.fine_step, series=way.series | signals, deflection_speed=deflection_speed)
+def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> float:
+    """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
 
-
-def fine_step(scenario: Scenario) -> float:
-    """Longest fine step [s]: 60 over the bump (or its two ramps) at the initial speed, 0.1 rad of the wheels, 1 ms.
-
-    Between the ends of a fine step the road is linear and the car exact, so only the bump's curvature and the
-    sampling of peaks need it short; tests/validation holds peaks against an adaptive solver.
+    Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
+    sampling of peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the
+    initial speed, the rough road at the speed that is held for long.
     """
-    vehicle, bump = scenario.real_vehicle, scenario.road.bump
+    vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
     stiffest = max(
         (vehicle.front_tyre_stiffness + vehicle.front_spring) / vehicle.front_wheel_mass,
         (vehicle.rear_tyre_stiffness + vehicle.rear_spring) / vehicle.rear_wheel_mass,
     )
-    over_bump = detail(bump) / (60 * scenario.speed.initial_speed_kmh * KMH) if bump.height else COARSEST
-    return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump)))
+    over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
+    held = speed.initial_speed_kmh
+    if policy is SpeedPolicy.PLANNED:
+        held = min(held, speed.target_speed_kmh)
+    over_grid = GRID / (held * KMH) if scenario.road.roughness else COARSEST
+    return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
 
 
 def make_controller(scenario: Scenario, chosen: Strategy, motion: Drive, way: Track) -> Controller:
@@ -125,9 +126,7 @@ def make_controller(scenario: Scenario, chosen: Strategy, motion: Drive, way: Tr
             lqr.preview, scenario.road, motion, way, lqr.preview_horizon, wheelbase, scenario.mismatch
         )
         return LqrController(regulator(terms), mpc.force_limit, seen @ feedforward(terms, lqr.preview_horizon).T)
-    windows = preview_windows(
-        mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, wheelbase, scenario.mismatch
-    )
+    windows = preview(mpc.preview, scenario.road, motion, way, mpc.prediction_horizon, wheelbase, scenario.mismatch)
     return MpcController(mpc_designs(scenario, chosen, motion), windows, mpc)
 
 

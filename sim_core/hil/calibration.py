@@ -98,7 +98,7 @@ def calibrate(
     """
     first = designs[STAGES[0]]
     free = len(first.shape.H) - AXLES
-    intervals = (len(first.law.bounds) - free) // AXLES
+    intervals = (len(first.bounds) - free) // AXLES
     kept = _kept(free, intervals, checked)
     highest = highest_code(hil.bits)
     unit = np.concatenate([np.full(free, 1 / KILO), np.full(AXLES * intervals, CENTI)])[kept]
@@ -115,7 +115,7 @@ def calibrate(
         A=model.A,
         B=model.B * KILO,
         E=model.E,
-        bounds=first.law.bounds[kept] * unit,
+        bounds=first.bounds[kept] * unit,
         axles=tuple(int(axle) for axle in axles),
         slack_price=SLACK_LINEAR / CENTI,
         slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
@@ -133,7 +133,7 @@ def _kept(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
 
 def _tables(design: MpcDesign, kept: NDArray[np.intp], unit: FloatArray) -> StageTables:
     free = len(design.shape.H) - AXLES
-    rows = np.hstack([design.law.checks, design.offsets])[kept] * unit[:, None]
+    rows = (design.checks * design.bounds[:, None])[kept] * unit[:, None]
     rows[:, STATES : STATES + FORCES] *= KILO
     travel = design.shape.A[: (len(design.shape.A)) // 2, :free]
     effects = np.vstack([np.eye(free), travel])[kept]

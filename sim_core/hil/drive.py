@@ -22,9 +22,9 @@ from sim_core.track import Track
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class HilRecord:
-    """Outputs on the fine grid (plant.RECORDED, steps · fine) and the loop's tally."""
+    """The record from x = 0 on (plant.RECORDED, short steps, fine steps of one + 1) and the loop's tally."""
 
-    outputs: FloatArray
+    table: FloatArray
     tally: Tally
 
 
@@ -78,5 +78,6 @@ def drive_hil(
     )
     with connect(known) as ecu:
         course = loop.run(ecu)
-    outputs = car.record(course.states, course.commands, disturbance)
-    return HilRecord(outputs=outputs, tally=course.tally)
+    on_record = slice(way.drive.before * n, None)
+    table = car.record(course.states[on_record], course.commands[on_record], disturbance[on_record])
+    return HilRecord(table=table, tally=course.tally)

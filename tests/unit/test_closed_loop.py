@@ -31,7 +31,7 @@ def test_solver_always_on_equals_solver_only_at_limits(strategy: str, monkeypatc
     """The unconstrained optimum that meets every limit is the QP's solution."""
     scenario = Scenario(road=Road(length=112, bump=Bump(start=30)), speed=Speed(detection_distance=20))
     sometimes = simulate(scenario, strategy)
-    monkeypatch.setattr(closed_loop.ClosedLoop, "_accepted", lambda self, law, z, offsets: 0)
+    monkeypatch.setattr(closed_loop.ClosedLoop, "_accepted", lambda self, stage, z, k: 0)
     always = simulate(scenario, strategy)
     assert always.events["qp_solves"] > 10 * max(1, sometimes.events["qp_solves"])
     assert always.events["qp_failures"] == always.events["qp_fallbacks"] == 0

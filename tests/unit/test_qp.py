@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sim_core import mpc as mpc_module
+from sim_core import qp
 from sim_core.qp import SOLVERS, TOLERANCE, QpShape, QpSolver, residual
 from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Mpc, Road, Scenario
@@ -51,6 +52,23 @@ def test_residual_sees_every_kind_of_wrong_answer() -> None:
     assert residual(shape, f, np.array([0.5]), right, force) > TOLERANCE  # breaks the row
     assert residual(shape, f, b, np.array([0.0, 0.0]), np.array([3.0, 0.0, 0.0])) > TOLERANCE  # gap
     assert not residual(shape, f, b, np.array([np.nan, 0.0]), force) <= TOLERANCE
+
+
+def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In every QP of a run at its limits, although a slack's price is a thousand in the same gradient."""
+    seen = []
+
+    def spied(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray) -> float:
+        for force in (0, 1):
+            off = y.copy()
+            off[force] += 1e-4  # kN
+            seen.append(residual(shape, f, b, off, multipliers))
+        return residual(shape, f, b, y, multipliers)
+
+    monkeypatch.setattr(qp, "residual", spied)
+    simulate(HARD, "lv")
+    assert len(seen) > 20
+    assert min(seen) > TOLERANCE
 
 
 def test_infeasible_and_broken_problems_give_none() -> None:

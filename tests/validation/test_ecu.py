@@ -39,7 +39,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         previous = rng.uniform(-1.5, 1.5, FORCES)
         ecu = ModelEcu(ecu_calibration(scenario), previous=previous)
         rows, count, finished, slack = ecu.optimum(i % 3, state, preview)
-        qp = MpcController(designs, preview.reshape(1, -1), scenario.mpc)
+        qp = MpcController(designs, preview[:, None], scenario.mpc)
         force = qp.step(0, STAGES[i % 3], state, previous * 1000)
         if finished:
             np.testing.assert_allclose(rows[:FORCES] * 1000, force, atol=1e-6)

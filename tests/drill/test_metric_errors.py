@@ -1,0 +1,57 @@
+"""Every metric of twenty roads of each class, of every bump and of lagging actuators, against steps of 0.02 ms."""
+
+import multiprocessing
+from itertools import product
+
+import pytest
+
+from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
+from sim_core.simulation import simulate
+from sim_core.strategies import STRATEGIES
+from tests.validation.reference.held import errors
+
+CLASSES = {"A": 16e-6, "B": 64e-6, "C": 256e-6, "D": 1024e-6, "E": 4096e-6}
+SHAPES = ("cosine", "half_sine", "circular", "flat_top", "trapezoid")
+SEEDS = range(1, 21)
+
+
+def _errors(task: tuple[Scenario, str]) -> dict[str, float]:
+    return errors(*task, simulate(*task))
+
+
+def judged(scenarios: list[Scenario], strategy: str) -> None:
+    """RMS within 0.3 % on every road; peaks within 0.5 % on average, within 1 % on the worst road."""
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        found = pool.map(_errors, [(scenario, strategy) for scenario in scenarios], chunksize=5)
+    for key in found[0]:
+        sizes = [abs(each[key]) for each in found]
+        if key.endswith(("peak", "peak_power")):
+            assert sum(sizes) / len(sizes) < 0.005, key
+            assert max(sizes) < 0.01, key
+        else:
+            assert max(sizes) < 0.003, key
+
+
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize(("name", "strategy"), product(CLASSES, STRATEGIES))
+def test_twenty_roads_of_each_class(name: str, strategy: str) -> None:
+    judged([Scenario(road=Road(roughness=CLASSES[name], seed=seed)) for seed in SEEDS], strategy)
+
+
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_every_bump(strategy: str) -> None:
+    bumps = [
+        Bump(shape=shape, height=height, width=width)
+        for shape, (height, width) in product(SHAPES, [(0.1, 4), (0.06, 1), (-0.06, 1)])
+    ]
+    judged([Scenario(road=Road(bump=bump, seed=seed)) for bump in bumps for seed in (1, 2)], strategy)
+
+
+@pytest.mark.timeout(1800)
+@pytest.mark.parametrize("strategy", ["lv", "lv_hil", "lqr", "suspension_only"])
+@pytest.mark.parametrize("sample_time", [0.005, 0.02])
+def test_other_sample_times_and_lagging_actuators(strategy: str, sample_time: float) -> None:
+    actuator = Actuator(bandwidth=10)
+    scenarios = [Scenario(road=Road(seed=seed), mpc=Mpc(sample_time=sample_time)) for seed in range(1, 6)]
+    judged([*scenarios, *(Scenario(road=Road(seed=seed), actuator=actuator) for seed in range(1, 6))], strategy)
