@@ -9,8 +9,9 @@ from typing import Any
 import orjson
 
 from sim_core import __version__ as CORE_VERSION
+from sim_core.ecu.sources import program_hash
 from sim_core.scenario import Scenario
-from sim_core.strategies import part_read
+from sim_core.strategies import STRATEGIES, SuspensionPolicy, part_read, strategy_named
 
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
@@ -31,23 +32,25 @@ def canonical(value: Any) -> bytes:
 
 
 def result_key(scenario: Scenario, strategy: str) -> str:
-    """Key of one strategy's result: core version, strategy and the part of the scenario it reads."""
-    return _hash({"core": CORE_VERSION, "strategy": strategy, "part": part_read(scenario, strategy)})
+    """Key of one strategy's result: the program that computes it, strategy and the part of the scenario it reads."""
+    return _hash({**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy)})
 
 
 def derived_key(name: str, parameters: Mapping[str, Any]) -> str:
-    """Key of what is derived from many runs: core version, what it is and what it was asked for."""
-    return _hash({"core": CORE_VERSION, "derived": name, "parameters": dict(parameters)})
+    """Key of what is derived from many runs: the program that computes them, what it is and what it was asked for."""
+    return _hash({**_program(STRATEGIES), "derived": name, "parameters": dict(parameters)})
 
 
 def run_id(scenario: Scenario, strategies: Iterable[str]) -> str:
-    """Id of a run: the whole scenario, the set of strategies and the core version."""
-    content = {
-        "core": CORE_VERSION,
-        "scenario": scenario.model_dump(mode="json"),
-        "strategies": sorted(set(strategies)),
-    }
-    return _hash(content)[:RUN_ID_LENGTH]
+    """Id of a run: the whole scenario, the set of strategies and the program that computes them."""
+    names = sorted(set(strategies))
+    return _hash({**_program(names), "scenario": scenario.model_dump(mode="json"), "strategies": names})[:RUN_ID_LENGTH]
+
+
+def _program(strategies: Iterable[str]) -> dict[str, str]:
+    """What computes these strategies: the core's version, and where one has an ECU that program's hash."""
+    by_ecu = any(strategy_named(name).suspension is SuspensionPolicy.ECU for name in strategies)
+    return {"core": CORE_VERSION, "ecu": program_hash()} if by_ecu else {"core": CORE_VERSION}
 
 
 def _hash(content: dict[str, Any]) -> str:

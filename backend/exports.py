@@ -13,8 +13,8 @@ from pyarrow import csv, parquet
 from backend import pins
 from backend.hil.drive import simulate
 from backend.series import ROWS, SeriesArray, as_json, pack
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
-from sim_core.signals import SIGNALS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,7 +15,7 @@ import plotly.graph_objects as go
 
 from backend.series import ROWS, packed
 from backend.worker import Outcome
-from sim_core.signals import REFERENCES, SIGNALS, STAGES
+from sim_core.catalogue import REFERENCES, SIGNALS, STAGES
 from sim_core.strategies import STRATEGIES
 
 

@@ -9,8 +9,8 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
 
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.strategies import STRATEGIES
 
 DEFAULT_POINTS = 800

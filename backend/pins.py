@@ -15,8 +15,8 @@ from pyarrow import parquet
 from backend.hil.drive import simulate
 from backend.series import ROWS, SeriesArray, decimate, pack
 from sim_core import __version__ as CORE_VERSION
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
-from sim_core.signals import SIGNALS
 
 LEVEL = 1  # of zstd; 9 takes three times as long for 2 % (benchmarks/pins.py)
 

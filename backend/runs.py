@@ -20,8 +20,8 @@ from backend.telemetry import CACHE
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import STRATEGIES
-from sim_core.versions import NewerScenarioError, restored
 
 FIGURE_POINTS = 2000
 

@@ -1,6 +1,6 @@
 """Time histories: packed into one array, decimated, and in JSON.
 
-A series array has shape (signals, samples), float32, rows in the catalogue's order (`sim_core.signals.SIGNALS`).
+A series array has shape (signals, samples), float32, rows in the catalogue's order (`sim_core.catalogue.SIGNALS`).
 """
 
 import base64
@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core.catalogue import SIGNALS
 from sim_core.result import StrategyResult
-from sim_core.signals import SIGNALS
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}

@@ -16,7 +16,7 @@ from backend.batches.sweeps import Sweep, points
 from benchmarks.api_latency import TOGETHER, server, timed
 from benchmarks.timing import table
 from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 
 FEW, MANY = 1000, 10_000
 SAMPLE = 300  # runs that tell the core's own rate

@@ -7,18 +7,18 @@ import numpy as np
 
 from benchmarks import plain_osqp_loop
 from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
-from sim_core.presets import preset
+from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 
 TOGETHER = ("lv", "lqr", "passive")
 PAPER = preset("paper")
 _COLD = """
 from time import perf_counter
 t0 = perf_counter()
-from sim_core.presets import preset
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 t1 = perf_counter()
 for name in {names!r}:
     simulate(preset("paper"), name)

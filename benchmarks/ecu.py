@@ -12,10 +12,11 @@ import numpy as np
 from backend.hil import effort, firmware
 from backend.hil.link import ProcessEcu, connected
 from benchmarks.cortex_m3 import CortexM3
-from sim_core.hil.calibration import Calibration, Checked
-from sim_core.hil.ecu import Ecu, Frame, Reply
+from sim_core.ecu.calibration import Calibration, Checked
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.scenario import Mpc, Scenario
-from sim_core.simulation import ecu_calibration, simulate_ecu
+from sim_core.simulate import simulate
 
 SIZES: tuple[tuple[int, int, Checked], ...] = ((30, 20, "all"), (30, 20, "few"), (15, 10, "all"), (8, 4, "all"))
 RANKS = (-1, -5, -20, -100)  # the busiest steps, from the end
@@ -46,7 +47,7 @@ def main() -> None:
         mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
         scenario = Scenario(mpc=mpc)
         known, noting = ecu_calibration(scenario, checked), _Noting()
-        simulate_ecu(scenario, known, noting.connect)
+        simulate(scenario, "lv_hil", noting.connect, known)
         machine = CortexM3(firmware.image(known))
         machine.call("ridelab_firmware_start")
         order = sorted(range(1, len(noting.steps)), key=lambda k: noting.steps[k][2])

@@ -14,9 +14,9 @@ from pyarrow import parquet
 from backend import pins
 from backend.series import ROWS, SeriesArray, pack
 from benchmarks.timing import table
-from sim_core.presets import preset
 from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 
 REPEATS = 5

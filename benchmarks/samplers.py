@@ -17,9 +17,8 @@ import optuna
 from backend.store.tunings import StoredTrial
 from backend.tuner import front, space
 from backend.tuner.objectives import objective_value
-from sim_core import dotted
-from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
+from sim_core.scenario import Scenario, dotted
+from sim_core.simulate import simulate
 
 STRATEGY = "lv"
 TRIALS, GENERATION = 192, 16

@@ -1,6 +1,6 @@
 """Ridelab's simulation core: pure numerics, no web.
 
-`simulate(scenario, strategy)` is the whole of it; a scenario comes from `sim_core.scenario` or `sim_core.presets`.
+`simulate(scenario, strategy)` is the whole of it; a scenario comes from `sim_core.scenario` or its presets.
 """
 
 import os

@@ -7,15 +7,16 @@ from time import perf_counter
 
 from pydantic import ValidationError
 
-from sim_core import __version__, errata, reference
+from sim_core import __version__
+from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.errors import RidelabError
-from sim_core.margins import change, margins, mean_metrics
-from sim_core.presets import PRESETS, preset
 from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS, SIGNALS
-from sim_core.simulation import simulate
+from sim_core.scenario import Scenario, reference
+from sim_core.scenario.presets import PRESETS, preset
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
+from sim_core.study import errata
+from sim_core.study.margins import change, margins, mean_metrics
 
 _COLUMNS = (("rough_road", "rms", "RMS on the rough road"), ("bump", "peak", "peak on the bump"))
 

@@ -27,7 +27,7 @@ def size(value: object) -> int:
     return sum(map(size, value)) if isinstance(value, tuple) else 0
 
 
-def kept(mebibytes: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
+def cached_up_to(mebibytes: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
     """Keep a pure function's latest results up to so many MiB; a larger one is not kept at all.
 
     Arguments must be hashable; results are shared, so nobody may write into them.

@@ -10,17 +10,23 @@ from functools import lru_cache
 
 import numpy as np
 
-from sim_core.controller import Controller, LinearLaw
-from sim_core.half_car import FORCES, STATES
-from sim_core.plant import Plant
+from sim_core.car.half_car import FORCES, STATES
+from sim_core.car.plant import Plant, plant
+from sim_core.control.controller import Controller, LinearLaw
+from sim_core.control.making import make_controller
+from sim_core.drive.sampling import RoadInput
+from sim_core.drive.speed_profile import Drive
+from sim_core.recording import Recording
 from sim_core.recurrence import Recurrence, recurrence
 from sim_core.result import FloatArray
+from sim_core.scenario import Actuator, Scenario
+from sim_core.strategies import Strategy, SuspensionPolicy
 
 _FIRST_BLOCK, _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 256, 512, 8
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Course:
+class Trajectory:
     """States at the control instants (steps, n), commands (steps, 2) [N], and in how many steps a limit bound."""
 
     states: FloatArray
@@ -63,7 +69,7 @@ class ClosedLoop:
         self._most_change = most_change
         self._most_force = most_force
 
-    def run(self, stages: list[tuple[str, int, int]]) -> Course:
+    def run(self, stages: list[tuple[str, int, int]]) -> Trajectory:
         """Drive the stages (name, first step, one past the last) from rest, without a command before the first."""
         plant, steps = self._plant, len(self._forcing)
         n = plant.size
@@ -89,7 +95,7 @@ class ClosedLoop:
                     states[k], commands[k] = state, previous
                     state = plant.A @ state + plant.B @ previous + self._forcing[k]
                     limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
-        return Course(states=states, commands=commands, limited=limited)
+        return Trajectory(states=states, commands=commands, limited=limited)
 
     def _speculate(
         self, law: LinearLaw, state: FloatArray, previous: FloatArray, feed: FloatArray, k: int
@@ -112,3 +118,33 @@ class ClosedLoop:
         if np.isfinite(self._most_force):
             held &= (np.abs(commands) <= self._most_force).all(axis=1)
         return len(held) if held.all() else int(held.argmin())
+
+
+def drive_controller(
+    scenario: Scenario,
+    strategy: Strategy,
+    motion: Drive,
+    road_input: RoadInput,
+    stages: list[tuple[str, int, int]],
+) -> Recording:
+    """Drive a strategy's controller over a road; `stages` as `segments` gives them.
+
+    Raises:
+        RidelabError: The vehicle and weights admit no stabilising controller.
+    """
+    actuator = Actuator() if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.actuator
+    car = plant(scenario.real_vehicle, actuator, road_input.step, road_input.fine)
+    controller = make_controller(scenario, strategy, motion, road_input)
+    most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * road_input.step
+    most_force = np.inf if actuator.saturation is None else actuator.saturation
+    loop = ClosedLoop(controller, car, road_input.disturbance @ car.E, most_change, most_force)
+    trajectory = loop.run(stages)
+    from_start = slice(road_input.drive.before, None)
+    return Recording(
+        table=car.record(
+            trajectory.states[from_start], trajectory.commands[from_start], road_input.disturbance[from_start]
+        ),
+        road_input=road_input,
+        report=controller.report,
+        limited=trajectory.limited,
+    )

@@ -11,32 +11,21 @@ from math import ceil, floor, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.caching import kept
+from sim_core.caching import cached_up_to
+from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.comfort import vibration_dose, weighted
-from sim_core.controller import SolverReport
-from sim_core.half_car import OUTPUTS
-from sim_core.hil.loop import Tally
-from sim_core.longitudinal import KMH, TARGET_BAND, Drive
+from sim_core.drive.sampling import AxlePath, RoadInput, SampledDrive
+from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
+from sim_core.recording import RECORDED_SIGNALS, Recording
 from sim_core.result import FloatArray, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.signals import METRIC_SIGNALS, WINDOWS
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
-from sim_core.track import AxlePath, SampledDrive, Track
 
-RECORD = (*OUTPUTS, "front_force", "rear_force")  # the order of plant.Plant.record
-_ROW = {signal: row for row, signal in enumerate(RECORD)}
+_ROW = {signal: row for row, signal in enumerate(RECORDED_SIGNALS)}
 _JUMPING = ("body_acceleration", "pitch_acceleration")  # with the force; steep lines in between
 _TYRE_LOADS = ("front_tyre_load", "rear_tyre_load")
 _SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
 _NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at it
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Recording:
-    """RECORD's signals (10, rows, fine steps of a row + 1) from x = 0 on, and the track they were recorded on."""
-
-    table: FloatArray
-    track: Track
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -74,18 +63,16 @@ def evaluate(
     drive: Drive,
     stages: tuple[Span, ...],
     recording: Recording,
-    report: SolverReport,
-    limited_steps: int,
-    tally: Tally | None = None,
 ) -> StrategyResult:
-    """Everything a run reports, from its recording; `tally` of a strategy with an ECU."""
-    bump, track = scenario.road.bump, recording.track
+    """Everything a run reports, from its recording."""
+    bump, road_input = scenario.road.bump, recording.road_input
+    report, loop = recording.report, recording.loop
     bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
     rows, per_row = recording.table.shape[1:]
-    places = _windows(track.drive, drive, bump.start, bump_end, scenario.road.length, rows, per_row)
-    samples = recording.table.reshape(len(RECORD), -1)
+    places = _windows(road_input.drive, drive, bump.start, bump_end, scenario.road.length, rows, per_row)
+    samples = recording.table.reshape(len(RECORDED_SIGNALS), -1)
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
-    metrics = _by_window(samples, places, track, tyres)
+    metrics = _by_window(samples, places, road_input, tyres)
 
     arrival = float(drive.at(np.array(drive.time_at(bump.start)))[1])
     static = scenario.real_vehicle.static_loads
@@ -94,13 +81,15 @@ def evaluate(
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
     power = _power(samples) if actuated else np.zeros(1)
-    filtered = weighted(recording.table[_ROW["body_acceleration"]], track.fine_step)[: len(track.series["time"])]
+    filtered = weighted(recording.table[_ROW["body_acceleration"]], road_input.fine_step)[
+        : len(road_input.series["time"])
+    ]
     return StrategyResult(
         strategy=strategy.id,
         metrics=metrics,
         comfort={
             "weighted_rms": sqrt(float(filtered @ filtered) / len(filtered)),
-            "vibration_dose": vibration_dose(filtered, track.fine_step),
+            "vibration_dose": vibration_dose(filtered, road_input.fine_step),
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
             "actuator_mean_power": float(power @ places.weights[-1]) if actuated else 0.0,
@@ -111,14 +100,14 @@ def evaluate(
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": bump_end <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
-            "limited_steps": limited_steps,
+            "limited_steps": recording.limited,
             "qp_solves": report.solves,
             "qp_fallbacks": report.fallbacks,
             "qp_failures": report.failures,
             "max_slack_mm": report.max_slack * 1000,
-            "ecu_most_iterations": tally.iterations if tally else None,
-            "ecu_clipped_values": tally.clipped if tally else None,
-            "ecu_held_commands": tally.held if tally else None,
+            "ecu_most_iterations": loop.iterations if loop else None,
+            "ecu_clipped_values": loop.clipped if loop else None,
+            "ecu_held_commands": loop.held if loop else None,
         },
         reference={
             "front_static_load": static[0],
@@ -131,12 +120,12 @@ def evaluate(
         stages=stages,
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(track.series, dict(zip(RECORD, recording.table, strict=True))),
+        series=Series(road_input.series, dict(zip(RECORDED_SIGNALS, recording.table, strict=True))),
     )
 
 
 def _by_window(
-    samples: FloatArray, places: Windows, track: Track, tyres: tuple[float, float]
+    samples: FloatArray, places: Windows, road_input: RoadInput, tyres: tuple[float, float]
 ) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS, from samples (10, n)."""
     squares = np.stack([places.weights @ (values * values) for values in samples])
@@ -146,9 +135,9 @@ def _by_window(
     rms = np.sqrt(np.maximum(squares, 0))
     peaks = [np.maximum(part.max(axis=1, initial=0), -part.min(axis=1, initial=0)) for part in _parts(samples, places)]
     for axle, signal in enumerate(_TYRE_LOADS):
-        row, at, share = _ROW[signal], places.kinks[axle].samples, track.drive.axles[axle].kink_share
+        row, at, share = _ROW[signal], places.kinks[axle].samples, road_input.drive.axles[axle].kink_share
         before = samples[row].take(at)
-        there = before + share * (samples[row].take(at + 1) - before) + tyres[axle] * track.kink_rise[axle]
+        there = before + share * (samples[row].take(at + 1) - before) + tyres[axle] * road_input.kink_rise[axle]
         for peak, part in zip(peaks, places.kinks[axle].within, strict=True):
             peak[row] = max(peak[row], there[part].max(initial=0), -there[part].min(initial=0))
     arrival, leaving, end = (
@@ -170,12 +159,12 @@ def _parts(samples: FloatArray, places: Windows) -> list[FloatArray]:
     return [samples[:, part] for part in places.within]
 
 
-@kept(16)
+@cached_up_to(16)
 def _windows(
-    track: SampledDrive, drive: Drive, bump_start: float, bump_end: float, length: float, rows: int, per_row: int
+    sampled: SampledDrive, drive: Drive, bump_start: float, bump_end: float, length: float, rows: int, per_row: int
 ) -> Windows:
     """The windows of a record with so many rows of so many samples."""
-    h, fine = track.fine_step, per_row - 1
+    h, fine = sampled.fine_step, per_row - 1
     arrival, leaving, end = (drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))
     edges = [round(place) if abs(place - round(place)) < _SNAP else place for place in (0.0, arrival, leaving, end)]
     spans = list(pairwise(edges))
@@ -209,7 +198,7 @@ def _windows(
         segments=segments.reshape(len(WINDOWS), -1)[:, :-1],
         within=tuple(slice(first_sample(first), stop_sample(last)) for first, last in spans),
         ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),
-        kinks=tuple(axle_kinks(axle) for axle in track.axles),
+        kinks=tuple(axle_kinks(axle) for axle in sampled.axles),
         duration=(edges[-1] - edges[0]) * h,
     )
 

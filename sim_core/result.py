@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 
 FloatArray = NDArray[np.float64]
 

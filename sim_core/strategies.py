@@ -119,7 +119,7 @@ STRATEGIES: dict[str, Strategy] = {
 }
 
 
-def strategy(name: str) -> Strategy:
+def strategy_named(name: str) -> Strategy:
     """The strategy with that id.
 
     Raises:
@@ -134,7 +134,7 @@ def strategy(name: str) -> Strategy:
 def part_read(scenario: Scenario, name: str) -> dict[str, Any]:
     """The part of the scenario that strategy reads: dotted name -> plain JSON value, sorted by name."""
     chosen: dict[str, Any] = {}
-    for path in sorted(strategy(name).reads):
+    for path in sorted(strategy_named(name).reads):
         value: Any = scenario
         for key in path.split("."):
             value = getattr(value, key)

@@ -1,10 +1,10 @@
 """What a run will cost, told from the scenario alone, so that a service can refuse it before starting."""
 
-from sim_core.hil.loop import short_steps
-from sim_core.longitudinal import CONTROL_STEP, KMH, TARGET_BAND
+from sim_core.drive.sampling import fine_step
+from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND
+from sim_core.ecu.loop import short_steps
 from sim_core.scenario import Scenario
-from sim_core.simulation import fine_step
-from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy
+from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy_named
 
 # Seconds of one core, rounded up from `make bench`; coefficients of a worst case, not of a typical run.
 _START = 0.005
@@ -24,7 +24,7 @@ def duration(scenario: Scenario, name: str) -> float:
     """Longest time the strategy can take from x = 0 to the road's end [s]."""
     speed, road = scenario.speed, scenario.road
     initial = speed.initial_speed_kmh * KMH
-    if strategy(name).speed is SpeedPolicy.CONSTANT:
+    if strategy_named(name).speed is SpeedPolicy.CONSTANT:
         return road.length / initial
     slowest = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
     detection = max(0.0, road.bump.start - speed.detection_distance)
@@ -37,7 +37,7 @@ def estimate(scenario: Scenario, name: str) -> float:
     Raises:
         UnknownNameError: No such strategy.
     """
-    chosen, mpc, time = strategy(name), scenario.mpc, duration(scenario, name)
+    chosen, mpc, time = strategy_named(name), scenario.mpc, duration(scenario, name)
     cost = _START + time / fine_step(scenario, chosen.speed) * _PER_FINE_STEP
     if chosen.speed is SpeedPolicy.PLANNED:
         cost += time / CONTROL_STEP * _PER_PLAN_STEP

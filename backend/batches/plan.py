@@ -13,10 +13,9 @@ from backend import digest
 from backend.batches.sweeps import Sweep, points
 from backend.chunk import WaitingRun
 from backend.hil.drive import simulate
-from sim_core import dotted
 from sim_core.errors import RidelabError
-from sim_core.scenario import SCHEMA_VERSION, Scenario
-from sim_core.versions import restored
+from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
+from sim_core.scenario.versions import restored
 from sim_core.workload import estimate
 
 PILOTS = 5  # runs tried to tell how long a batch takes

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim_core import dotted
-from sim_core.signals import PAPER_SIGNALS
+from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
 
 SAMPLES = 200

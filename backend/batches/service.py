@@ -25,8 +25,7 @@ from backend.store import Store, StoredBatch
 from backend.store.batches import FINAL, UNFINISHED, BatchRow
 from backend.streams import server_sent
 from sim_core import __version__ as CORE_VERSION
-from sim_core import dotted
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 
 ID_BYTES = 16  # 22 characters
 PAGE = 250  # rows read in one transaction

@@ -17,7 +17,7 @@ from backend.batches.plan import scenario_at
 from backend.hil.drive import simulate
 from sim_core.errors import RidelabError
 from sim_core.result import FloatArray
-from sim_core.stability import least_damping
+from sim_core.study.stability import least_damping
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance
 MOST_GROUPS = 10  # of a field's values, for the share of a figure's variance it explains

@@ -1,7 +1,7 @@
 """Sweeps: which points of the scenario's space a batch visits.
 
-A sweep as it is sent names fields by their dotted names (`sim_core.dotted`); `points` checks each name and value and
-makes the list of points, each a mapping of those fields to values.
+A sweep as it is sent names fields by their dotted names (`sim_core.scenario.dotted`); `points` checks each name and
+value and makes the list of points, each a mapping of those fields to values.
 """
 
 import itertools
@@ -14,8 +14,8 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
-from sim_core import dotted
 from sim_core.errors import RidelabError
+from sim_core.scenario import dotted
 
 Changes = dict[str, Any]
 # Checked against its field, not against a type: the error then says what that field takes.

@@ -10,8 +10,8 @@ from pyarrow import csv, parquet
 
 from backend.store import StoredBatch
 from backend.store.batches import BatchRow
-from sim_core import dotted
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.scenario import dotted
 
 Format = Literal["json", "csv", "parquet"]
 Pages = AsyncIterator[list[BatchRow]]

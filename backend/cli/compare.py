@@ -83,7 +83,7 @@ def _print(
     found: list[targets.Found], runs: list[RunResult], names: list[str], told: list[Difference], all_told: int
 ) -> None:
     from backend.cli.tables import aligned, shown, with_unit
-    from sim_core import dotted
+    from sim_core.scenario import dotted
 
     for side, item, run in zip("AB", found, runs, strict=True):
         typer.echo(f"{side}  {item.name} (core {run.core_version})")

@@ -10,7 +10,7 @@ from backend.cli import fields, options, output, targets
 from backend.cli.reporting import InputError, note
 from backend.cli.services import Services
 from backend.cli.tables import aligned
-from sim_core.signals import SIGNALS, WINDOWS
+from sim_core.catalogue import SIGNALS, WINDOWS
 
 
 def controller(

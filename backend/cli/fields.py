@@ -8,9 +8,8 @@ from typing import Any
 
 from backend.cli.reporting import InputError
 from backend.cli.targets import document
-from sim_core import dotted
 from sim_core.errors import RidelabError
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 
 _SPAN = re.compile(r"([^:,]+):([^:,]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005

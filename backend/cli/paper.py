@@ -12,7 +12,7 @@ from backend.cli import options, output
 from backend.cli.reporting import InputError, note, terminal
 from backend.cli.services import Services
 from backend.cli.tables import aligned
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 
 _HEADS = ("table", "figure", "strategy", "against", "printed", "change", "ours", "change", "95 %", "verdict")
 _BLIND = ("without preview", "95 %", "verdict")
@@ -90,7 +90,7 @@ def _chosen(readings: Sequence[str]) -> dict[str, str]:
         InputError: There is no such reading or choice, or one is given twice.
     """
     from sim_core.errors import RidelabError
-    from sim_core.readings import reading
+    from sim_core.study.interpretations import reading
 
     chosen: dict[str, str] = {}
     for text in readings:

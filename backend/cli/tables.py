@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence, Set
 from typing import Any
 
 from backend.client import Outcome, RunResult
-from sim_core.signals import PAPER_SIGNALS, SIGNALS
+from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.strategies import STRATEGIES
 
 _COLUMNS = (("rough_road", "rms", "RMS on the rough road"), ("bump", "peak", "peak on the bump"))

@@ -52,7 +52,7 @@ def find(target: str, services: Services) -> Found:
         return _address(target, services)
     if Path(target).is_file():
         return _document(Path(target).read_bytes(), target)
-    from sim_core.presets import PRESETS
+    from sim_core.scenario.presets import PRESETS
 
     if target in PRESETS:
         return Found(name=target, scenario=PRESETS[target].scenario.model_dump(mode="json"))

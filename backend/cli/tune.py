@@ -23,7 +23,7 @@ from backend.cli.reporting import (
 from backend.cli.services import Services
 from backend.client import Ridelab, RidelabClientError, Tuning
 from backend.client.files import save
-from sim_core import dotted
+from sim_core.scenario import dotted
 
 
 def tune(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, Self, TypedDict
 
 from backend.client.batch import Batch
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
 
 Figure = float | bool | None
 

@@ -16,11 +16,12 @@ from backend.hil.build import EcuError
 from backend.hil.link import connected
 from backend.hil.realtime import CELLS, changes
 from backend.hil.report import report
+from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.ecu.drive import ecu_calibration
 from sim_core.errors import RidelabError
-from sim_core.margins import change
 from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import ecu_calibration, simulate_ecu
+from sim_core.simulate import simulate
+from sim_core.study.margins import change
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -58,7 +59,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _drive(scenario: Scenario, program: Path) -> None:
-    result = simulate_ecu(scenario, ecu_calibration(scenario), partial(connected, program=program.resolve()))
+    result = simulate(scenario, "lv_hil", partial(connected, program=program.resolve()), ecu_calibration(scenario))
     own = drive.simulate(scenario, "lv_hil")
     same = result.summary() == own.summary()
     print(f"{program} drove the scenario; every figure {'is' if same else 'is NOT'} that of Ridelab's own program")

@@ -8,8 +8,8 @@ from backend.hil.link import connected
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.simulation import simulate as simulate_core
-from sim_core.strategies import SuspensionPolicy, strategy
+from sim_core.simulate import simulate as simulate_core
+from sim_core.strategies import SuspensionPolicy, strategy_named
 
 logger = logging.getLogger(__name__)
 
@@ -23,9 +23,9 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
 
     Raises:
         EcuUnavailableError: The program cannot be built, or failed twice.
-        RidelabError: As `sim_core.simulation.simulate` raises.
+        RidelabError: As `sim_core.simulate.simulate` raises.
     """
-    if strategy(name).suspension is SuspensionPolicy.ECU:
+    if strategy_named(name).suspension is SuspensionPolicy.ECU:
         try:
             build.program()
         except EcuError as error:

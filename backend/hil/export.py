@@ -5,8 +5,8 @@ import zipfile
 from pathlib import Path
 
 from backend.hil import tables
-from backend.hil.build import SOURCES
-from sim_core.hil.calibration import Calibration
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.sources import SOURCES
 
 CONTROLLER = (
     "ridelab_tables.h",

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from backend.hil import export
-from backend.hil.build import CONTROLLER, NO_CROSS_COMPILER, EcuError, compiled, compiler_cache, has_zig, zig
-from sim_core.hil.calibration import Calibration
+from backend.hil.build import NO_CROSS_COMPILER, EcuError, compiled, compiler_cache, has_zig, zig
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.sources import CONTROLLER
 
 FLASH, RAM = 0x08000000, 0x20000000  # stm32f103.ld
 _COMMAND = (

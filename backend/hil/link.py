@@ -18,10 +18,10 @@ import numpy as np
 
 from backend.hil import build, tables
 from backend.hil.build import EcuError
-from sim_core.half_car import STATES
-from sim_core.hil.calibration import Calibration
-from sim_core.hil.channels import PREVIEW
-from sim_core.hil.ecu import Ecu, Frame, Reply
+from sim_core.car.half_car import STATES
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.channels import PREVIEW
+from sim_core.ecu.interface import Ecu, Frame, Reply
 
 GREETING = b"RIDELAB1"
 TOKEN = 32

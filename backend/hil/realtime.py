@@ -15,12 +15,13 @@ import numpy as np
 from backend.hil import drive
 from backend.hil.build import EcuError
 from backend.hil.link import ProcessEcu, connected
-from sim_core.hil.calibration import Calibration
-from sim_core.hil.ecu import Ecu, Frame, Reply
+from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import ecu_calibration, simulate_ecu
+from sim_core.simulate import simulate
 
 LONGEST = 60.0  # a drive may take [s]
 BINS = 40
@@ -82,7 +83,7 @@ def drive_by_clock(scenario: Scenario) -> dict[str, Any]:
 
     known = ecu_calibration(scenario)
     try:
-        measured = simulate_ecu(scenario, known, paced)
+        measured = simulate(scenario, "lv_hil", paced, known)
     except EcuError as error:
         raise drive.EcuUnavailableError(error.message) from None
     lock_step = drive.simulate(scenario, "lv_hil")

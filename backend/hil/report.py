@@ -10,11 +10,12 @@ from backend.hil.build import EcuError
 from backend.hil.effort import STM32F103, Part
 from backend.hil.link import connected
 from backend.hil.realtime import changes
-from sim_core.hil.calibration import Calibration, Checked
-from sim_core.hil.ecu import Ecu
+from sim_core.ecu.calibration import Calibration, Checked
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Ecu
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.simulation import ecu_calibration, simulate_ecu
+from sim_core.simulate import simulate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,7 +90,7 @@ def _row(scenario: Scenario, checked: Checked, part: Part, simulated: StrategyRe
             yield link
             operations.extend(link.operations)
 
-    result = simulate_ecu(scenario, known, counted)
+    result = simulate(scenario, "lv_hil", counted, known)
     least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
     reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
     return {

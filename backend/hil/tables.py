@@ -6,9 +6,9 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from sim_core.half_car import FORCES, STATES
-from sim_core.hil.calibration import MOST_ACTIVE, Calibration
-from sim_core.hil.channels import PREVIEW, SENSORS, STAGES, highest_code
+from sim_core.car.half_car import FORCES, STATES
+from sim_core.ecu.calibration import MOST_ACTIVE, Calibration
+from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
 from sim_core.result import FloatArray
 
 _ACROSS = 6  # numbers a line

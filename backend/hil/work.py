@@ -5,8 +5,8 @@ import json
 from backend.hil import export
 from backend.hil.realtime import drive_by_clock as drive_by_clock
 from backend.hil.report import report as report
+from sim_core.ecu.drive import ecu_calibration
 from sim_core.scenario import Scenario
-from sim_core.simulation import ecu_calibration
 
 
 def archive(scenario: Scenario) -> bytes:

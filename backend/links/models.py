@@ -8,8 +8,8 @@ from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.strategies import STRATEGIES
 
 SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"

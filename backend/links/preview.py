@@ -7,7 +7,7 @@ from datetime import datetime
 from html import escape
 from typing import Any
 
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
 SIGNALS_TOLD = ("body_acceleration", "pitch_acceleration")

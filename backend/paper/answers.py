@@ -4,13 +4,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sim_core import __version__ as CORE_VERSION
-from sim_core import paper
-from sim_core.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
-from sim_core.errata import ERRATA
-from sim_core.paper import FIGURES, Judged
-from sim_core.paper_tables import TABLES, PaperCell, cells
-from sim_core.readings import READINGS
-from sim_core.statistics import Interval, change_with_interval, mean_with_interval
+from sim_core.study import paper
+from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
+from sim_core.study.errata import ERRATA
+from sim_core.study.interpretations import READINGS
+from sim_core.study.intervals import Interval, change_with_interval, mean_with_interval
+from sim_core.study.paper import FIGURES, Judged
+from sim_core.study.paper_tables import TABLES, PaperCell, cells
 
 
 def reproduction(

@@ -9,9 +9,9 @@ from backend.figures import PANELS, STYLES, filled, templates
 from backend.paper.work import SPEEDS_KMH
 from backend.series import packed
 from backend.worker import Outcome
-from sim_core.signals import PAPER_SIGNALS, SIGNALS
-from sim_core.statistics import mean_with_interval
+from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.strategies import STRATEGIES
+from sim_core.study.intervals import mean_with_interval
 
 # First figure of each group of four (one for every paper signal) -> its title and whom it shows.
 GROUPS: dict[int, tuple[str, tuple[str, ...]]] = {

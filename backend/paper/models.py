@@ -5,9 +5,9 @@ from typing import Annotated, Any, Literal
 from pydantic import ConfigDict, Field, create_model
 
 from backend.models import Answer, RequestModel
-from sim_core.paper import SEEDS
-from sim_core.readings import READINGS
 from sim_core.scenario import Scenario
+from sim_core.study.interpretations import READINGS
+from sim_core.study.paper import SEEDS
 
 Verdict = Literal["reached", "smaller", "contradicts", "unavailable"]
 Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]

@@ -21,9 +21,9 @@ from backend.reports.page import Report
 from backend.results import Results
 from backend.store import Store, StoredResult
 from sim_core import __version__ as CORE_VERSION
-from sim_core import paper
-from sim_core.readings import READINGS
 from sim_core.scenario import Scenario
+from sim_core.study import paper
+from sim_core.study.interpretations import READINGS
 
 AT_ONCE = 4  # roads one worker task drives
 HISTORY_POINTS = 1200

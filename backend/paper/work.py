@@ -4,19 +4,19 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from backend.hil.drive import simulate
-from sim_core.attribution import COMFORT_FIGURES, VARIANTS
-from sim_core.paper import IN_ECU, SIMULATED, figures_of, scenario_for
+from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Road, Scenario, Speed
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import simulate as simulate_core
+from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import Strategy
+from sim_core.study.attribution import COMFORT_FIGURES, VARIANTS
+from sim_core.study.paper import IN_ECU, SIMULATED, figures_of, scenario_for
 
 ROAD_END = 110  # Eq. 3 [m]
 SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
 
 
 def simulated_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
-    """For each seed: strategy -> its eight figures (`sim_core.paper.FIGURES`), under these readings."""
+    """For each seed: strategy -> its eight figures (`sim_core.study.paper.FIGURES`), under these readings."""
     return [{name: figures_of(simulate(scenario_for(chosen, seed), name)) for name in SIMULATED} for seed in seeds]
 
 

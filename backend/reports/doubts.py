@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from backend.reports.numbers import NOTHING, amount, told, with_unit
-from sim_core.signals import EVENTS
+from sim_core.catalogue import EVENTS
 
 Events = Mapping[str, Any]
 

@@ -10,7 +10,7 @@ from backend.reports.keys import label
 from backend.reports.numbers import exact, percent, pretty_unit, significant
 from backend.reports.page import Report, render
 from sim_core import __version__ as CORE_VERSION
-from sim_core.signals import COMFORT, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.catalogue import COMFORT, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
 
 MARKS = {"reached": "✔", "smaller": "◐", "contradicts": "✘"}
 UNAVAILABLE = "unavailable"  # a verdict that is none

@@ -14,7 +14,7 @@ from backend.reports.numbers import NO_VALUE, NOTHING, SAME, exact, percent, pre
 from backend.reports.page import Report, render
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
-from sim_core.signals import (
+from sim_core.catalogue import (
     COMFORT,
     EVENTS,
     METRIC_SIGNALS,

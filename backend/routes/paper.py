@@ -9,7 +9,7 @@ from backend.paper import models
 from backend.paper.service import Paper
 from backend.routes import router
 from backend.routes.deps import Client, html_answer, json_answer, takes_gzip, unless_gone
-from sim_core.paper import SEEDS
+from sim_core.study.paper import SEEDS
 
 paper = router("paper", 422, 429, 503)
 

@@ -19,7 +19,7 @@ from backend.routes.deps import (
     unless_gone,
     unless_known,
 )
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
 runs = router("runs", 404, 422, 503)

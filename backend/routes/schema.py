@@ -10,9 +10,9 @@ from fastapi import Response
 
 from backend import figures, models
 from backend.routes import router
-from sim_core import signals
-from sim_core.presets import PRESETS
+from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
 
 schema = router("schema")
@@ -56,21 +56,21 @@ def _strategies() -> bytes:
 
 @cache
 def _catalogue() -> bytes:
-    def listed(quantities: Iterable[signals.Quantity]) -> list[dict[str, Any]]:
+    def listed(quantities: Iterable[catalogue.Quantity]) -> list[dict[str, Any]]:
         return [dataclasses.asdict(quantity) for quantity in quantities]
 
     return orjson.dumps(
         {
-            "signals": listed(signals.SIGNALS.values()),
-            "metric_signals": signals.METRIC_SIGNALS,
-            "paper_signals": signals.PAPER_SIGNALS,
-            "windows": listed(signals.WINDOWS.values()),
-            "statistics": listed(signals.STATISTICS.values()),
-            "stages": listed(signals.STAGES.values()),
-            "comfort": listed(signals.COMFORT.values()),
-            "events": listed(signals.EVENTS.values()),
-            "run_figures": listed(signals.RUN_FIGURES.values()),
-            "references": listed(signals.REFERENCES.values()),
+            "signals": listed(catalogue.SIGNALS.values()),
+            "metric_signals": catalogue.METRIC_SIGNALS,
+            "paper_signals": catalogue.PAPER_SIGNALS,
+            "windows": listed(catalogue.WINDOWS.values()),
+            "statistics": listed(catalogue.STATISTICS.values()),
+            "stages": listed(catalogue.STAGES.values()),
+            "comfort": listed(catalogue.COMFORT.values()),
+            "events": listed(catalogue.EVENTS.values()),
+            "run_figures": listed(catalogue.RUN_FIGURES.values()),
+            "references": listed(catalogue.REFERENCES.values()),
         }
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 from backend.store.tunings import StoredTrial
 from backend.tuner import front
 from backend.tuner.measure import Failure, Measured, Roads, mean
-from sim_core.statistics import change_with_interval, mean_with_interval
+from sim_core.study.intervals import change_with_interval, mean_with_interval
 
 PAPER, SCENARIO, KNEE = "paper", "scenario", "knee"
 

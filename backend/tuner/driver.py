@@ -19,7 +19,7 @@ from backend.tuner.steps import Steps
 from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION
-from sim_core.versions import restored
+from sim_core.scenario.versions import restored
 
 logger = logging.getLogger(__name__)
 

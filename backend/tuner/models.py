@@ -10,8 +10,8 @@ from backend.batches.table import FIGURES, FLAGS
 from backend.models import Answer, RequestModel
 from backend.store.tunings import State
 from backend.tuner.space import LARGEST, STRATEGIES, default_search, searchable
+from sim_core.catalogue import WINDOWS
 from sim_core.scenario import Scenario
-from sim_core.signals import WINDOWS
 
 MOST_TRIALS = 5000
 MOST_POPULATION = 256

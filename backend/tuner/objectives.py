@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from backend.batches.table import FIGURES, at
-from sim_core.signals import COMFORT, EVENTS, PAPER_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.catalogue import COMFORT, EVENTS, PAPER_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
 
 Summary = Mapping[str, Any]  # of one run, as it is stored
 

@@ -4,8 +4,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import Any
 
-from sim_core import dotted
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 
 SMALLEST, LARGEST = 0.05, 1000.0  # of a searched range where none is named; the scenario's hard limit
 DEFAULT_RANGE = (SMALLEST, 50.0)

@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from backend.batches import sweeps
-from sim_core import dotted
-from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
+from sim_core.scenario import Scenario, dotted
+from sim_core.simulate import simulate
 from tests.api.streams import told
 from tests.servers.process import wait_until
 

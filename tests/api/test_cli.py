@@ -19,7 +19,7 @@ import pytest
 
 from sim_core import __version__
 from sim_core.__main__ import main as core_main
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.api.cli import Cli, command, environment
 from tests.api.conftest import Service

@@ -15,9 +15,9 @@ import pyarrow.parquet as pq
 import pytest
 
 from backend.client import Batch, Ridelab, RidelabAPIError, RidelabConnectionError, RunResult
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario
-from sim_core.signals import SIGNALS
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 
 SHORT = Scenario(road=Road(length=112, bump=Bump(start=72)))  # nobody else's, so that nothing is stored yet
 HEIGHTS = [0.03, 0.05, 0.07]

@@ -10,7 +10,7 @@ import pytest
 
 from backend.figures import PANELS, STYLES, templates
 from backend.models import Figures
-from sim_core.signals import REFERENCES, SIGNALS
+from sim_core.catalogue import REFERENCES, SIGNALS
 from sim_core.strategies import STRATEGIES
 
 

@@ -14,7 +14,7 @@ import pytest
 from backend.batches import table as batch_table
 from backend.security import CONTENT_SECURITY_POLICY, HEADERS
 from backend.settings import Settings
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.api.test_batches import wait_for
 

@@ -14,8 +14,8 @@ from backend.paper import models, work
 from backend.paper.service import stored_rows
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
-from sim_core.paper import SEEDS, default_choices
-from sim_core.readings import READINGS
+from sim_core.study.interpretations import READINGS
+from sim_core.study.paper import SEEDS, default_choices
 from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
 from tests.api.streams import told

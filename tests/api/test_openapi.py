@@ -12,9 +12,9 @@ import pytest
 from backend.app import create_app
 from backend.models import Catalogue, PresetAnswer, StrategyAnswer
 from backend.settings import Settings
-from sim_core.presets import PRESETS
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
-from sim_core.signals import SIGNALS
+from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
 
 OPERATIONS = {

@@ -11,7 +11,7 @@ import pytest
 from backend.paper import models
 from backend.paper.service import stored_rows
 from backend.paper.work import SPEEDS_KMH
-from sim_core.paper import FIGURES, default_choices
+from sim_core.study.paper import FIGURES, default_choices
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
 from tests.servers.reproduction import PARTS, rows

@@ -9,7 +9,7 @@ from typing import Any
 import httpx
 import pytest
 
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
 PAGE = Path(__file__).parents[2] / "docs" / "paper.md"

@@ -11,7 +11,7 @@ import pytest
 from backend.cli import app
 from backend.paper.service import stored_rows
 from sim_core import __version__ as CORE_VERSION
-from sim_core.signals import SIGNALS
+from sim_core.catalogue import SIGNALS
 from tests.html import Element, check, read
 from tests.servers.reproduction import PARTS, rows
 

@@ -14,7 +14,7 @@ import pytest
 
 from backend.client import Ridelab, RidelabAPIError
 from backend.figures import PANELS
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS
 from tests.html import Element, check, read
 
 WINDOWS = {"rough_road": "rms", "bump": "peak"}

@@ -14,7 +14,7 @@ from tests.servers.reproduction import SOURCES, digest, files, packages
 COMPUTE = """
 import sys
 from backend.paper import work
-from sim_core import paper
+from sim_core.study import paper
 work.simulated_values(paper.default_choices(), [1])
 work.ecu_values(paper.default_choices(), [1])
 work.combinations([1])
@@ -28,7 +28,7 @@ def test_every_module_that_takes_part_is_among_the_sources() -> None:
         [sys.executable, "-c", COMPUTE], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120
     )
     taking_part = {Path(name) for name in run.stdout.split()}
-    assert ROOT / "sim_core/mpc.py" in taking_part
+    assert ROOT / "sim_core/control/mpc.py" in taking_part
     assert taking_part <= set(files(ROOT, SOURCES))
 
 
@@ -41,7 +41,9 @@ def copy(tmp_path: Path) -> Path:
     return tmp_path
 
 
-@pytest.mark.parametrize("name", ["sim_core/qp.py", "backend/hil/ecu/ridelab_dual.c", "backend/paper/work.py"])
+@pytest.mark.parametrize(
+    "name", ["sim_core/control/qp.py", "sim_core/ecu/source/ridelab_dual.c", "backend/paper/work.py"]
+)
 def test_a_source_that_changes_gives_another_digest(copy: Path, name: str) -> None:
     assert digest(copy) == digest() == digest()
     source = copy / name

@@ -8,10 +8,10 @@ import pytest
 
 from backend.models import CreatedRun, LiveRun, Run
 from sim_core import __version__
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 
 heights = itertools.count(1)

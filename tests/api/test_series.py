@@ -15,7 +15,7 @@ from hypothesis.extra import numpy as arrays
 
 from backend.models import Series, SeriesOfSeveral
 from backend.series import decimate
-from sim_core.signals import METRIC_SIGNALS, SIGNALS
+from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 
 HEADER = [f"{key} [{quantity.unit}]" for key, quantity in SIGNALS.items()]
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from sim_core.presets import PRESETS
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
-from sim_core.signals import SIGNALS
+from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
 
 ROOT = Path(__file__).parents[2]

@@ -40,8 +40,8 @@ import sim_core
 for module in pkgutil.walk_packages(sim_core.__path__, "sim_core."):
     if not module.name.endswith("__main__"):
         importlib.import_module(module.name)
-from sim_core.presets import preset
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 print(simulate(preset("paper"), "lv").travel_time)
 """
 

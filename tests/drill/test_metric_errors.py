@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from tests.validation.reference.held import errors
 

@@ -10,9 +10,9 @@ import pytest
 from backend import pins
 from backend.links.models import Link
 from sim_core import __version__
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
-from sim_core.signals import SIGNALS
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from tests.data.links import dump
 from tests.faults.conftest import OLD, PAGE, Process
 

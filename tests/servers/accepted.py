@@ -6,9 +6,8 @@ from typing import Any
 from sqlalchemy import Engine, create_engine, func, select, text
 
 from backend.store.tables import batch_runs, results
-from sim_core import dotted
-from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
+from sim_core.scenario import Scenario, dotted
+from sim_core.simulate import simulate
 from tests.servers.api import ask
 from tests.servers.process import wait_until
 

@@ -25,7 +25,7 @@ from backend.paper import work
 from backend.paper.service import stored_rows
 from backend.store import Store, StoredResult
 from sim_core import __version__ as CORE_VERSION
-from sim_core import paper
+from sim_core.study import paper
 from tests.servers.process import ROOT
 
 FOLDER = ROOT / ".cache"

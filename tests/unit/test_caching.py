@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim_core.caching import MEBIBYTE, kept, size
+from sim_core.caching import MEBIBYTE, size
 from sim_core.result import FloatArray
 
 
@@ -22,7 +22,7 @@ def test_size_counts_every_array_inside() -> None:
 def test_latest_results_are_kept_while_they_fit() -> None:
     calls: list[int] = []
 
-    @kept(1)
+    @cached_up_to(1)
     def make(quarters: int, number: int) -> FloatArray:
         calls.append(number)
         return np.zeros(quarters * MEBIBYTE // 4 // 8 - 1000)

@@ -18,7 +18,7 @@ from backend.cli.tables import aligned, shown, with_unit
 from backend.cli.targets import find
 from backend.client import RunResult
 from sim_core.scenario import Scenario
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 
 
 def sweep(**more: Any) -> dict[str, Any]:

@@ -5,7 +5,7 @@ import pytest
 
 from sim_core import closed_loop
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Speed
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 
 PAPER = Scenario()
 HARD = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(deflection_limit=0.05, force_limit=2500))

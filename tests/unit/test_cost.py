@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import quad_vec
 from scipy.linalg import expm
 
-from sim_core.cost import KILO, CostTerms, passive_rms, stage_cost
-from sim_core.half_car import half_car
+from sim_core.car.half_car import half_car
+from sim_core.control.cost import KILO, CostTerms, passive_rms, stage_cost
 from sim_core.scenario import Vehicle
 
 

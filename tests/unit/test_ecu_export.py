@@ -21,11 +21,13 @@ from backend.hil.link import connected
 from backend.hil.realtime import PacedEcu, Timing, spread
 from backend.hil.report import Variant
 from benchmarks.cortex_m3 import CortexM3, measured
-from sim_core.hil.calibration import Calibration
-from sim_core.hil.channels import PREVIEW, SENSORS
-from sim_core.hil.ecu import Ecu, Frame, Reply
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.channels import PREVIEW, SENSORS
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.ecu.sources import FLAGS, SOURCES
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
-from sim_core.simulation import ecu_calibration, simulate_ecu
+from sim_core.simulate import simulate
 
 SMALL = Scenario(
     road=Road(length=40, bump=Bump(start=20, width=3, height=0.09)),
@@ -59,8 +61,8 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
     )
     assert made.returncode == 0
     assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == SMALL
-    exported = simulate_ecu(SMALL, known, partial(connected, program=folder / "ridelab_ecu"))
-    loaded = simulate_ecu(SMALL, known, connected)
+    exported = simulate(SMALL, "lv_hil", partial(connected, program=folder / "ridelab_ecu"), known)
+    loaded = simulate(SMALL, "lv_hil", connected, known)
     assert exported.summary() == loaded.summary()
     assert all(np.array_equal(exported.series[key], loaded.series[key]) for key in loaded.series)
     assert loaded.events["limited_steps"] > 5
@@ -68,8 +70,8 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
 
 def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: Path) -> None:
     """Warnings are for us: a compiler we do not know may have others, and shall build it all the same."""
-    options = [*build.FLAGS, "-Wall", "-Wextra", "-Werror", f"-I{build.SOURCES}", f"-I{build.SOURCES / 'host'}"]
-    source = build.SOURCES / "host" / "ridelab_loaded.c"
+    options = [*FLAGS, "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", f"-I{SOURCES / 'host'}"]
+    source = SOURCES / "host" / "ridelab_loaded.c"
     assert (
         build.compiled([*build.compilers()[0], *options, "-c", str(source), "-o", str(tmp_path / "o")], tmp_path)
         is None
@@ -98,7 +100,7 @@ def test_the_header_names_every_channel_with_its_range(known: Calibration) -> No
 def test_the_c_code_keeps_the_habits_it_claims() -> None:
     """No library but the compiler's own, no dynamic memory, no double."""
     for name in export.CONTROLLER:
-        code = re.sub(r"/\*.*?\*/", "", (build.SOURCES / name).read_text(), flags=re.DOTALL)
+        code = re.sub(r"/\*.*?\*/", "", (SOURCES / name).read_text(), flags=re.DOTALL)
         assert set(re.findall(r"#include <(.*?)>", code)) <= {"stdint.h"}, name
         assert not re.search(r"\b(malloc|free|double|goto|while)\b", code), name
         assert not re.search(r"\d\.\d+(?!\d|f|e)", code), f"{name}: a double constant"
@@ -138,7 +140,7 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
 ) -> None:
     """The emulated Cortex-M3 gives each command to the bit, and an operation's cycles as `effort` has them."""
     noting = Noting()
-    simulate_ecu(SMALL, known, noting.connect)
+    simulate(SMALL, "lv_hil", noting.connect, known)
     frames = noting.seen
     machine = CortexM3(image)
     machine.call("ridelab_firmware_start")

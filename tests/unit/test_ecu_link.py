@@ -20,10 +20,10 @@ from backend.hil.build import EcuError
 from backend.hil.drive import EcuUnavailableError
 from backend.hil.link import connected
 from backend.hil.tables import fingerprint
-from sim_core.hil.calibration import Calibration
-from sim_core.hil.ecu import Frame
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Frame
 from sim_core.scenario import Mpc, Scenario
-from sim_core.simulation import ecu_calibration
 
 ROOT = Path(__file__).parents[2]
 SMALL = Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2))
@@ -143,7 +143,7 @@ def test_the_program_ends_with_a_plant_that_was_killed() -> None:
         "import os, subprocess, sys\n"
         "from backend.hil.link import connected\n"
         "from sim_core.scenario import Mpc, Scenario\n"
-        "from sim_core.simulation import ecu_calibration\n"
+        "from sim_core.simulate import ecu_calibration\n"
         "import psutil\n"
         "with connected(ecu_calibration(Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2)))):\n"
         "    print(psutil.Process().children()[0].pid, flush=True)\n"

@@ -8,13 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim_core.half_car import OUTPUTS
-from sim_core.hil.calibration import Calibration
-from sim_core.hil.channels import PREVIEW, SENSORS, convert, highest_code, reaches
-from sim_core.hil.ecu import Connect, Ecu, Frame, Reply
+from sim_core.car.half_car import OUTPUTS
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.channels import PREVIEW, SENSORS, convert, full_scales, highest_code
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Connect, Ecu, Frame, Reply
 from sim_core.result import FloatArray, StrategyResult
 from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
-from sim_core.simulation import ecu_calibration, simulate, simulate_ecu
+from sim_core.simulate import simulate
 
 SHORT = Scenario(
     road=Road(length=12, bump=Bump(start=4, width=3, height=0.05)),
@@ -48,7 +49,7 @@ def scripted(ecu: Ecu) -> Connect:
 
 def commanded(of: Scenario, ecu: Ecu) -> tuple[FloatArray, StrategyResult]:
     """The front actuator's force in codes, millisecond by millisecond from x = 0, and the result."""
-    result = simulate_ecu(of, ecu_calibration(of), scripted(ecu))
+    result = simulate(of, "lv_hil", scripted(ecu), ecu_calibration(of))
     step = of.mpc.force_limit / highest_code(of.hil.bits)
     every = round(0.001 / result.series["time"][1])
     return result.series["front_force"][::every] / step, result
@@ -73,8 +74,8 @@ def test_a_converter_rounds_to_its_nearest_step_and_clips(values: FloatArray, re
 
 def test_every_channel_has_its_range() -> None:
     assert [channel.key for channel in SENSORS[:2]] == [*OUTPUTS[4:6]]
-    assert len(reaches(3)) == len(SENSORS) + 3 * len(PREVIEW)
-    assert (reaches(3) > 0).all()
+    assert len(full_scales(3)) == len(SENSORS) + 3 * len(PREVIEW)
+    assert (full_scales(3) > 0).all()
 
 
 def test_a_command_takes_effect_one_control_step_after_its_measurement() -> None:
@@ -153,7 +154,7 @@ def test_noise_has_the_share_of_the_range_that_was_asked_for() -> None:
             return None
 
     ecu = Silent()
-    simulate_ecu(level, ecu_calibration(level), scripted(ecu))
+    simulate(level, "lv_hil", scripted(ecu), ecu_calibration(level))
     measured = np.stack([frame.codes for frame in ecu.frames]) / highest_code(16)
     assert measured.size > 10_000
     assert measured.std() == pytest.approx(0.01, rel=0.03)

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from sim_core import paper
-from sim_core.attribution import FACTORS, VARIANTS, shares
-from sim_core.dotted import field
+from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
-from sim_core.paper import FIGURES, Verdict, judge, scenario_for, verdict
-from sim_core.paper_tables import ABSOLUTES, TABLES, cells
-from sim_core.readings import READINGS
 from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.statistics import change_with_interval, mean_with_interval
+from sim_core.scenario.dotted import field
+from sim_core.study import paper
+from sim_core.study.attribution import FACTORS, VARIANTS, shares
+from sim_core.study.interpretations import READINGS
+from sim_core.study.intervals import change_with_interval, mean_with_interval
+from sim_core.study.paper import FIGURES, Verdict, judge, scenario_for, verdict
+from sim_core.study.paper_tables import ABSOLUTES, TABLES, cells
 
 COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
 NAMED = {"lv_hil": "hil"}

@@ -13,9 +13,9 @@ from pyarrow import parquet
 from backend import exports, pins
 from backend.series import ROWS, decimate, pack
 from sim_core import __version__
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed
-from sim_core.signals import SIGNALS
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 
 SCENARIO = Scenario(road=Road(length=20, bump=Bump(start=8, width=2)), speed=Speed(detection_distance=6))
 

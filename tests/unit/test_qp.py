@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from sim_core import mpc as mpc_module
-from sim_core import qp
-from sim_core.qp import SOLVERS, TOLERANCE, QpShape, QpSolver, residual
+from sim_core.control import mpc as mpc_module
+from sim_core.control import qp
+from sim_core.control.qp import SOLVERS, TOLERANCE, QpShape, QpSolver, residual
 from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Mpc, Road, Scenario
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 
 
 def _random_shape(rng: np.random.Generator) -> tuple[QpShape, FloatArray, FloatArray]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from backend.hil.link import ProcessEcu
 from backend.hil.realtime import PacedEcu, Timing
-from sim_core.hil.ecu import Frame, Reply
+from sim_core.ecu.interface import Frame, Reply
 
 REPLY = Reply(commands=(1, 2), limited=False, iterations=0, unfinished=False, slack=0.0)
 STEP = 0.02

@@ -11,8 +11,7 @@ from backend.reports.doubts import doubts
 from backend.reports.keys import key_of
 from backend.reports.run import RunFacts, report
 from backend.worker import Outcome, run
-from sim_core import dotted
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import STRATEGIES
 from tests.html import check, read
 

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from pydantic import ValidationError
 
-from sim_core.presets import PRESETS
 from sim_core.scenario import Scenario
+from sim_core.scenario.presets import PRESETS
 
 
 def _nested(path: str, value: Any) -> dict[str, Any]:

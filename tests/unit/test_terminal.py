@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from sim_core.__main__ import main
-from sim_core.margins import PAPER_MARGINS, Means, change, margins
 from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
+from sim_core.study.margins import PAPER_MARGINS, Means, change, margins
 from sim_core.workload import duration, estimate
 
 

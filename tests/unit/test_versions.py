@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from sim_core.scenario import SCHEMA_VERSION, Scenario
-from sim_core.versions import STEPS, NewerScenarioError, restored, upgraded
+from sim_core.scenario.versions import STEPS, NewerScenarioError, restored, upgraded
 
 FIXTURES = Path(__file__).parents[1] / "data" / "links"
 

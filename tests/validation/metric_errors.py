@@ -7,7 +7,7 @@ import multiprocessing
 import sys
 
 from sim_core.scenario import Road, Scenario
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from tests.validation.reference.held import errors
 

@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sim_core.presets import preset
 from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Road, Scenario, Speed
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 from tests.validation.reference.loop import drive
 from tests.validation.reference.vehicle import OUTPUTS
 

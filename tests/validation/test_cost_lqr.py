@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from sim_core.cost import KILO, CostTerms, passive_rms, stage_cost
-from sim_core.lqr import regulator
+from sim_core.control.cost import KILO, CostTerms, passive_rms, stage_cost
+from sim_core.control.lqr import regulator
 from sim_core.scenario import Vehicle
 from tests.validation.reference.sampled import (
     cost_to_go,

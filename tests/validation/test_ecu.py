@@ -7,18 +7,20 @@ import numpy as np
 import pytest
 
 from backend.hil.link import ProcessEcu, connected
-from sim_core.half_car import DISTURBANCES, FORCES, STATES
-from sim_core.hil.calibration import Calibration
-from sim_core.hil.channels import STAGES, highest_code
-from sim_core.hil.ecu import Ecu, Frame, Reply
-from sim_core.hil.model import ModelEcu
-from sim_core.longitudinal import drive
-from sim_core.margins import change
-from sim_core.mpc import MpcController
+from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
+from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.control.making import mpc_designs
+from sim_core.control.mpc import MpcController
+from sim_core.drive.speed_profile import drive
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.channels import STAGES, highest_code
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.ecu.model import ModelEcu
 from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import ecu_calibration, mpc_designs, simulate, simulate_ecu
-from sim_core.strategies import strategy
+from sim_core.simulate import simulate
+from sim_core.strategies import strategy_named
+from sim_core.study.margins import change
 
 HARD = Mpc(force_limit=1500, deflection_limit=0.03)  # limits bind in one step of ten, many of them together
 SHORT = Road(length=60, bump=Bump(start=40, width=3, height=0.09))
@@ -28,7 +30,7 @@ SLOWER = Speed(initial_speed_kmh=45, detection_distance=30)
 def test_the_ecus_optimum_is_the_qps() -> None:
     """Random states, roads and previous forces in every stage; DAQP's answers are exact to about 1e-9 N here."""
     scenario = Scenario(mpc=HARD, hil=Hil(compensation="none", iterations=200))
-    chosen, rng = strategy("lv_hil"), np.random.default_rng(1)
+    chosen, rng = strategy_named("lv_hil"), np.random.default_rng(1)
     designs = mpc_designs(scenario, chosen, drive(scenario, chosen.speed))
     horizon = scenario.mpc.prediction_horizon
     iterations = []
@@ -89,7 +91,7 @@ def test_the_c_program_does_what_the_model_does_over_a_whole_run(mpc: Mpc, hil: 
             yield both[0]
 
     scenario = Scenario(road=SHORT, speed=SLOWER, mpc=mpc, hil=hil)
-    simulate_ecu(scenario, ecu_calibration(scenario), connect)
+    simulate(scenario, "lv_hil", connect, ecu_calibration(scenario))
     step = mpc.force_limit / highest_code(hil.bits)
     pairs = both[0].pairs
     assert len(pairs) > 500

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given, settings
 from scipy.integrate import solve_ivp
 
-from sim_core.half_car import OUTPUTS, discrete, half_car
+from sim_core.car.half_car import OUTPUTS, discrete, half_car
 from sim_core.scenario import GRAVITY, Vehicle
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import OUTPUTS as REFERENCE_OUTPUTS

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, WINDOWS
 from sim_core.comfort import wk_gain
-from sim_core.presets import preset
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Vehicle
-from sim_core.signals import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, WINDOWS
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from tests.validation.reference.figures import wk
 from tests.validation.reference.held import errors

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from sim_core.longitudinal import drive
-from sim_core.preview import preview_windows
+from sim_core.drive.preview import preview_windows
+from sim_core.drive.sampling import sample_road
+from sim_core.drive.speed_profile import drive
 from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from sim_core.strategies import SpeedPolicy
-from sim_core.track import track
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))
 
@@ -43,8 +43,8 @@ def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
 def windows(mismatch: Mismatch, road: Road = SHORT.road) -> np.ndarray:
     scenario = SHORT.model_copy(update={"road": road})
     motion = drive(scenario, SpeedPolicy.CONSTANT)
-    way = track(road, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
-    return preview_windows("lookahead", road, motion, way, 10, scenario.vehicle.wheelbase, mismatch)
+    road_input = sample_road(road, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
+    return preview_windows("lookahead", road, motion, road_input, 10, scenario.vehicle.wheelbase, mismatch)
 
 
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from sim_core.presets import preset
+from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed, Vehicle
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 from tests.validation.reference.bump import crossing, peaks
 from tests.validation.reference.vehicle import OUTPUTS, road_response, state_space, stationary_rms
 from tests.validation.strategies import between, bumps, examples, vehicles

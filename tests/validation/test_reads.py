@@ -143,7 +143,7 @@ def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
 def test_a_fresh_process_gives_the_same_bits() -> None:
     """Nothing depends on what ran before, hash seeds or the order of strategies."""
     code = (
-        "import hashlib, sys; from sim_core.presets import preset; from sim_core.simulation import simulate\n"
+        "import hashlib, sys; from sim_core.scenario.presets import preset; from sim_core.simulate import simulate\n"
         "for name in sys.argv[1:]:\n"
         "    run = simulate(preset('paper'), name)\n"
         "    print(name, hashlib.sha256(b''.join(v.tobytes() for v in run.series.values())).hexdigest(), run.metrics)"

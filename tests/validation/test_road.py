@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import welch
 
-from sim_core.road import profile
+from sim_core.car.road import profile
 from sim_core.scenario import Bump, Road
 from tests.validation.reference.bump import bump_height
 from tests.validation.strategies import bumps

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from sim_core.presets import preset
+from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Scenario
-from sim_core.signals import PAPER_SIGNALS
-from sim_core.simulation import simulate
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 
 SEEDS = range(1, 5)
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 
-from sim_core.brake import brake_chain
+from sim_core.drive.brake import brake_chain
 from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
-from sim_core.simulation import simulate
+from sim_core.simulate import simulate
 from tests.validation.reference.driving import brake_to_bump
 from tests.validation.strategies import between, vehicles
 

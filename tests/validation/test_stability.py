@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from sim_core.half_car import half_car
+from sim_core.car.half_car import half_car
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Speed
-from sim_core.simulation import simulate
-from sim_core.stability import damping, least_damping
+from sim_core.simulate import simulate
+from sim_core.study.stability import damping, least_damping
 
 
 @pytest.mark.parametrize("ratio", [-0.3, 0.0, 0.2, 0.95])

@@ -14,16 +14,17 @@ from unittest.mock import patch
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core import simulation
-from sim_core.hil.loop import HilLoop
-from sim_core.longitudinal import CONTROL_STEP, Drive
-from sim_core.longitudinal import drive as drive_plan
+from sim_core.car.road import profile
+from sim_core.control.making import make_controller
+from sim_core.drive.sampling import fine_step, sample_road
+from sim_core.drive.speed_profile import CONTROL_STEP, Drive
+from sim_core.drive.speed_profile import drive as drive_plan
+from sim_core.drive.stages import segments, spans
+from sim_core.ecu.loop import HilLoop
 from sim_core.result import StrategyResult
-from sim_core.road import profile
 from sim_core.scenario import Actuator, Scenario
-from sim_core.stages import segments, spans
-from sim_core.strategies import SuspensionPolicy, strategy
-from sim_core.track import track
+from sim_core.simulate import simulate
+from sim_core.strategies import SuspensionPolicy, strategy_named
 from tests.validation.reference.figures import weighted
 from tests.validation.reference.sampled import interval, to_deflections
 from tests.validation.reference.vehicle import OUTPUTS, state_space
@@ -84,7 +85,7 @@ class Held:
 
 def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, float], Held]:
     """One strategy's metrics by the reference, and the samples they come from."""
-    chosen = strategy(name)
+    chosen = strategy_named(name)
     motion = drive_plan(scenario, chosen.speed)
     actuated = chosen.suspension is not SuspensionPolicy.PASSIVE
     Ts = scenario.mpc.sample_time if actuated else CONTROL_STEP
@@ -94,15 +95,15 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
         return held.metrics(scenario, motion), held
 
-    way = track(scenario.road, wheelbase, motion, Ts, simulation.fine_step(scenario, chosen.speed))
-    controller = simulation.make_controller(scenario, chosen, motion, way)
+    road_input = sample_road(scenario.road, wheelbase, motion, Ts, fine_step(scenario, chosen.speed))
+    controller = make_controller(scenario, chosen, motion, road_input)
     actuator = scenario.actuator if actuated else Actuator()
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
     strongest = np.inf if actuator.saturation is None else actuator.saturation
     previous = np.zeros(2)
     stages: list[str] = []
     feeds: list[Array] = []
-    for stage, first, last in segments(spans(scenario, chosen, motion), way.position):
+    for stage, first, last in segments(spans(scenario, chosen, motion), road_input.position):
         stages += [stage] * (last - first)
         feeds += list(controller.feed(stage, first, last))
 
@@ -116,7 +117,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         previous = np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest)
         return previous
 
-    held = _drive(scenario, motion, Ts, len(way.position), command, step)
+    held = _drive(scenario, motion, Ts, len(road_input.position), command, step)
     return held.metrics(scenario, motion), held
 
 
@@ -140,11 +141,11 @@ def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
 
     def caught_run(self: HilLoop, ecu: Any) -> Any:
         course = drive_loop(self, ecu)
-        caught.append((course.commands, self._way.step))
+        caught.append((course.commands, self._inputs.step))
         return course
 
     with patch.object(HilLoop, "run", caught_run):
-        simulation.simulate(scenario, "lv_hil")  # its ECU by the model in NumPy
+        simulate(scenario, "lv_hil")  # its ECU by the model in NumPy
     return caught[0]
 
 

@@ -1,0 +1,1 @@
+"""The car and what it drives on: half-car, its stepping, the road."""

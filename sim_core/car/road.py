@@ -1,0 +1,143 @@
+"""The road, made once in space: ISO 8608 roughness plus one bump (paper section 2.1, errata in docs/physics.md).
+
+Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import ceil, exp, floor, pi, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.caching import cached_up_to
+from sim_core.result import FloatArray
+from sim_core.scenario import Bump, Road
+
+REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
+CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded
+GRID = 0.01  # distance between roughness samples [m]
+RUN_IN = 20.0  # driven before x = 0, so that the car has met the road when the record starts [m]
+_BEFORE = 45.0  # road made before x = 0 [m]: run-in, longest wheelbase, one control step
+_AFTER = 1.0  # road made beyond its end [m]; further on it stays level
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GridPlace:
+    """Positions as roughness samples: the one before, and the share of the way to the next."""
+
+    cell: NDArray[np.intp]
+    share: FloatArray
+
+
+def grid_place(position: FloatArray, samples: int) -> GridPlace:
+    """Where positions [m] are on a grid of so many samples; its ends for those beyond."""
+    place = np.clip((position + _BEFORE) / GRID, 0.0, samples - 1.000001)
+    cell = place.astype(np.intp)
+    return GridPlace(cell, place - cell)
+
+
+def grid_samples(length: float) -> int:
+    """Samples of a road's roughness, from `_BEFORE` to `_AFTER` its end [m]."""
+    return int((length + _BEFORE + _AFTER) / GRID) + 2
+
+
+def grid_between(first: float, last: float) -> FloatArray:
+    """Positions [m] of the roughness samples strictly between two positions, where the road's slope changes."""
+    numbers = np.arange(floor((first + _BEFORE) / GRID) + 1, ceil((last + _BEFORE) / GRID), dtype=np.float64)
+    return numbers * GRID - _BEFORE
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoadProfile:
+    """Height of the road over distance: roughness samples, linear in between, and the bump's formula."""
+
+    roughness: FloatArray
+    bump: Bump
+
+    def height(self, position: FloatArray) -> FloatArray:
+        """Road height [m] at positions [m] of any shape; level beyond the road made."""
+        return self.height_at(position, grid_place(position, len(self.roughness)))
+
+    def height_at(self, position: FloatArray, place: GridPlace) -> FloatArray:
+        """The same at positions whose place on the grid is known."""
+        rise = self.roughness[1:] - self.roughness[:-1]
+        height = self.roughness.take(place.cell)
+        height += place.share * rise.take(place.cell)
+        if self.bump.height:
+            inside = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
+            height[inside] += bump_height(self.bump, position[inside])
+        return height
+
+
+def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
+    """Height of the bump alone [m] at positions [m].
+
+    cosine is Eq. 2 of the paper; circular the arc of a Watts hump through both feet and the crest.
+    """
+    s = np.clip((position - bump.start) / bump.width, 0.0, 1.0)
+    h, w = bump.height, bump.width
+    if h == 0:
+        return np.zeros_like(s)
+    if bump.shape == "cosine":
+        return np.asarray(h / 2 * (1 - np.cos(2 * pi * s)))
+    if bump.shape == "half_sine":
+        return np.asarray(h * np.sin(pi * s))
+    if bump.shape == "circular":
+        radius, along = w * (w / abs(h)) / 8 + abs(h) / 2, w * (s - 0.5)
+        depth = radius * np.sqrt(np.maximum(1 - (along / radius) ** 2, 0.0)) + radius - abs(h)
+        return np.asarray(np.copysign((w**2 / 4 - along**2) / depth, h))
+    ramp = np.clip(4 * np.minimum(s, 1 - s), 0.0, 1.0)  # 0 to 1 within a quarter of the width at either end
+    if bump.shape == "trapezoid":
+        return np.asarray(h * ramp)
+    return np.asarray(h / 2 * (1 - np.cos(pi * ramp)))  # flat_top
+
+
+def kinks(bump: Bump) -> tuple[float, ...]:
+    """Where the bump's slope jumps [m]; a tyre load may peak just there."""
+    shares: tuple[float, ...] = ()
+    if bump.shape in ("half_sine", "circular"):
+        shares = (0.0, 1.0)
+    elif bump.shape == "trapezoid":
+        shares = (0.0, 0.25, 0.75, 1.0)
+    return tuple(bump.start + share * bump.width for share in shares) if bump.height else ()
+
+
+def detail(bump: Bump) -> float:
+    """Length over which the bump rises and falls once [m]: its width, or its two ramps put together."""
+    return bump.width / 2 if bump.shape in ("flat_top", "trapezoid") else bump.width
+
+
+def stationary_deviation(roughness: float) -> float:
+    """Standard deviation of the endless road [m]: root of the PSD's integral, Gd n0² π / (2 n00)."""
+    return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
+
+
+@lru_cache(maxsize=4)
+def _fade(keep: float, count: int) -> FloatArray:
+    """Powers 1, 2, … of a number (count,), each the one before times it: a longer road only goes on."""
+    return np.full(count, keep).cumprod()
+
+
+@cached_up_to(16)
+def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
+    """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points.
+
+    Var(w) = 1/(2Δx) makes the one-sided PSD Gd(n0) n0² / (n² + n00²) (ISO 8608 with a cut-off). The same
+    seed gives the same road for every length: a longer one only goes on.
+    """
+    count = grid_samples(length)
+    deviation = stationary_deviation(roughness)
+    keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
+    noise = np.random.default_rng(seed).standard_normal(count)
+    noise[0] *= deviation
+    noise[1:] *= deviation * sqrt(1 - keep**2)
+    fade = _fade(keep, count)
+    samples: FloatArray = fade * (noise / fade).cumsum()  # each sample is `keep` of the one before, and its noise
+    samples.flags.writeable = False
+    return samples
+
+
+def profile(road: Road) -> RoadProfile:
+    """The road of a scenario."""
+    return RoadProfile(_roughness(road.roughness, road.seed, road.length), road.bump)

@@ -1,0 +1,1 @@
+"""The controllers behind one interface: passive, LQR, MPC; cost, quadratic programs, stability."""

@@ -1,0 +1,109 @@
+"""The normalised cost LQR and MPC share (Eq. 16's normalisation; docs/physics.md, "Cost").
+
+    q1 (z̈_b/σ_a)² + q2 (θ̈/σ_θ)² + q3 [(F_t1/σ_F1)² + (F_t2/σ_F2)²] + q4 [(d_1/d_max)² + (d_2/d_max)²] + R (u_1² + u_2²)
+
+averaged over each sampling interval, not sampled at its ends: between the ends the wheels would ring unseen.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import pi
+
+import numpy as np
+from scipy.linalg import expm, solve_continuous_lyapunov
+
+from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
+from sim_core.car.road import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
+from sim_core.errors import UnstableVehicleError
+from sim_core.result import FloatArray
+from sim_core.scenario import Vehicle
+from sim_core.scenario.fields import Weights
+
+KILO = 1000.0  # controllers reckon forces in kN: in N the problem is badly scaled
+REFERENCE_ROUGHNESS = 64e-6  # class B, whatever the road: so weights mean the same everywhere [m^3]
+COST_OUTPUTS = 6  # the first six of half_car.OUTPUTS
+_NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(16)
+
+
+@lru_cache(maxsize=256)
+def passive_rms(vehicle: Vehicle, speed: float) -> tuple[float, float, float, float]:
+    """σ of body and pitch acceleration [m/s^2, rad/s^2] and both tyre loads [N], passive on class B at a speed [m/s].
+
+    Stationary and exact: the road filter joins the state, the rear input is the front's, L/v later, and the
+    covariance is P + M + M' with P from both inputs alone and M = e^{Aτ} X for what they share
+    (A X + X A' + b_f b_r' = 0). tests/validation holds it against the frequency response and a long run.
+
+    Raises:
+        UnstableVehicleError: The passive car is not stable.
+    """
+    model = half_car(vehicle)
+    if np.linalg.eigvals(model.A).real.max() >= 0:
+        raise UnstableVehicleError("The passive vehicle is unstable", field="vehicle")
+    corner = 2 * pi * CUTOFF_FREQUENCY * speed
+    gain = 2 * pi * REFERENCE_FREQUENCY * np.sqrt(REFERENCE_ROUGHNESS * speed / 2)  # √ of the two-sided noise density
+    road = model.E[:, :2]
+    A = np.block([[model.A, -corner * road], [np.zeros((2, STATES)), -corner * np.eye(2)]])
+    b = gain * np.vstack([road, np.eye(2)])
+    own = solve_continuous_lyapunov(A, -b @ b.T)
+    shared = expm(A * (vehicle.wheelbase / speed)) @ solve_continuous_lyapunov(A, -np.outer(b[:, 0], b[:, 1]))
+    C = np.hstack([model.C[:4], np.zeros((4, 2))])
+    variance = np.einsum("ij,jk,ik->i", C, own + shared + shared.T, C)
+    a, pitch, front, rear = np.sqrt(variance)
+    return float(a), float(pitch), float(front), float(rear)
+
+
+@lru_cache(maxsize=128)
+def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
+    """For each cost output y the matrix S with z'S z = mean of y² over the interval; shape (6, 13, 13).
+
+    z = [state; force in kN; road velocities; deceleration], the last three held. Gauss-Legendre at 16 points
+    of the exact solution (lifted outputs): positive semidefinite by construction; exact to rounding for every car
+    within the sliders' ranges, approximate for wheel modes far faster than the interval.
+    """
+    model = half_car(vehicle)
+    inputs = np.hstack([model.B * KILO, model.E])
+    n = STATES + FORCES + DISTURBANCES
+    generator = np.zeros((n, n))
+    generator[:STATES] = np.hstack([model.A, inputs])
+    output = np.hstack([model.C, model.D * KILO, model.F])[:COST_OUTPUTS]
+    times = (_NODES + 1) / 2 * sample_time
+    lifted = output @ expm(generator * times[:, None, None])  # (point, output, 13)
+    means: FloatArray = np.einsum("p,poi,poj->oij", _NODE_WEIGHTS / 2, lifted, lifted)
+    return means
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CostTerms:
+    """All that the cost of one stage depends on.
+
+    Attributes:
+        vehicle: The car.
+        speed: Initial speed, at which σ is taken [m/s].
+        sample_time: Length of the interval [s].
+        weights: q1, q2, q3.
+        deflection_weight: q4.
+        deflection_limit: d_max [m].
+        force_weight: R [1/N²].
+    """
+
+    vehicle: Vehicle
+    speed: float
+    sample_time: float
+    weights: Weights
+    deflection_weight: float
+    deflection_limit: float
+    force_weight: float
+
+
+@lru_cache(maxsize=512)
+def stage_cost(terms: CostTerms) -> FloatArray:
+    """One interval's cost as z'S z, shape (13, 13), z as in `_interval_means`: forces in kN."""
+    sigma = np.array(passive_rms(terms.vehicle, terms.speed))
+    q1, q2, q3 = terms.weights
+    scale = np.empty(COST_OUTPUTS)
+    scale[:4] = np.array([q1, q2, q3, q3]) / sigma**2
+    scale[4:] = terms.deflection_weight / terms.deflection_limit**2
+    S: FloatArray = np.tensordot(scale, _interval_means(terms.vehicle, terms.sample_time), axes=1)
+    forces = np.arange(STATES, STATES + FORCES)
+    S[forces, forces] += terms.force_weight * KILO**2
+    return S

@@ -1,0 +1,63 @@
+"""Which controller a strategy has, made from the scenario."""
+
+from sim_core.control.controller import Controller, PassiveController
+from sim_core.control.cost import CostTerms
+from sim_core.control.lqr import LqrController, feedforward, regulator
+from sim_core.control.mpc import Horizon, MpcController, MpcDesign, design
+from sim_core.drive.preview import preview, preview_windows
+from sim_core.drive.sampling import RoadInput
+from sim_core.drive.speed_profile import Drive
+from sim_core.drive.stages import coordinated_weights
+from sim_core.scenario import Scenario, Weights
+from sim_core.strategies import Strategy, SuspensionPolicy
+
+
+def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_input: RoadInput) -> Controller:
+    """The strategy's controller for one run; not of a strategy whose controller is an ECU.
+
+    Raises:
+        RidelabError: The vehicle and weights admit no stabilising controller.
+    """
+    if strategy.suspension is SuspensionPolicy.PASSIVE:
+        return PassiveController()
+    mpc, lqr, wheelbase = scenario.mpc, scenario.lqr, scenario.vehicle.wheelbase
+    if strategy.suspension is SuspensionPolicy.LQR:
+        terms = _terms(scenario, motion, lqr.weights, lqr.deflection_weight)
+        if lqr.preview == "none":
+            return LqrController(regulator(terms), mpc.force_limit)
+        seen = preview_windows(
+            lqr.preview, scenario.road, motion, road_input, lqr.preview_horizon, wheelbase, scenario.mismatch
+        )
+        return LqrController(regulator(terms), mpc.force_limit, seen @ feedforward(terms, lqr.preview_horizon).T)
+    windows = preview(
+        mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, wheelbase, scenario.mismatch
+    )
+    return MpcController(mpc_designs(scenario, strategy, motion), windows, mpc)
+
+
+def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[str, MpcDesign]:
+    """The MPC of each driving stage."""
+    mpc = scenario.mpc
+    horizon = Horizon(
+        prediction=mpc.prediction_horizon,
+        control=mpc.control_horizon,
+        force_limit=mpc.force_limit,
+        force_change_weight=mpc.force_change_weight,
+    )
+    designs = {}
+    for stage in ("cruise", "brake", "bump"):
+        weights = coordinated_weights(scenario, strategy, stage)
+        designs[stage] = design(_terms(scenario, motion, weights, mpc.deflection_weight), horizon)
+    return designs
+
+
+def _terms(scenario: Scenario, motion: Drive, weights: Weights, deflection_weight: float) -> CostTerms:
+    return CostTerms(
+        vehicle=scenario.vehicle,
+        speed=motion.initial_speed,
+        sample_time=scenario.mpc.sample_time,
+        weights=weights,
+        deflection_weight=deflection_weight,
+        deflection_limit=scenario.mpc.deflection_limit,
+        force_weight=scenario.mpc.force_weight,
+    )

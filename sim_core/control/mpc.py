@@ -1,0 +1,221 @@
+"""Model predictive suspension control (Eq. 8-15 with the errata of docs/physics.md).
+
+Everything that does not depend on the state is reckoned once per design and kept: the QP's matrices, and the law
+that solves it wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve
+
+from sim_core.caching import cached_up_to
+from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
+from sim_core.control.controller import MEASURED, WITHIN, BoolArray, Controller, LinearLaw
+from sim_core.control.cost import KILO, CostTerms, stage_cost
+from sim_core.control.lqr import regulator
+from sim_core.control.qp import SOLVERS, QpShape, QpSolver
+from sim_core.drive.preview import flattened
+from sim_core.result import FloatArray
+from sim_core.scenario import Mpc, Vehicle
+
+CENTI = 100.0  # the QP reckons deflections and slacks in cm
+_CLEAR = 0.99  # of a limit in single precision, whose rounding is 1e-5 of the terms added: clear of it
+SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class MpcDesign:
+    """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
+
+    The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
+    b = limit - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each force and
+    deflection of the horizon on [the same], each over its bound, and `screen` is their transpose in single precision.
+    """
+
+    shape: QpShape
+    linear: FloatArray
+    rows_given: FloatArray
+    row_limits: FloatArray
+    law: LinearLaw
+    feed: FloatArray
+    checks: FloatArray
+    bounds: FloatArray
+    screen: NDArray[np.float32]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Prediction:
+    """The horizon as a linear map of given = [state (8); preview (3 Np)] and moves (2 Nc) in kN.
+
+    `z_given`, `z_moves`: every interval's [state; force; disturbance] stacked (Np, 13, …); `end_*`: the last state.
+    """
+
+    z_given: FloatArray
+    z_moves: FloatArray
+    end_given: FloatArray
+    end_moves: FloatArray
+
+
+def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
+    """Roll the discrete model over the horizon; after the last move the force is held."""
+    model = discrete(vehicle, sample_time)
+    A, B, E = model.A, model.B * KILO, model.E
+    given, free = STATES + DISTURBANCES * horizon, FORCES * moves
+    n = STATES + FORCES + DISTURBANCES
+    z_given, z_moves = np.zeros((horizon, n, given)), np.zeros((horizon, n, free))
+    x_given, x_moves = np.eye(STATES, given), np.zeros((STATES, free))
+    for i in range(horizon):
+        move = FORCES * min(i, moves - 1)
+        columns = STATES + horizon * np.arange(DISTURBANCES) + i
+        z_given[i, :STATES], z_moves[i, :STATES] = x_given, x_moves
+        z_moves[i, STATES : STATES + FORCES, move : move + FORCES] = np.eye(FORCES)
+        z_given[i, STATES + FORCES :, columns] = np.eye(DISTURBANCES)
+        x_given, x_moves = A @ x_given, A @ x_moves
+        x_given[:, columns] += E
+        x_moves[:, move : move + FORCES] += B
+    return Prediction(z_given=z_given, z_moves=z_moves, end_given=x_given, end_moves=x_moves)
+
+
+@cached_up_to(32)
+def _prediction(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
+    return predict(vehicle, sample_time, horizon, moves)
+
+
+def _move_penalty(moves: int, weight: float) -> tuple[FloatArray, FloatArray]:
+    """Penalty on force changes in kN: y'D'D y·weight (2 Nc, 2 Nc), its coupling to the previous force (2 Nc, 2)."""
+    D = np.eye(FORCES * moves) - np.eye(FORCES * moves, k=-FORCES)
+    first = np.eye(FORCES * moves, FORCES)
+    scaled = weight * KILO**2
+    return scaled * D.T @ D, -scaled * D.T @ first
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Horizon:
+    """What an MPC design depends on beside its cost."""
+
+    prediction: int
+    control: int
+    force_limit: float
+    force_change_weight: float
+
+
+@cached_up_to(64)
+def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
+    """Condense one stage's problem: interval costs, terminal cost (the stage's Riccati solution), limits.
+
+    Raises:
+        RidelabError: No stabilising terminal controller exists for these weights.
+    """
+    S, P = stage_cost(terms), regulator(terms).P
+    p = _prediction(terms.vehicle, terms.sample_time, horizon.prediction, horizon.control)
+    given, free = p.z_given.shape[2], p.z_moves.shape[2]
+
+    weighted = (S @ p.z_moves).reshape(-1, free)
+    end = P @ p.end_moves
+    change, change_previous = _move_penalty(horizon.control, horizon.force_change_weight)
+    H = p.z_moves.reshape(-1, free).T @ weighted + p.end_moves.T @ end + change
+    H = (H + H.T) / 2
+    on_given = weighted.T @ p.z_given.reshape(-1, given) + end.T @ p.end_given
+    linear = np.hstack([on_given[:, :STATES], change_previous / KILO, on_given[:, STATES:]])
+    optimum = -cho_solve(cho_factor(H), linear)
+
+    # Predicted deflections at the end of every interval, front ones first, on [state; previous; preview] and moves.
+    x_given = np.concatenate([p.z_given[1:, :2], p.end_given[None, :2]]).transpose(1, 0, 2).reshape(-1, given)
+    travel_moves = np.concatenate([p.z_moves[1:, :2], p.end_moves[None, :2]]).transpose(1, 0, 2).reshape(-1, free)
+    travel = np.hstack([x_given[:, :STATES], np.zeros((2 * horizon.prediction, FORCES)), x_given[:, STATES:]])
+    checks = np.vstack([optimum * KILO, travel + travel_moves @ optimum])
+    bounds = np.concatenate(
+        [np.full(free, horizon.force_limit), np.full(2 * horizon.prediction, terms.deflection_limit)]
+    )
+    checks /= bounds[:, None]
+    return MpcDesign(
+        shape=_shape(H, travel_moves, horizon.prediction, horizon.force_limit),
+        linear=2 * linear,
+        rows_given=np.vstack([travel, -travel]) * CENTI,
+        row_limits=np.full(4 * horizon.prediction, terms.deflection_limit * CENTI),
+        law=LinearLaw(gain=optimum[:FORCES, : STATES + FORCES] * KILO),
+        feed=optimum[:FORCES, STATES + FORCES :] * KILO,
+        checks=checks,
+        bounds=bounds,
+        screen=np.ascontiguousarray(checks.T, dtype=np.float32),
+    )
+
+
+def _shape(H: FloatArray, travel_moves: FloatArray, horizon: int, force_limit: float) -> QpShape:
+    """The QP's constant matrices, with one slack per axle on |deflection| <= limit + slack."""
+    free, axles = len(H), 2
+    full = np.zeros((free + axles, free + axles))
+    full[:free, :free] = 2 * H
+    full[free:, free:] = 2 * SLACK_QUADRATIC / CENTI**2 * np.eye(axles)
+    slack = -np.kron(np.eye(axles), np.ones((horizon, 1)))
+    rows = np.block([[travel_moves * CENTI, slack], [-travel_moves * CENTI, slack]])
+    force = np.full(free, force_limit / KILO)
+    return QpShape(
+        H=full,
+        A=rows,
+        low=np.concatenate([-force, np.zeros(axles)]),
+        high=np.concatenate([force, np.full(axles, 1e4)]),  # 100 m: no limit, but a finite one
+    )
+
+
+class MpcController(Controller):
+    """MPC over a known preview: the law where it holds, else a QP, verified; else the other solver; else hold."""
+
+    def __init__(self, designs: Mapping[str, MpcDesign], windows: FloatArray, mpc: Mpc) -> None:
+        """Over `preview`'s windows (3, steps, Np)."""
+        super().__init__()
+        self._designs = designs
+        self._windows = windows
+        self._limit = mpc.force_limit
+        self._order = (mpc.solver, *(name for name in SOLVERS if name != mpc.solver))
+        self._solvers: dict[tuple[str, str], QpSolver] = {}
+
+    def law(self, stage: str) -> LinearLaw:
+        """The stage's unconstrained optimum."""
+        return self._designs[stage].law
+
+    def feed(self, stage: str, first: int, last: int) -> FloatArray:
+        """Preview's part of the force."""
+        return np.asarray(flattened(self._windows[:, first:last]) @ self._designs[stage].feed.T)
+
+    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
+        """Where every force and deflection of the horizon is within its limit.
+
+        Single precision rules most steps out; those near a limit are judged again in double.
+        """
+        chosen, count = self._designs[stage], len(measured)
+        ahead = self._windows[:, first : first + count]
+        given = np.empty((count, len(chosen.screen)), dtype=np.float32)
+        given[:, :MEASURED] = measured
+        given[:, MEASURED:].reshape(count, len(ahead), -1)[...] = ahead.transpose(1, 0, 2)
+        share = given @ chosen.screen
+        held = np.abs(share, out=share).max(axis=1) <= _CLEAR
+        near = np.flatnonzero(~held)
+        if len(near):
+            given_near = np.hstack([measured[near], flattened(ahead[:, near])])
+            held[near] = (np.abs(given_near @ chosen.checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
+        return np.asarray(held)
+
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
+        """The first force of the constrained optimum."""
+        chosen = self._designs[stage]
+        given = np.concatenate([state, previous, self._windows[:, step].ravel()])
+        f = np.zeros(len(chosen.shape.H))
+        f[:-2] = chosen.linear @ given
+        f[-2:] = SLACK_LINEAR / CENTI
+        b = chosen.row_limits - chosen.rows_given @ given
+        self.report.solves += 1
+        for attempt, name in enumerate(self._order):
+            solver = self._solvers.get((stage, name))
+            if solver is None:
+                solver = self._solvers[stage, name] = SOLVERS[name](chosen.shape)
+            y = solver.solve(f, b)
+            if y is not None:
+                self.report.fallbacks += attempt
+                self.report.max_slack = max(self.report.max_slack, float(y[-2:].max()) / CENTI)
+                return np.clip(y[:FORCES] * KILO, -self._limit, self._limit)
+        self.report.failures += 1
+        return np.clip(previous, -self._limit, self._limit)

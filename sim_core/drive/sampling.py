@@ -1,0 +1,233 @@
+"""A drive over a road, sampled: everything about a run that no suspension changes.
+
+What follows from the drive alone is kept apart from the road's heights: another road of the same length, or another
+bump in the same place, only looks its heights up.
+"""
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.caching import cached_up_to
+from sim_core.car.half_car import DISTURBANCES
+from sim_core.car.road import GRID, GridPlace, detail, grid_between, grid_place, grid_samples, kinks, profile
+from sim_core.drive.speed_profile import KMH, Drive, run_in_steps
+from sim_core.result import FloatArray
+from sim_core.scenario import Road, Scenario
+from sim_core.strategies import SpeedPolicy
+
+FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class AxlePath:
+    """One axle over the fine grid, and where on the record it meets a kink of the road.
+
+    Attributes:
+        position: At every fine instant (n + 1,) [m].
+        place: The same on the road's grid.
+        kink: Positions of the kinks from x = 0 to the road's end (k,) [m]: the roughness' samples and the bump's own.
+        kink_place: The same on the road's grid.
+        kink_step: The fine step from x = 0 in which each is met (k,).
+        kink_share: And the share of it that has passed by then (k,).
+    """
+
+    position: FloatArray
+    place: GridPlace
+    kink: FloatArray
+    kink_place: GridPlace
+    kink_step: NDArray[np.intp]
+    kink_share: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class SampledDrive:
+    """A drive in control steps from the run-in to the road's end, and in fine ones.
+
+    Attributes:
+        time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
+        fine: Fine steps in each control step.
+        before: Control steps before x = 0.
+        axles: The front and the rear.
+        braking: Deceleration, held over a fine step (n,) [m/s^2].
+        on_record: The fine samples on record, from x = 0 to the road's end.
+        series: The record's signals that no road changes (signals.SIGNALS).
+    """
+
+    time: FloatArray
+    fine: int
+    before: int
+    axles: tuple[AxlePath, AxlePath]
+    braking: FloatArray
+    on_record: slice
+    series: dict[str, FloatArray]
+
+    @property
+    def step(self) -> float:
+        """Control step [s]."""
+        return float(self.time[1] - self.time[0])
+
+    @property
+    def fine_step(self) -> float:
+        """Fine step [s]."""
+        return self.step / self.fine
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class RoadInput:
+    """A sampled drive on its road.
+
+    Attributes:
+        drive: What follows from the drive alone.
+        position: Of the front axle at the control instants that begin a step (steps,) [m].
+        disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
+            (steps, 3 · fine), fine step after fine step.
+        kink_rise: How far each kink of the road lies above the line between its fine step's ends, by axle [m].
+        series: The record's signals that no suspension changes (signals.SIGNALS).
+    """
+
+    drive: SampledDrive
+    position: FloatArray
+    disturbance: FloatArray
+    kink_rise: tuple[FloatArray, FloatArray]
+    series: dict[str, FloatArray]
+
+    @property
+    def time(self) -> FloatArray:
+        """Control instants (steps + 1,) [s]."""
+        return self.drive.time
+
+    @property
+    def fine(self) -> int:
+        """Fine steps in each control step."""
+        return self.drive.fine
+
+    @property
+    def on_record(self) -> slice:
+        """The fine samples on record."""
+        return self.drive.on_record
+
+    @property
+    def step(self) -> float:
+        """Control step [s]."""
+        return self.drive.step
+
+    @property
+    def fine_step(self) -> float:
+        """Fine step [s]."""
+        return self.drive.fine_step
+
+
+def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> float:
+    """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
+
+    Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
+    sampling of peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the
+    initial speed, the rough road at the speed that is held for long.
+    """
+    vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
+    stiffest = max(
+        (vehicle.front_tyre_stiffness + vehicle.front_spring) / vehicle.front_wheel_mass,
+        (vehicle.rear_tyre_stiffness + vehicle.rear_spring) / vehicle.rear_wheel_mass,
+    )
+    over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
+    held = speed.initial_speed_kmh
+    if policy is SpeedPolicy.PLANNED:
+        held = min(held, speed.target_speed_kmh)
+    over_grid = GRID / (held * KMH) if scenario.road.roughness else COARSEST
+    return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
+
+
+@cached_up_to(48)
+def sample_road(
+    road: Road, wheelbase: float, drive: Drive, step: float, longest_fine_step: float, multiple: int = 1
+) -> RoadInput:
+    """Sample a drive and look its road up.
+
+    Args:
+        road: What it drives over.
+        wheelbase: L [m].
+        drive: Its speed plan.
+        step: Control step [s].
+        longest_fine_step: See `fine_step` [s].
+        multiple: A control step has a whole multiple of so many fine steps.
+    """
+    fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
+    sampled = _sampled(drive, road.length, wheelbase, step, fine, kinks(road.bump))
+    surface, h = profile(road), sampled.fine_step
+    heights, rises = [], []
+    held = np.empty((len(sampled.braking), DISTURBANCES))
+    for i, axle in enumerate(sampled.axles):
+        height = surface.height_at(axle.position, axle.place)
+        held[:, i] = (height[1:] - height[:-1]) * (1 / h)
+        record = height[sampled.on_record.start :]
+        low, high = record.take(axle.kink_step), record.take(axle.kink_step + 1)
+        rises.append(surface.height_at(axle.kink, axle.kink_place) - low - axle.kink_share * (high - low))
+        heights.append(height[sampled.on_record])
+    held[:, 2] = sampled.braking
+    for values in heights:
+        values.flags.writeable = False
+    return RoadInput(
+        drive=sampled,
+        position=sampled.axles[0].position[: -1 : sampled.fine],
+        disturbance=held.reshape(len(sampled.time) - 1, sampled.fine * DISTURBANCES),
+        kink_rise=(rises[0], rises[1]),
+        series=sampled.series | {"front_road": heights[0], "rear_road": heights[1]},
+    )
+
+
+@cached_up_to(16)
+def _sampled(
+    drive: Drive, length: float, wheelbase: float, step: float, fine: int, bump_kinks: tuple[float, ...]
+) -> SampledDrive:
+    """The part of `track` that needs no height; length of the road and the bump's kinks in m."""
+    duration = drive.time_at(length)
+    before = run_in_steps(drive.initial_speed, step)
+    steps = before + int(duration / step + 1e-6) + 1  # the last one begins at the road's end or before it
+    h = step / fine
+
+    time = h * np.arange(-before * fine, (steps - before) * fine + 1, dtype=np.float64)
+    position, speed = drive.at(time)
+    first = before * fine
+    record = slice(first, first + int(duration / h + 1e-6) + 1)
+    series = {
+        "time": time[record],
+        "position": position[record],
+        "speed": speed[record],
+        "brake_pressure": drive.sample(drive.pressure, time[record]),
+        "brake_deceleration": drive.sample(drive.braking, time[record]),
+    }
+    for values in series.values():
+        values.flags.writeable = False
+    return SampledDrive(
+        time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
+        fine=fine,
+        before=before,
+        axles=(
+            _path(position, first, length, bump_kinks),
+            _path(position - wheelbase, first, length, bump_kinks),
+        ),
+        braking=drive.sample(drive.braking, time[:-1] + h / 2),
+        on_record=record,
+        series=series,
+    )
+
+
+def _path(position: FloatArray, first: int, length: float, bump_kinks: tuple[float, ...]) -> AxlePath:
+    """An axle at those positions (n + 1,) [m], on record from the sample `first` on."""
+    record, samples = position[first:], grid_samples(length)
+    begin, end = float(record[0]), float(record[-1])
+    kink = np.sort(np.concatenate([grid_between(begin, end), bump_kinks]))
+    kink = kink[(kink > begin) & (kink < end)]
+    step = record.searchsorted(kink) - 1
+    low = record.take(step)
+    return AxlePath(
+        position=position,
+        place=grid_place(position, samples),
+        kink=kink,
+        kink_place=grid_place(kink, samples),
+        kink_step=step,
+        kink_share=(kink - low) / (record.take(step + 1) - low),
+    )

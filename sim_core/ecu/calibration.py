@@ -1,0 +1,141 @@
+"""What the ECU's program knows: tables exported from the MPC's designs, one set a driving stage.
+
+The program's work is y = rows · [state; previous command; preview]: the forces and deflections of the horizon as the
+unconstrained optimum has them. Where one of them breaks its limit, multipliers of the broken rows correct all of them
+through `gram`, which is all a dual method needs of the QP (Goldfarb and Idnani 1983).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.car.half_car import FORCES, STATES, LinearModel
+from sim_core.control.cost import KILO
+from sim_core.control.mpc import CENTI, SLACK_LINEAR, SLACK_QUADRATIC, MpcDesign
+from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
+from sim_core.result import FloatArray
+from sim_core.scenario import Hil
+
+AXLES = 2
+FORCE_ROW = -1  # in place of an axle
+MOST_ACTIVE = 44  # limits that may bind together; the program's working memory is made for so many
+Checked = Literal["all", "few"]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class StageTables:
+    """One stage: rows (m, 10 + 3 Np) on [state; previous command in kN; preview], gram (m, m)."""
+
+    rows: FloatArray
+    gram: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Calibration:
+    """All of the program's numbers. Row values are in kN and cm; the first two are the force commands.
+
+    Attributes:
+        intervals: Prediction horizon Np.
+        moves: Control horizon Nc.
+        predicts: Whether the state is reckoned ahead to the moment the command takes effect.
+        iterations: The solver stops after so many.
+        bits: Of the converters.
+        input_steps: What one code stands for: 8 states, then the three preview channels (11,).
+        command_step: What one code of a command stands for [kN].
+        force_limit: Of the commands [kN].
+        A: Of the car over one control step (8, 8).
+        B: The same for forces in kN (8, 2).
+        E: The same for disturbances (8, 3).
+        bounds: Limit of each row's magnitude (m,) [kN or cm].
+        axles: Which slack softens a row: 0 front, 1 rear, FORCE_ROW none (m,).
+        slack_price: Linear penalty of a slack [1/cm].
+        slack_yield: Inverse of its quadratic one, 1/H [cm²].
+        stages: Tables by stage, in the order of channels.STAGES.
+    """
+
+    intervals: int
+    moves: int
+    predicts: bool
+    iterations: int
+    bits: int
+    input_steps: FloatArray
+    command_step: float
+    force_limit: float
+    A: FloatArray
+    B: FloatArray
+    E: FloatArray
+    bounds: FloatArray
+    axles: tuple[int, ...]
+    slack_price: float
+    slack_yield: float
+    stages: tuple[StageTables, ...]
+
+    @property
+    def row_count(self) -> int:
+        """Rows a stage has."""
+        return len(self.bounds)
+
+    @property
+    def preview_length(self) -> int:
+        """Intervals each frame tells of: one more where the first is spent on predicting."""
+        return self.intervals + int(self.predicts)
+
+
+def calibrate(
+    designs: Mapping[str, MpcDesign], model: LinearModel, hil: Hil, force_limit: float, checked: Checked = "all"
+) -> Calibration:
+    """Export the designs.
+
+    Args:
+        designs: By stage.
+        model: The car over one control step.
+        hil: Converters and solver.
+        force_limit: Of each force [N].
+        checked: `all` limits of the horizon, or a `few`: the first move's forces and every third deflection.
+    """
+    first = designs[STAGES[0]]
+    free = len(first.shape.H) - AXLES
+    intervals = (len(first.bounds) - free) // AXLES
+    kept = _kept(free, intervals, checked)
+    highest = highest_code(hil.bits)
+    unit = np.concatenate([np.full(free, 1 / KILO), np.full(AXLES * intervals, CENTI)])[kept]
+    axles = np.concatenate([np.full(free, FORCE_ROW), np.repeat(np.arange(AXLES), intervals)])[kept]
+    return Calibration(
+        intervals=intervals,
+        moves=free // FORCES,
+        predicts=hil.compensation == "predict",
+        iterations=hil.iterations,
+        bits=hil.bits,
+        input_steps=np.array([channel.reach / highest for channel in (*SENSORS, *PREVIEW)]),
+        command_step=force_limit / KILO / highest,
+        force_limit=force_limit / KILO,
+        A=model.A,
+        B=model.B * KILO,
+        E=model.E,
+        bounds=first.bounds[kept] * unit,
+        axles=tuple(int(axle) for axle in axles),
+        slack_price=SLACK_LINEAR / CENTI,
+        slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
+        stages=tuple(_tables(designs[stage], kept, unit) for stage in STAGES),
+    )
+
+
+def _kept(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
+    """Which of the law's checks the program makes; the first two, its commands, always."""
+    if checked == "all":
+        return np.arange(free + AXLES * intervals, dtype=np.intp)
+    some = np.arange(2, intervals, 3)
+    return np.concatenate([np.arange(FORCES), free + some, free + intervals + some])
+
+
+def _tables(design: MpcDesign, kept: NDArray[np.intp], unit: FloatArray) -> StageTables:
+    free = len(design.shape.H) - AXLES
+    rows = (design.checks * design.bounds[:, None])[kept] * unit[:, None]
+    rows[:, STATES : STATES + FORCES] *= KILO
+    travel = design.shape.A[: (len(design.shape.A)) // 2, :free]
+    effects = np.vstack([np.eye(free), travel])[kept]
+    gram = effects @ np.linalg.solve(design.shape.H[:free, :free], effects.T)
+    return StageTables(rows=rows, gram=(gram + gram.T) / 2)

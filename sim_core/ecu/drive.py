@@ -1,0 +1,95 @@
+"""`lv_hil` over a road: designs into tables, sensors ahead, the car in short steps, and the loop around the ECU."""
+
+import numpy as np
+
+from sim_core.car.half_car import DISTURBANCES, discrete
+from sim_core.car.plant import plant
+from sim_core.control.controller import SolverReport
+from sim_core.control.making import mpc_designs
+from sim_core.control.mpc import CENTI
+from sim_core.drive.preview import preview_windows
+from sim_core.drive.sampling import RoadInput
+from sim_core.drive.speed_profile import Drive, drive
+from sim_core.ecu.calibration import Calibration, Checked, calibrate
+from sim_core.ecu.channels import STAGES
+from sim_core.ecu.interface import Connect
+from sim_core.ecu.loop import HilLoop, Limits, LoopInputs, short_steps
+from sim_core.recording import Recording
+from sim_core.scenario import Scenario
+from sim_core.strategies import strategy_named
+
+
+def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
+    """What the ECU of `lv_hil` knows: the scenario's own MPC, exported.
+
+    Args:
+        scenario: Whose.
+        checked: Which limits of the horizon its program checks.
+
+    Raises:
+        RidelabError: The vehicle and weights admit no stabilising controller.
+    """
+    strategy = strategy_named("lv_hil")
+    designs = mpc_designs(scenario, strategy, drive(scenario, strategy.speed))
+    model = discrete(scenario.vehicle, scenario.mpc.sample_time)
+    return calibrate(designs, model, scenario.hil, scenario.mpc.force_limit, checked)
+
+
+def drive_ecu(
+    scenario: Scenario,
+    calibration: Calibration,
+    motion: Drive,
+    road_input: RoadInput,
+    stages: list[tuple[str, int, int]],
+    connect: Connect,
+) -> Recording:
+    """Drive the ECU's controller over a road.
+
+    Args:
+        scenario: What to drive.
+        calibration: What the ECU knows.
+        motion: The speed plan.
+        road_input: With a whole multiple of `short_steps` fine steps in a control step.
+        stages: Name, first control step and one past the last, as `segments` gives them.
+        connect: To the ECU.
+    """
+    n = short_steps(road_input.step)
+    fine = road_input.fine // n
+    car = plant(scenario.real_vehicle, scenario.actuator, road_input.step / n, fine)
+    disturbance = road_input.disturbance.reshape(-1, DISTURBANCES * fine)
+    numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
+    if calibration.predicts:  # a command is made for the stage in which it takes effect
+        numbers = [*numbers[1:], numbers[-1]]
+    preview = preview_windows(
+        scenario.mpc.preview,
+        scenario.road,
+        motion,
+        road_input,
+        calibration.preview_length,
+        scenario.vehicle.wheelbase,
+        scenario.mismatch,
+    )
+    rate, most = scenario.actuator.rate_limit, scenario.mpc.force_limit
+    saturation = scenario.actuator.saturation
+    loop = HilLoop(
+        plant=car,
+        inputs=LoopInputs(
+            forcing=disturbance @ car.E, preview=preview, stages=numbers, per_control=n, step=road_input.step / n
+        ),
+        calibration=calibration,
+        hil=scenario.hil,
+        limits=Limits(
+            rate=np.inf if rate is None else rate, force=most if saturation is None else min(most, saturation)
+        ),
+    )
+    with connect(calibration) as ecu:
+        trajectory = loop.run(ecu)
+    from_start = slice(road_input.drive.before * n, None)
+    counts = trajectory.statistics
+    return Recording(
+        table=car.record(trajectory.states[from_start], trajectory.commands[from_start], disturbance[from_start]),
+        road_input=road_input,
+        report=SolverReport(solves=counts.limited, failures=counts.unfinished, max_slack=counts.slack / CENTI),
+        limited=counts.limited,
+        loop=counts,
+    )

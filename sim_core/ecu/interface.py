@@ -1,0 +1,76 @@
+"""What the loop needs of an ECU: a frame goes to it, a reply comes back."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.channels import IntArray
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Frame:
+    """One control step's measurements: codes (8 + 3 · preview_length,), the stage's number in channels.STAGES."""
+
+    step: int
+    stage: int
+    codes: IntArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reply:
+    """The ECU's answer.
+
+    Attributes:
+        commands: Codes of both forces.
+        limited: Whether a limit shaped them.
+        iterations: Of the solver.
+        unfinished: The solver stopped before it was done; the forces are clipped.
+        slack: Largest predicted deflection beyond the limit [cm].
+    """
+
+    commands: tuple[int, int]
+    limited: bool
+    iterations: int
+    unfinished: bool
+    slack: float
+
+
+@dataclass(slots=True)
+class LoopStatistics:
+    """What happened between plant and ECU in a run.
+
+    Attributes:
+        limited: Control steps in which a limit shaped the commands.
+        unfinished: Of those, how many the solver did not finish.
+        iterations: The solver's most in one step.
+        slack: Largest predicted deflection beyond the limit [cm].
+        clipped: Measured values beyond their range.
+        held: Commands that never took effect: lost, late, or overtaken by a later one.
+    """
+
+    limited: int = 0
+    unfinished: int = 0
+    iterations: int = 0
+    slack: float = 0.0
+    clipped: int = 0
+    held: int = 0
+
+    def count(self, reply: Reply) -> None:
+        """Take an answer in."""
+        self.limited += reply.limited
+        self.unfinished += reply.unfinished
+        self.iterations = max(self.iterations, reply.iterations)
+        self.slack = max(self.slack, reply.slack)
+
+
+class Ecu(ABC):
+    """One run's ECU. Its memory, the last command, starts at zero."""
+
+    @abstractmethod
+    def exchange(self, frame: Frame) -> Reply | None:
+        """Answer one frame; None where no answer came in time."""
+
+
+Connect = Callable[[Calibration], AbstractContextManager[Ecu]]

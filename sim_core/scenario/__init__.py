@@ -1,0 +1,36 @@
+"""The scenario: parts and fields, presets, dotted names, and how an older version's scenario is read."""
+
+from sim_core.scenario.fields import Weights
+from sim_core.scenario.imperfections import Actuator, Hil, Mismatch
+from sim_core.scenario.parts import (
+    SCHEMA_VERSION,
+    Brake,
+    Bump,
+    Lqr,
+    Mpc,
+    Preview,
+    Road,
+    Scenario,
+    Speed,
+    StageWeights,
+)
+from sim_core.scenario.vehicle import GRAVITY, Vehicle
+
+__all__ = [
+    "GRAVITY",
+    "SCHEMA_VERSION",
+    "Actuator",
+    "Brake",
+    "Bump",
+    "Hil",
+    "Lqr",
+    "Mismatch",
+    "Mpc",
+    "Preview",
+    "Road",
+    "Scenario",
+    "Speed",
+    "StageWeights",
+    "Vehicle",
+    "Weights",
+]

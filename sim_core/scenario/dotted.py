@@ -1,0 +1,131 @@
+"""Single fields of a scenario by their dotted names, as sweeps and the command line use them.
+
+`road.bump.height` is a field, `mpc.stage_weights.cruise` three weights, `mpc.stage_weights.cruise.0` the first of them.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+
+from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.scenario import Scenario
+from sim_core.scenario.fields import Weight
+
+Kind = Literal["number", "integer", "choice", "weights"]
+_CONFIG = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DottedField:
+    """One field: what it is called, its unit (`1` for none) and what it takes."""
+
+    name: str
+    title: str
+    unit: str
+    kind: Kind
+    adapter: TypeAdapter[Any]
+
+    def checked(self, value: Any) -> Any:
+        """The value as the scenario holds it, in plain JSON types.
+
+        Raises:
+            RidelabError: It is of another type or beyond the hard limits; the message does not repeat it.
+        """
+        try:
+            return self.adapter.dump_python(self.adapter.validate_python(value), mode="json")
+        except ValidationError as error:
+            raise RidelabError(error.errors(include_input=False)[0]["msg"], field=self.name) from None
+
+
+@cache
+def fields() -> dict[str, DottedField]:
+    """Every field by its dotted name, in the scenario's order."""
+    return {field.name: field for field in _walk(Scenario, "")}
+
+
+def field(name: str) -> DottedField:
+    """The field of that name.
+
+    Raises:
+        UnknownNameError: There is none, or it is a whole part; the message lists the names to choose from.
+    """
+    try:
+        return fields()[name]
+    except KeyError:
+        raise UnknownNameError(f"Unknown field; there are {', '.join(_offered(name))}") from None
+
+
+def value(scenario: Mapping[str, Any], name: str) -> Any:
+    """That field's value in a complete plain scenario."""
+    found: Any = scenario
+    for step in name.split("."):
+        found = found[step] if isinstance(found, dict) else found[int(step)]
+    return found
+
+
+def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of a complete plain scenario with these fields changed; what is not changed is shared with it."""
+    changed = dict(scenario)
+    for name, value in changes.items():
+        _set(changed, name.split("."), value)
+    return changed
+
+
+def _set(part: dict[str, Any], path: list[str], value: Any) -> None:
+    key, *rest = path
+    if not rest:
+        part[key] = value
+        return
+    if isinstance(part[key], dict):
+        part[key] = dict(part[key])
+        _set(part[key], rest, value)
+    else:
+        items = list(part[key])
+        items[int(rest[0])] = value
+        part[key] = items
+
+
+def _offered(name: str) -> list[str]:
+    """Names below the deepest part that the unknown name begins with."""
+    known = fields()
+    steps = name.split(".")
+    for length in range(len(steps), 0, -1):
+        prefix = ".".join(steps[:length]) + "."
+        below = [each for each in known if each.startswith(prefix)]
+        if below:
+            return below
+    return list(known)
+
+
+def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
+    for key, info in model.model_fields.items():
+        name, annotation = prefix + key, info.annotation
+        if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+            yield from _walk(annotation, f"{name}.")
+            continue
+        extra = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+        unit, title = str(extra.get("unit", "1")), str(info.title or key)
+        annotated: Any = Annotated[annotation, info]
+        adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=_CONFIG)
+        yield DottedField(name=name, title=title, unit=unit, kind=_kind(annotation), adapter=adapter)
+        titles = extra.get("item_titles")
+        for index, item_title in enumerate(titles if isinstance(titles, list) else []):
+            yield DottedField(
+                name=f"{name}.{index}",
+                title=f"{title}: {item_title}",
+                unit=unit,
+                kind="number",
+                adapter=TypeAdapter(Weight, config=_CONFIG),
+            )
+
+
+def _kind(annotation: Any) -> Kind:
+    types = {annotation, *get_args(annotation)}
+    if get_args(annotation) and all(isinstance(each, str) for each in get_args(annotation)):
+        return "choice"
+    if float in types:
+        return "number"
+    return "integer" if int in types else "weights"

@@ -1,0 +1,147 @@
+"""Parts of the scenario for what is not ideal; by default everything is, as in the paper."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from sim_core.scenario.fields import Part, count, quantity
+from sim_core.scenario.vehicle import Vehicle
+
+
+class Actuator(Part):
+    """Suspension actuators; ideal by default, as in the paper."""
+
+    bandwidth: float | None = quantity(
+        None,
+        "Hz",
+        "Bandwidth",
+        "First-order lag between command and force, typically 10 Hz; none is ideal.",
+        soft=(2, 50),
+        ge=0.5,
+        le=1000,
+    )
+    rate_limit: float | None = quantity(
+        None,
+        "N/s",
+        "Force rate limit",
+        "Greatest change of the commanded force; none is unlimited.",
+        soft=(10_000, 500_000),
+        ge=1000,
+        le=1e8,
+    )
+    saturation: float | None = quantity(
+        None,
+        "N",
+        "Saturation",
+        "Greatest force the actuator gives, which no controller knows; none is the force limit they do know.",
+        soft=(500, 10_000),
+        ge=1,
+        le=1_000_000,
+    )
+
+
+class Mismatch(Part):
+    """What the real car and the real sensors have other than the controllers believe; nothing by default.
+
+    The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
+    """
+
+    body_mass: float = quantity(
+        1,
+        "1",
+        "Body mass and pitch inertia",
+        "Real over believed, both alike: the load.",
+        soft=(0.7, 1.4),
+        ge=0.3,
+        le=3,
+    )
+    springs: float = quantity(
+        1, "1", "Spring stiffness", "Real over believed, both axles.", soft=(0.8, 1.2), ge=0.2, le=5
+    )
+    damping: float = quantity(1, "1", "Damping", "Real over believed, both axles.", soft=(0.5, 1.5), ge=0.05, le=5)
+    tyres: float = quantity(1, "1", "Tyre stiffness", "Real over believed, both axles.", soft=(0.8, 1.2), ge=0.2, le=5)
+    preview_offset: float = quantity(
+        0,
+        "m",
+        "Preview offset",
+        "The sensors place the road ahead so much too far away (lookahead).",
+        soft=(-0.5, 0.5),
+        ge=-10,
+        le=10,
+    )
+    preview_gain: float = quantity(
+        1, "1", "Preview gain", "Height the sensors see over the true height (lookahead).", soft=(0.7, 1.3), ge=0, le=3
+    )
+    preview_noise: float = quantity(
+        0,
+        "m",
+        "Preview noise",
+        "Standard deviation of each height the sensors give, one height a control step (lookahead).",
+        soft=(0, 0.005),
+        ge=0,
+        le=0.1,
+    )
+    preview_delay: float = quantity(
+        0, "s", "Preview delay", "The road ahead comes so late (lookahead).", soft=(0, 0.05), ge=0, le=1
+    )
+
+    def real(self, vehicle: Vehicle) -> Vehicle:
+        """The car that is driven where the controllers believe in that one."""
+        if (self.body_mass, self.springs, self.damping, self.tyres) == (1, 1, 1, 1):
+            return vehicle
+        factors = {
+            "body_mass": self.body_mass,
+            "pitch_inertia": self.body_mass,
+            "front_spring": self.springs,
+            "rear_spring": self.springs,
+            "front_damping": self.damping,
+            "rear_damping": self.damping,
+            "front_tyre_stiffness": self.tyres,
+            "rear_tyre_stiffness": self.tyres,
+        }
+        return vehicle.model_copy(update={name: getattr(vehicle, name) * factor for name, factor in factors.items()})
+
+
+class Hil(Part):
+    """Hardware in the loop: the controller apart from the plant, as `lv_hil` drives it (section 4.2)."""
+
+    bits: int = count(
+        12, "Converter bits", "Resolution of every sensor and of the actuator commands.", soft=(8, 16), ge=4, le=24
+    )
+    compensation: Literal["predict", "none"] = Field(
+        "predict",
+        title="Delay compensation",
+        description="A command takes effect one control step after its measurement: predict (ours) lets the ECU reckon "
+        "the state ahead to that moment, none lets it answer the past.",
+    )
+    iterations: int = count(
+        30, "Iterations", "The ECU's solver stops after so many, whatever it has.", soft=(1, 60), ge=0, le=200
+    )
+    noise: float = quantity(
+        0,
+        "1",
+        "Sensor noise",
+        "Standard deviation as a share of each input's range, before the converter.",
+        soft=(0, 0.005),
+        ge=0,
+        le=0.2,
+    )
+    jitter: float = quantity(
+        0,
+        "s",
+        "Jitter",
+        "A command takes effect up to so much later still, evenly spread, in whole milliseconds.",
+        soft=(0, 0.01),
+        ge=0,
+        le=0.05,
+    )
+    packet_loss: float = quantity(
+        0,
+        "1",
+        "Lost packets",
+        "Share of the commands that never arrive; the actuators hold the last one.",
+        soft=(0, 0.2),
+        ge=0,
+        le=0.9,
+    )
+    seed: int = count(1, "Seed", "Of noise, jitter and losses.", soft=(1, 20), ge=0, le=2**32 - 1)

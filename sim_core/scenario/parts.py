@@ -1,0 +1,241 @@
+"""The scenario: the one source of fields, units, defaults, hard limits, soft ranges and help.
+
+Its JSON Schema makes the browser's form, the command line's options and the API's documentation.
+SI units, except speeds a person types, which end in `_kmh`. Defaults are the paper's (Table 2, 3, 6
+and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
+"""
+
+from typing import Literal, Self
+
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
+
+from sim_core.scenario.fields import Part, Weights, count, quantity, weights
+from sim_core.scenario.imperfections import Actuator, Hil, Mismatch
+from sim_core.scenario.vehicle import Vehicle
+
+SCHEMA_VERSION = 1
+
+
+BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid"]
+
+
+class Bump(Part):
+    """The obstacle, added to the roughness (Eq. 2-3)."""
+
+    shape: BumpShape = Field(
+        "cosine",
+        title="Shape",
+        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
+        "trapezoid straight ones, each a quarter of the width.",
+    )
+    height: float = quantity(
+        0.1, "m", "Height", "Crest height; 0 is no bump, negative a pothole.", soft=(-0.15, 0.2), ge=-1, le=1
+    )
+    width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
+    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=2000)
+
+
+class Road(Part):
+    """Rough road made in space by ISO 8608, with one bump (section 2.1)."""
+
+    roughness: float = quantity(
+        64e-6,
+        "m^3",
+        "Roughness",
+        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; class means A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
+        soft=(0, 1024e-6),
+        ge=0,
+        le=0.262144,
+    )
+    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=2**32 - 1)
+    length: float = quantity(
+        150,
+        "m",
+        "Length",
+        "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle.",
+        soft=(110, 300),
+        ge=5,
+        le=3000,
+    )
+    bump: Bump = Bump()
+
+
+class Speed(Part):
+    """Speeds and when braking begins (section 3.1)."""
+
+    initial_speed_kmh: float = quantity(
+        50, "km/h", "Initial speed", "Held until the bump is detected.", soft=(20, 90), ge=5, le=200
+    )
+    target_speed_kmh: float = quantity(
+        22.5, "km/h", "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h.", soft=(10, 50), ge=5, le=200
+    )
+    detection_distance: float = quantity(
+        80,
+        "m",
+        "Detection distance",
+        "How far ahead the bump is seen and braking begins.",
+        soft=(20, 100),
+        ge=1,
+        le=1000,
+    )
+    controller: Literal["guarded", "fuzzy"] = Field(
+        "guarded",
+        title="Speed controller",
+        description="fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
+        "changes nothing on the paper's scenario.",
+    )
+
+
+class Brake(Part):
+    """Brake chain and driving resistances (Eq. 4-6); the paper gives no values: typical ones, ours."""
+
+    friction_coefficient: float = quantity(
+        0.38, "1", "Pad friction", "Coefficient µ; brake factor k = 2 µ.", soft=(0.2, 0.6), ge=0.05, le=1
+    )
+    effective_radius: float = quantity(
+        0.13, "m", "Effective disc radius", "Friction radius r_b.", soft=(0.08, 0.2), ge=0.02, le=1
+    )
+    piston_area: float = quantity(
+        0.0025, "m^2", "Piston area", "Contact area A of one brake.", soft=(0.001, 0.006), ge=1e-4, le=0.1
+    )
+    brakes: int = count(
+        2, "Brakes", "How many share the torque; one per axle of the half-car.", soft=(1, 4), ge=1, le=8
+    )
+    threshold_speed: float = quantity(
+        0.1, "m/s", "Threshold speed", "Sliding speed v_d of the smoothed friction.", soft=(0.01, 0.5), ge=0.001, le=5
+    )
+    pressure_lag: float = quantity(
+        0.1, "s", "Pressure lag", "Time constant of the line pressure.", soft=(0, 0.4), ge=0, le=2
+    )
+    wheel_radius: float = quantity(0.3, "m", "Wheel radius", "Rolling radius.", soft=(0.25, 0.4), ge=0.1, le=2)
+    maximum_deceleration: float = quantity(
+        4,
+        "m/s^2",
+        "Greatest deceleration",
+        "Top of the fuzzy controller's torque universe.",
+        soft=(1, 8),
+        ge=0.2,
+        le=10,
+    )
+    rolling_resistance: float = quantity(
+        0.012, "1", "Rolling resistance", "Coefficient f_r.", soft=(0, 0.03), ge=0, le=0.2
+    )
+    drag_area: float = quantity(
+        0.65, "m^2", "Drag area", "Air drag coefficient times frontal area, c_d A.", soft=(0, 1.5), ge=0, le=20
+    )
+
+
+class StageWeights(Part):
+    """LV control's weights per driving stage (Table 6)."""
+
+    cruise: Weights = weights((8, 1, 1), "Cruise", "Uniform speed: comfort first.")
+    brake: Weights = weights((2, 6, 1), "Brake", "Braking: pitch first.")
+    bump: Weights = weights((1, 1, 6), "Bump", "On the bump: tyre load first.")
+
+
+class RoadWeights(Part):
+    """Single suspension control's weights per road (Table 3)."""
+
+    rough: Weights = weights((8, 1, 1), "Rough road", "Class B pavement.")
+    bump: Weights = weights((3, 1, 6), "Bump", "Bumpy pavement.")
+
+
+Preview = Literal["none", "wheelbase", "lookahead"]
+
+
+class Mpc(Part):
+    """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
+
+    sample_time: float = quantity(
+        0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05
+    )
+    prediction_horizon: int = count(30, "Prediction horizon", "Np, in steps.", soft=(5, 60), ge=1, le=200)
+    control_horizon: int = count(20, "Control horizon", "Nc, moves; at most Np.", soft=(1, 40), ge=1, le=100)
+    preview: Preview = Field(
+        "lookahead",
+        title="Preview",
+        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the "
+        "sensors see (lookahead).",
+    )
+    deflection_limit: float = quantity(
+        0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1
+    )
+    force_limit: float = quantity(
+        5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000
+    )
+    deflection_weight: float = quantity(
+        3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000
+    )
+    force_weight: float = quantity(
+        1e-9,
+        "1/N^2",
+        "Force weight",
+        "R, keeps the cost strictly convex (ours).",
+        soft=(1e-10, 1e-7),
+        ge=1e-12,
+        le=1e-3,
+    )
+    force_change_weight: float = quantity(
+        1e-10, "1/N^2", "Force change weight", "On the moves of the force (ours).", soft=(0, 1e-8), ge=0, le=1e-3
+    )
+    solver: Literal["daqp", "osqp"] = Field(
+        "daqp", title="QP solver", description="Used where a limit binds; the other is the fallback."
+    )
+    stage_weights: StageWeights = Field(StageWeights(), title="LV weights per driving stage")
+    road_weights: RoadWeights = Field(RoadWeights(), title="Single suspension control's weights per road")
+
+
+class Lqr(Part):
+    """Linear quadratic regulator (section 4.2.2: equal weights)."""
+
+    weights: Weights = weights((1, 1, 1), "Weights", "Equal, as in the paper.")
+    deflection_weight: float = quantity(
+        3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000
+    )
+    preview: Preview = Field(
+        "none",
+        title="Preview",
+        description="As the MPC's, by a feedforward that is optimal without limits; none is the paper's LQR.",
+    )
+    preview_horizon: int = count(
+        30, "Preview horizon", "In steps; nothing is known beyond.", soft=(5, 60), ge=1, le=200
+    )
+
+
+class Scenario(Part):
+    """Everything a run depends on; an omitted part or field takes the paper's default."""
+
+    vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
+    road: Road = Field(Road(), title="Road")
+    speed: Speed = Field(Speed(), title="Speed")
+    brake: Brake = Field(Brake(), title="Brake")
+    actuator: Actuator = Field(Actuator(), title="Actuator")
+    mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")
+    mpc: Mpc = Field(Mpc(), title="MPC")
+    lqr: Lqr = Field(Lqr(), title="LQR")
+    hil: Hil = Field(Hil(), title="Hardware in the loop")
+
+    @property
+    def real_vehicle(self) -> Vehicle:
+        """The car that is driven; `vehicle` is the one the controllers believe in."""
+        return self.mismatch.real(self.vehicle)
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        if self.mpc.control_horizon > self.mpc.prediction_horizon:
+            raise _at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
+        if self.road.bump.start + self.road.bump.width > self.road.length:
+            raise _at(
+                "road.bump.start",
+                "The bump must end before the road does: position and width together at most the road's length",
+            )
+        bump = self.road.bump
+        if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
+            raise _at("road.bump.height", "A circular bump's height must not exceed half its width")
+        return self
+
+
+def _at(field: str, message: str) -> PydanticCustomError:
+    """An error of the whole scenario that belongs to one field; `ctx['field']` names it, dotted."""
+    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})

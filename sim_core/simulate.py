@@ -1,0 +1,56 @@
+"""simulate(scenario, strategy): speed plan, road, controller and car step by step, and the metrics of the recording."""
+
+from sim_core.closed_loop import drive_controller
+from sim_core.drive.sampling import fine_step, sample_road
+from sim_core.drive.speed_profile import CONTROL_STEP, drive
+from sim_core.drive.stages import segments, spans
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.drive import drive_ecu, ecu_calibration
+from sim_core.ecu.interface import Connect
+from sim_core.ecu.loop import short_steps
+from sim_core.ecu.model import modelled
+from sim_core.metrics import evaluate
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.strategies import Strategy, SuspensionPolicy, strategy_named
+
+
+def simulate(
+    scenario: Scenario,
+    strategy: str | Strategy,
+    connect: Connect = modelled,
+    calibration: Calibration | None = None,
+) -> StrategyResult:
+    """Drive one strategy over the scenario's road.
+
+    Args:
+        scenario: What to drive.
+        strategy: Its id, or a strategy that is in no table.
+        connect: To the ECU of a strategy that has one; by default to its model in NumPy.
+        calibration: Of that ECU; by default `ecu_calibration`'s.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: The vehicle and weights admit no stabilising controller.
+    """
+    if isinstance(strategy, str):
+        strategy = strategy_named(strategy)
+    motion = drive(scenario, strategy.speed)
+    stages = spans(scenario, strategy, motion)
+    step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
+    by_ecu = strategy.suspension is SuspensionPolicy.ECU
+    road_input = sample_road(
+        scenario.road,
+        scenario.vehicle.wheelbase,
+        motion,
+        step,
+        fine_step(scenario, strategy.speed),
+        multiple=short_steps(step) if by_ecu else 1,
+    )
+    steps = segments(stages, road_input.position)
+    if by_ecu:
+        calibration = calibration or ecu_calibration(scenario)
+        recording = drive_ecu(scenario, calibration, motion, road_input, steps, connect)
+    else:
+        recording = drive_controller(scenario, strategy, motion, road_input, steps)
+    return evaluate(scenario, strategy, motion, stages, recording)
