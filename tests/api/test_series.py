@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from backend.models import Series, SeriesOfSeveral
+from backend.models import MAX_POINTS, Series, SeriesOfSeveral
 from backend.series import decimate
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 
@@ -124,19 +124,26 @@ def test_a_bad_query_names_its_parameter(
 
 @pytest.mark.parametrize("points", [100, 800])
 def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[str, Any], points: int) -> None:
-    """Each window's peak of each signal is still in the few points, as the metrics print it (float32: 1e-6)."""
+    """Each window's peak of each signal is still in the few points; the metrics' may be higher (docs/physics.md)."""
     for strategy, entry in run["strategies"].items():
-        query = {"strategy": strategy, "points": points, "encoding": "base64"}
-        series = {key: unpack(value) for key, value in client.get(address, params=query).json()["series"].items()}
-        assert len(series["time"]) < points + 150
-        assert len({len(values) for values in series.values()}) == 1
-        for signal in METRIC_SIGNALS:
-            assert np.abs(series[signal]).max() == pytest.approx(
-                entry["metrics"]["whole"][signal]["peak"], rel=2e-6, abs=1e-9
+        few, all_points = (
+            {key: unpack(value) for key, value in client.get(address, params=query).json()["series"].items()}
+            for query in (
+                {"strategy": strategy, "points": count, "encoding": "base64"} for count in (points, MAX_POINTS)
             )
+        )
+        assert len(few["time"]) < points + 150 < len(all_points["time"])
+        assert len({len(values) for values in few.values()}) == 1
+        for signal in METRIC_SIGNALS:
+            peak, metrics = np.abs(all_points[signal]).max(), entry["metrics"]
+            assert np.abs(few[signal]).max() == peak
+            assert metrics["whole"][signal]["peak"] * 0.95 <= peak <= metrics["whole"][signal]["peak"] * (1 + 2e-6)
             bump = next(stage for stage in entry["stages"] if stage["stage"] == "bump")
-            inside = (series["time"] >= bump["start_time"] - 1e-3) & (series["time"] <= bump["end_time"] + 1e-3)
-            assert np.abs(series[signal][inside]).max() >= entry["metrics"]["bump"][signal]["peak"] * (1 - 2e-6)
+            highest = [
+                np.abs(each[signal][(each["time"] >= bump["start_time"]) & (each["time"] <= bump["end_time"])]).max()
+                for each in (few, all_points)
+            ]
+            assert highest[0] == highest[1] <= metrics["bump"][signal]["peak"] * (1 + 2e-6)
 
 
 def test_live_series_are_those_of_the_stored_run(service: Any, client: httpx.Client, address: str) -> None:

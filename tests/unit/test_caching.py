@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim_core.caching import MEBIBYTE, size
+from sim_core.caching import MEBIBYTE, cached_up_to, size
 from sim_core.result import FloatArray
 
 
