@@ -88,14 +88,15 @@ def _wk_states() -> tuple[FloatArray, FloatArray, FloatArray]:
     return A, B, C
 
 
-def weighted(rows: FloatArray, step: float) -> FloatArray:
-    """Acceleration [m/s^2] through Wk, from rest: samples but the last of each row, end to end.
+def weighted(columns: FloatArray, step: float) -> FloatArray:
+    """Acceleration [m/s^2] through Wk, from rest: samples but the last of each column, end to end.
 
     Args:
-        rows: Samples `step` apart, straight in between, from one jump to the next (rows, samples): a row's last sample
-            and the next one's first are at the same time.
+        columns: Samples `step` apart, straight in between, from one jump to the next (samples, columns): a column's
+            last sample and the next one's first are at the same time.
         step: In s.
     """
+    rows = columns.T
     weighting = _weighting(step, rows.shape[1], 1 << len(rows).bit_length())
     inputs = rows @ weighting.inputs
     states = weighting.between.run(np.zeros(inputs.shape[1]), inputs)[:-1]

@@ -1,7 +1,8 @@
 """Metrics of a run: RMS and peak per window as the paper's tables, and what the field expects beside them.
 
-A record has a row for each held command, with the values at both its ends: forces jump where a command changes, and so
-do the accelerations. Mean squares are trapezoids within the rows; windows end between samples, where the drive does.
+A record has a column for each held command, with the values at both its ends: forces jump where a command changes, and
+so do the accelerations. Mean squares are trapezoids within the columns; windows end between samples, where the drive
+does.
 """
 
 from dataclasses import dataclass
@@ -12,16 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.caching import cached_up_to
+from sim_core.car.plant import RECORDED
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.comfort import vibration_dose, weighted
 from sim_core.drive.sampling import AxlePath, RoadInput, SampledDrive
 from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
-from sim_core.recording import RECORDED_SIGNALS, Recording
+from sim_core.recording import Recording
 from sim_core.result import FloatArray, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 
-_ROW = {signal: row for row, signal in enumerate(RECORDED_SIGNALS)}
+_ROW = {signal: row for row, signal in enumerate(RECORDED)}  # the first are METRIC_SIGNALS
 _JUMPING = ("body_acceleration", "pitch_acceleration")  # with the force; steep lines in between
 _TYRE_LOADS = ("front_tyre_load", "rear_tyre_load")
 _SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
@@ -30,7 +32,10 @@ _NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at i
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class AxleKinks:
-    """The sample before each kink of an axle's road (k,), and which are met on rough road, bump and after."""
+    """The sample before each kink of an axle's road (k,), and which are met on rough road, bump and after.
+
+    Samples are numbered as in a signal of the record, flattened; the next one in time lies a whole row further.
+    """
 
     samples: NDArray[np.intp]
     within: tuple[slice, ...]
@@ -38,20 +43,20 @@ class AxleKinks:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Windows:
-    """Where a record's windows lie in the samples of its rows put end to end.
+    """Where a record's windows lie in a signal of it (fine steps of a command + 1, commands).
 
     Attributes:
-        weights: Share of each sample in a window's mean (windows, samples), by trapezoids.
-        segments: Share of the line from each sample to the next in the same (windows, samples - 1); 0 across a jump.
-        within: The samples of the rough road, of the bump, and of what follows it.
-        ends: Of the windows' ends between two samples, the one before and how far on to the next.
+        weights: Share of each sample, flattened, in a window's mean (windows, samples), by trapezoids.
+        segments: Share of each line from a sample to the next of its command in the same (windows, lines).
+        within: The samples of the rough road, of the bump, and of what follows it, in blocks of samples and commands.
+        ends: Of the windows' ends between two samples, the one before, flattened, and how far on to the next.
         kinks: Where each axle meets the kinks of its road.
         duration: Of the whole record [s].
     """
 
     weights: FloatArray
     segments: FloatArray
-    within: tuple[slice, ...]
+    within: tuple[tuple[tuple[slice, slice], ...], ...]
     ends: tuple[tuple[int, float], ...]
     kinks: tuple[AxleKinks, ...]
     duration: float
@@ -68,11 +73,10 @@ def evaluate(
     bump, road_input = scenario.road.bump, recording.road_input
     report, loop = recording.report, recording.loop
     bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
-    rows, per_row = recording.table.shape[1:]
-    places = _windows(road_input.drive, drive, bump.start, bump_end, scenario.road.length, rows, per_row)
-    samples = recording.table.reshape(len(RECORDED_SIGNALS), -1)
+    table = recording.table
+    places = _windows(road_input.drive, drive, bump.start, bump_end, scenario.road.length, *table.shape[1:])
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
-    metrics = _by_window(samples, places, road_input, tyres)
+    metrics = _by_window(table[: len(METRIC_SIGNALS)], places, road_input, tyres)
 
     arrival = float(drive.at(np.array(drive.time_at(bump.start)))[1])
     static = scenario.real_vehicle.static_loads
@@ -80,10 +84,8 @@ def evaluate(
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
-    power = _power(samples) if actuated else np.zeros(1)
-    filtered = weighted(recording.table[_ROW["body_acceleration"]], road_input.fine_step)[
-        : len(road_input.series["time"])
-    ]
+    power = _power(table)
+    filtered = weighted(table[_ROW["body_acceleration"]], road_input.fine_step)[: len(road_input.series["time"])]
     return StrategyResult(
         strategy=strategy.id,
         metrics=metrics,
@@ -92,11 +94,11 @@ def evaluate(
             "vibration_dose": vibration_dose(filtered, road_input.fine_step),
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-            "actuator_mean_power": float(power @ places.weights[-1]) if actuated else 0.0,
-            "actuator_peak_power": float(power[: places.within[-1].stop].max()),
+            "actuator_mean_power": float(power.ravel() @ places.weights[-1]),
+            "actuator_peak_power": float(max(power[block].max(initial=0) for part in places.within for block in part)),
         },
         events={
-            **_airborne(samples, places, static),
+            **_airborne(table, places, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": bump_end <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
@@ -120,28 +122,30 @@ def evaluate(
         stages=stages,
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(road_input.series, dict(zip(RECORDED_SIGNALS, recording.table, strict=True))),
+        series=Series(road_input.series, dict(zip(RECORDED, table, strict=True))),
     )
 
 
 def _by_window(
-    samples: FloatArray, places: Windows, road_input: RoadInput, tyres: tuple[float, float]
+    table: FloatArray, places: Windows, road_input: RoadInput, tyres: tuple[float, float]
 ) -> dict[str, dict[str, dict[str, float]]]:
-    """RMS and peak of METRIC_SIGNALS in WINDOWS, from samples (10, n)."""
-    squares = np.stack([places.weights @ (values * values) for values in samples])
+    """RMS and peak of METRIC_SIGNALS in WINDOWS."""
+    samples = table.reshape(len(table), -1)
+    squares = (samples * samples) @ places.weights.T
     for signal in _JUMPING:  # straight between samples: a trapezoid's (a² + b²)/2 is (b - a)²/6 more than their mean
-        change = np.diff(samples[_ROW[signal]])
+        change = np.diff(table[_ROW[signal]], axis=0).ravel()
         squares[_ROW[signal]] -= places.segments @ (change * change) / 6
     rms = np.sqrt(np.maximum(squares, 0))
-    peaks = [np.maximum(part.max(axis=1, initial=0), -part.min(axis=1, initial=0)) for part in _parts(samples, places)]
+    peaks = [_peaks(table, part) for part in places.within]
+    following = table.shape[2]  # the next sample of a command
     for axle, signal in enumerate(_TYRE_LOADS):
         row, at, share = _ROW[signal], places.kinks[axle].samples, road_input.drive.axles[axle].kink_share
         before = samples[row].take(at)
-        there = before + share * (samples[row].take(at + 1) - before) + tyres[axle] * road_input.kink_rise[axle]
+        there = before + share * (samples[row].take(at + following) - before) + tyres[axle] * road_input.kink_rise[axle]
         for peak, part in zip(peaks, places.kinks[axle].within, strict=True):
             peak[row] = max(peak[row], there[part].max(initial=0), -there[part].min(initial=0))
     arrival, leaving, end = (
-        np.abs(samples[:, i] + share * (samples[:, i + 1] - samples[:, i])) if share else np.zeros(len(samples))
+        np.abs(samples[:, i] + share * (samples[:, i + following] - samples[:, i])) if share else np.zeros(len(samples))
         for i, share in places.ends
     )
     rough, bump = np.maximum(peaks[0], arrival), np.maximum.reduce([peaks[1], arrival, leaving])
@@ -155,65 +159,86 @@ def _by_window(
     }
 
 
-def _parts(samples: FloatArray, places: Windows) -> list[FloatArray]:
-    return [samples[:, part] for part in places.within]
+def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatArray:
+    """Largest magnitude of each signal in those blocks (10,)."""
+    found = np.zeros(len(table))
+    for fine, commands in blocks:
+        part = table[:, fine, commands]
+        np.maximum(found, part.max(axis=(1, 2), initial=0), out=found)
+        np.maximum(found, -part.min(axis=(1, 2), initial=0), out=found)
+    return found
 
 
 @cached_up_to(16)
 def _windows(
-    sampled: SampledDrive, drive: Drive, bump_start: float, bump_end: float, length: float, rows: int, per_row: int
+    sampled: SampledDrive,
+    drive: Drive,
+    bump_start: float,
+    bump_end: float,
+    length: float,
+    per_command: int,
+    commands: int,
 ) -> Windows:
-    """The windows of a record with so many rows of so many samples."""
-    h, fine = sampled.fine_step, per_row - 1
+    """The windows of a record of so many held commands with so many samples each."""
+    h, fine = sampled.fine_step, per_command - 1
     arrival, leaving, end = (drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))
     edges = [round(place) if abs(place - round(place)) < _SNAP else place for place in (0.0, arrival, leaving, end)]
     spans = list(pairwise(edges))
 
-    steps = np.arange(rows * fine)
-    segments = np.zeros((len(WINDOWS), rows, per_row))
+    steps = np.arange(commands * fine)
+    segments = np.zeros((len(WINDOWS), fine, commands))
     for i, (first, last) in enumerate([spans[0], spans[1], (edges[0], edges[-1])]):
         share = np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) / (last - first)
-        segments[i, :, :-1] = share.reshape(rows, fine)
-    weights = segments / 2
-    weights[:, :, 1:] += segments[:, :, :-1] / 2
+        segments[i] = share.reshape(commands, fine).T
+    weights = np.zeros((len(WINDOWS), per_command, commands))
+    weights[:, :-1] = segments / 2
+    weights[:, 1:] += segments / 2
 
     def sample(step: int) -> int:
-        return step // fine * per_row + step % fine
-
-    def first_sample(place: float) -> int:
-        return sample(ceil(place))
-
-    def stop_sample(place: float) -> int:
-        """One past the last sample up to a place; where a row ends there, that row's last."""
-        whole = floor(place)
-        return sample(whole) if whole == place and whole % fine == 0 else sample(whole) + 1
+        return step % fine * commands + step // fine
 
     def axle_kinks(axle: AxlePath) -> AxleKinks:
         met = axle.kink_step + axle.kink_share
         inside = (slice(*met.searchsorted((first - _NEAR, last + _NEAR))) for first, last in spans)
-        return AxleKinks(samples=axle.kink_step // fine * per_row + axle.kink_step % fine, within=tuple(inside))
+        samples = axle.kink_step % fine * commands + axle.kink_step // fine
+        return AxleKinks(samples=samples, within=tuple(inside))
 
     return Windows(
         weights=weights.reshape(len(WINDOWS), -1),
-        segments=segments.reshape(len(WINDOWS), -1)[:, :-1],
-        within=tuple(slice(first_sample(first), stop_sample(last)) for first, last in spans),
+        segments=segments.reshape(len(WINDOWS), -1),
+        within=tuple(_blocks(ceil(first), floor(last), fine) for first, last in spans),
         ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),
         kinks=tuple(axle_kinks(axle) for axle in sampled.axles),
         duration=(edges[-1] - edges[0]) * h,
     )
 
 
-def _power(samples: FloatArray) -> FloatArray:
-    """|u·ḋ| summed over both axles (n,) [W]."""
+def _blocks(first: int, last: int, fine: int) -> tuple[tuple[slice, slice], ...]:
+    """The samples from one fine step to another, both included; where a command ends at the last, its end alone."""
+    start, begin = divmod(first, fine)
+    stop, after = divmod(last, fine)
+    everything = slice(None)
+    if last < first:
+        return ()
+    if start == stop:
+        return ((slice(begin, after + 1), slice(start, start + 1)),)
+    blocks = [(slice(begin, None), slice(start, start + 1)), (everything, slice(start + 1, stop))]
+    if after:
+        blocks.append((slice(after + 1), slice(stop, stop + 1)))
+    return tuple(blocks)
+
+
+def _power(table: FloatArray) -> FloatArray:
+    """|u·ḋ| summed over both axles (fine steps of a command + 1, commands) [W]."""
     front, rear = (
-        np.abs(samples[_ROW[f"{axle}_force"]] * samples[_ROW[f"{axle}_deflection_speed"]]) for axle in ("front", "rear")
+        np.abs(table[_ROW[f"{axle}_force"]] * table[_ROW[f"{axle}_deflection_speed"]]) for axle in ("front", "rear")
     )
     return np.asarray(front + rear)
 
 
-def _airborne(samples: FloatArray, places: Windows, static: tuple[float, float]) -> dict[str, float]:
+def _airborne(table: FloatArray, places: Windows, static: tuple[float, float]) -> dict[str, float]:
     """Time with a tyre pulling on the road, which only the linear model can [ms]."""
-    loads = [samples[_ROW[signal]] for signal in _TYRE_LOADS]
+    loads = [table[_ROW[signal]].ravel() for signal in _TYRE_LOADS]
     if all(load.min() >= -rest for load, rest in zip(loads, static, strict=True)):
         return {"airborne_ms": 0.0, "front_airborne_ms": 0.0, "rear_airborne_ms": 0.0}
     front, rear = (load < -rest for load, rest in zip(loads, static, strict=True))

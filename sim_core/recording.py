@@ -2,13 +2,10 @@
 
 from dataclasses import dataclass
 
-from sim_core.car.half_car import OUTPUTS
 from sim_core.control.controller import SolverReport
 from sim_core.drive.sampling import RoadInput
 from sim_core.ecu.interface import LoopStatistics
 from sim_core.result import FloatArray
-
-RECORDED_SIGNALS = (*OUTPUTS, "front_force", "rear_force")  # the order of plant.Plant.record
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -16,7 +13,7 @@ class Recording:
     """One drive.
 
     Attributes:
-        table: RECORDED_SIGNALS (10, rows, fine steps of a row + 1) from x = 0 on, a row for every held command.
+        table: plant.RECORDED (10, fine steps of a command + 1, commands) from x = 0 on.
         road_input: What it drove over.
         report: What the controller's QP solver did.
         limited: Control steps in which a limit shaped the command.

@@ -17,13 +17,13 @@ class Series(Mapping[str, FloatArray]):
 
     Args:
         shared: Signals as they are returned, all of one length.
-        rows: The others, each with a row for every held command (n, samples + 1): its last sample is the value before
-            the next command, which the histories leave out.
+        columns: The others, each with a column for every held command (samples + 1, n): its last sample is the value
+            before the next command, which the histories leave out.
     """
 
-    def __init__(self, shared: Mapping[str, FloatArray], rows: Mapping[str, FloatArray]) -> None:
+    def __init__(self, shared: Mapping[str, FloatArray], columns: Mapping[str, FloatArray]) -> None:
         self._made = dict(shared)
-        self._rows = rows
+        self._columns = columns
         self._length = len(shared["time"])
 
     def __getitem__(self, key: str) -> FloatArray:
@@ -31,7 +31,7 @@ class Series(Mapping[str, FloatArray]):
         if key not in self._made:
             if key not in SIGNALS:
                 raise KeyError(key)
-            self._made[key] = self._rows[key][:, :-1].reshape(-1)[: self._length]
+            self._made[key] = self._columns[key][:-1].T.reshape(-1)[: self._length]
         return self._made[key]
 
     def __iter__(self) -> Iterator[str]:

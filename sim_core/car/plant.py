@@ -11,15 +11,16 @@ from sim_core.result import FloatArray
 from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_LIFT = 16  # fine steps in one matrix product; more would cost more than they save
-RECORDED = len(OUTPUTS) + FORCES  # what is recorded: half_car.OUTPUTS, then the actuators' forces [N]
+_SPEEDS = ("front_deflection_speed", "rear_deflection_speed")
+RECORDED = (*(name for name in OUTPUTS if name not in _SPEEDS), "front_force", "rear_force", *_SPEEDS)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Lift:
     """`fine` steps as one linear map of [plant state; command in N; disturbances (3 · fine)].
 
-    `outputs` (n + 2 + 3 · fine, outputs · (fine + 1)): output after output, each at the start of every fine step and at
-    the end of the last. `end` (…, n): the state after all.
+    `outputs` (outputs · (fine + 1), n + 2 + 3 · fine): output after output, each at the start of every fine step and at
+    the end of the last. `end` (n, …): the state after all.
     """
 
     fine: int
@@ -45,22 +46,21 @@ class Plant:
         return len(self.A)
 
     def record(self, states: FloatArray, commands: FloatArray, disturbance: FloatArray) -> FloatArray:
-        """Outputs (RECORDED, steps, fine + 1) from states (steps, n) and commands (steps, 2).
+        """RECORDED (10, fine + 1, steps) from states (steps, n) and commands (steps, 2).
 
-        A row begins with the value after its command has changed and ends with the value before the next one does.
+        A step begins with the value after its command has changed and ends with the value before the next one does.
         """
-        steps, used = len(states), 0
-        table = np.empty((RECORDED, steps, sum(lift.fine for lift in self.lifts) + 1))
-        table[len(OUTPUTS) :] = commands.T[:, :, None]  # of an ideal actuator; a lagging one's forces come out below
+        used, parts, state = 0, [], states.T
         for lift in self.lifts:
             width = DISTURBANCES * lift.fine
-            given = np.hstack([states, commands, disturbance[:, used * DISTURBANCES : used * DISTURBANCES + width]])
-            rows = (given @ lift.outputs).reshape(steps, -1, lift.fine + 1)
-            table[: rows.shape[1], :, used : used + lift.fine + 1] = rows.transpose(1, 0, 2)
+            given = np.vstack([state, commands.T, disturbance[:, used * DISTURBANCES : used * DISTURBANCES + width].T])
+            parts.append((lift.outputs @ given).reshape(len(RECORDED), lift.fine + 1, -1))
             used += lift.fine
-            if used + 1 < table.shape[2]:
-                states = given @ lift.end
-        return table
+            if len(parts) < len(self.lifts):
+                state = lift.end @ given
+        if len(parts) == 1:
+            return parts[0]
+        return np.concatenate([*(part[:, :-1] for part in parts), parts[-1][:, -1:]], axis=1)
 
 
 @lru_cache(maxsize=64)
@@ -76,12 +76,15 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant
         inputs = np.hstack([command, np.vstack([model.E, np.zeros((FORCES, DISTURBANCES))])])
         outputs = np.vstack([outputs, np.eye(FORCES, outputs.shape[1], k=STATES)])
         outputs = np.insert(outputs, [STATES + FORCES] * FORCES, 0.0, axis=1)  # a command is no force yet
+    else:
+        outputs = np.vstack([outputs, np.eye(FORCES, outputs.shape[1], k=STATES)])
+    outputs = outputs[[(*OUTPUTS, "front_force", "rear_force").index(name) for name in RECORDED]]
     fine_A, fine_inputs = hold(A, inputs, step / fine)
     longest = _lift(fine_A, fine_inputs, outputs, min(fine, _LONGEST_LIFT))
     lifts = [longest] * (fine // longest.fine)
     if fine % longest.fine:
         lifts.append(_lift(fine_A, fine_inputs, outputs, fine % longest.fine))
-    whole = _lift(fine_A, fine_inputs, outputs[:0], fine).end.T
+    whole = _lift(fine_A, fine_inputs, outputs[:0], fine).end
     n = len(A)
     return Plant(A=whole[:, :n], B=whole[:, n : n + FORCES], E=whole[:, n + FORCES :].T, lifts=tuple(lifts))
 
@@ -99,4 +102,4 @@ def _lift(A: FloatArray, inputs: FloatArray, outputs: FloatArray, fine: int) -> 
         state = A @ state + inputs @ held
     rows.append(outputs[:, :n] @ state + outputs[:, n:] @ held)
     by_output = np.stack(rows, axis=1).reshape(-1, width)
-    return Lift(fine=fine, outputs=np.ascontiguousarray(by_output.T), end=np.ascontiguousarray(state.T))
+    return Lift(fine=fine, outputs=by_output, end=state)
