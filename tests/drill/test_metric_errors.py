@@ -33,7 +33,7 @@ def judged(scenarios: list[Scenario], strategy: str) -> None:
 
 
 @pytest.mark.timeout(1800)
-@pytest.mark.parametrize(("name", "strategy"), product(CLASSES, STRATEGIES))
+@pytest.mark.parametrize(("name", "strategy"), list(product(CLASSES, STRATEGIES)))
 def test_twenty_roads_of_each_class(name: str, strategy: str) -> None:
     judged([Scenario(road=Road(roughness=CLASSES[name], seed=seed)) for seed in SEEDS], strategy)
 
