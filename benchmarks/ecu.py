@@ -28,8 +28,8 @@ class _Noting(Ecu):
         self._program: ProcessEcu | None = None
 
     @contextmanager
-    def connect(self, known: Calibration) -> Iterator[Ecu]:
-        with connected(known) as self._program:
+    def connect(self, calibration: Calibration) -> Iterator[Ecu]:
+        with connected(calibration) as self._program:
             yield self
 
     def exchange(self, frame: Frame) -> Reply:
@@ -46,14 +46,14 @@ def main() -> None:
     for prediction, control, checked in SIZES:
         mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
         scenario = Scenario(mpc=mpc)
-        known, noting = ecu_calibration(scenario, checked), _Noting()
-        simulate(scenario, "lv_hil", noting.connect, known)
-        machine = CortexM3(firmware.image(known))
+        calibration, noting = ecu_calibration(scenario, checked), _Noting()
+        simulate(scenario, "lv_hil", noting.connect, calibration)
+        machine = CortexM3(firmware.image(calibration))
         machine.call("ridelab_firmware_start")
         order = sorted(range(1, len(noting.steps)), key=lambda k: noting.steps[k][2])
         for k in (order[0], *(order[rank] for rank in RANKS)):
             frame, reply, operations = noting.steps[k]
-            before = np.array(noting.steps[k - 1][1].commands) * known.command_step
+            before = np.array(noting.steps[k - 1][1].commands) * calibration.command_step
             machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
             codes = frame.codes.astype("<i4").tobytes()
             machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + codes)

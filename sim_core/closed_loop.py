@@ -34,7 +34,7 @@ class Trajectory:
     limited: int
 
 
-def near_rest(plant: Plant, law: LinearLaw) -> FloatArray:
+def closed_loop_matrix(plant: Plant, law: LinearLaw) -> FloatArray:
     """One control step of [plant state; previous command] while no limit binds (n + 2, n + 2)."""
     n = plant.size
     gain = np.zeros((FORCES, n + FORCES))
@@ -46,7 +46,7 @@ def near_rest(plant: Plant, law: LinearLaw) -> FloatArray:
 @lru_cache(maxsize=64)
 def _free_run(plant: Plant, law: LinearLaw) -> Recurrence:
     """The loop over a block while no limit binds."""
-    return recurrence(near_rest(plant, law), _LONGEST_BLOCK)
+    return recurrence(closed_loop_matrix(plant, law), _LONGEST_BLOCK)
 
 
 class ClosedLoop:

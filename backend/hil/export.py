@@ -22,30 +22,30 @@ FOLDER = "ridelab-controller"
 _OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothing
 
 
-def generated(known: Calibration) -> dict[str, str]:
+def generated(calibration: Calibration) -> dict[str, str]:
     """Name -> text of the files that hold the scenario's numbers."""
     return {
-        "ridelab_sizes.h": tables.sizes_header(known),
-        "ridelab_calibration.h": tables.calibration_header(known),
-        "ridelab_tables.c": tables.tables_source(known),
+        "ridelab_sizes.h": tables.sizes_header(calibration),
+        "ridelab_calibration.h": tables.calibration_header(calibration),
+        "ridelab_tables.c": tables.tables_source(calibration),
     }
 
 
-def files(known: Calibration, scenario: str) -> dict[str, str]:
+def files(calibration: Calibration, scenario: str) -> dict[str, str]:
     """Name -> text of everything an exported controller consists of.
 
     Args:
-        known: Its numbers.
+        calibration: Its numbers.
         scenario: JSON text, kept beside them.
     """
     fixed = {name: (SOURCES / name).read_text() for name in (*CONTROLLER, *HOST, *TARGET, "Makefile", "README.md")}
-    return {**fixed, **generated(known), "scenario.json": scenario}
+    return {**fixed, **generated(calibration), "scenario.json": scenario}
 
 
-def written(place: Path, known: Calibration, scenario: str) -> list[Path]:
+def written(place: Path, calibration: Calibration, scenario: str) -> list[Path]:
     """Write the files below a folder, which is made; their paths."""
     paths = []
-    for name, text in files(known, scenario).items():
+    for name, text in files(calibration, scenario).items():
         path = place / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
@@ -53,11 +53,11 @@ def written(place: Path, known: Calibration, scenario: str) -> list[Path]:
     return paths
 
 
-def zipped(known: Calibration, scenario: str) -> bytes:
+def zipped(calibration: Calibration, scenario: str) -> bytes:
     """The files as a zip."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
-        for name, text in sorted(files(known, scenario).items()):
+        for name, text in sorted(files(calibration, scenario).items()):
             entry = zipfile.ZipInfo(f"{FOLDER}/{name}", _OLDEST)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16

@@ -42,7 +42,7 @@ class Image:
         return self.sections.get(".data", 0) + self.sections.get(".bss", 0)
 
 
-def image(known: Calibration) -> Image:
+def image(calibration: Calibration) -> Image:
     """Compile and link the controller with these tables.
 
     Raises:
@@ -52,7 +52,7 @@ def image(known: Calibration) -> Image:
         raise EcuError(NO_CROSS_COMPILER)
     with tempfile.TemporaryDirectory() as name:
         place = Path(name)
-        export.written(place, known, "{}")
+        export.written(place, calibration, "{}")
         sources = [place / source for source in (*CONTROLLER, "ridelab_tables.c", "target/ridelab_firmware.c")]
         made, script = place / "firmware.elf", place / "target" / "stm32f103.ld"
         options = [f"-I{place}", *map(str, sources), f"-Wl,-T,{script}", "-o", str(made)]

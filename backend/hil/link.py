@@ -42,9 +42,9 @@ class ProcessEcu(Ecu):
     `operations` and `computing_ns` grow by one with each answer: as the program counted and timed itself.
     """
 
-    def __init__(self, connection: socket.socket, known: Calibration, patience: float) -> None:
+    def __init__(self, connection: socket.socket, calibration: Calibration, patience: float) -> None:
         self._connection = connection
-        self._length = STATES + len(PREVIEW) * known.preview_length
+        self._length = STATES + len(PREVIEW) * calibration.preview_length
         self._patience = patience
         self._pending = bytearray()
         self.operations: list[int] = []
@@ -113,18 +113,20 @@ class ProcessEcu(Ecu):
 
 
 @contextmanager
-def connected(known: Calibration, program: Path | None = None, *, patience: float = ANSWER) -> Iterator[ProcessEcu]:
+def connected(
+    calibration: Calibration, program: Path | None = None, *, patience: float = ANSWER
+) -> Iterator[ProcessEcu]:
     """A new process of the ECU's program, ready for the first frame; it is gone afterwards.
 
     Args:
-        known: Its tables.
+        calibration: Its tables.
         program: One that has these tables compiled in; without one Ridelab's, which loads them.
         patience: It has so long for an answer [s].
 
     Raises:
         EcuError: It cannot be built, does not start, or is not ours.
     """
-    path, content = (build.program(), tables.loaded(known)) if program is None else (program, b"")
+    path, content = (build.program(), tables.loaded(calibration)) if program is None else (program, b"")
     token = secrets.token_bytes(TOKEN)
     with socket.create_server(("127.0.0.1", 0), backlog=8) as listener:
         port = listener.getsockname()[1]
@@ -135,10 +137,10 @@ def connected(known: Calibration, program: Path | None = None, *, patience: floa
         except OSError as error:
             raise EcuError(f"The ECU's program does not start ({error.strerror})") from None
         try:
-            connection = _greeted(listener, process, token, content, tables.fingerprint(known))
+            connection = _greeted(listener, process, token, content, tables.fingerprint(calibration))
             with connection:
                 listener.close()
-                yield ProcessEcu(connection, known, patience)
+                yield ProcessEcu(connection, calibration, patience)
         finally:
             _end(process)
 

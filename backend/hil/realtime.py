@@ -76,14 +76,14 @@ def drive_by_clock(scenario: Scenario) -> dict[str, Any]:
     timing = Timing()
 
     @contextmanager
-    def paced(known: Calibration) -> Iterator[Ecu]:
-        with connected(known) as link:
+    def paced(calibration: Calibration) -> Iterator[Ecu]:
+        with connected(calibration) as link:
             yield PacedEcu(link, scenario.mpc.sample_time, timing)
             timing.computing_ns = link.computing_ns
 
-    known = ecu_calibration(scenario)
+    calibration = ecu_calibration(scenario)
     try:
-        measured = simulate(scenario, "lv_hil", paced, known)
+        measured = simulate(scenario, "lv_hil", paced, calibration)
     except EcuError as error:
         raise drive.EcuUnavailableError(error.message) from None
     lock_step = drive.simulate(scenario, "lv_hil")

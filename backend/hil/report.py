@@ -80,8 +80,8 @@ def report(scenario: Scenario) -> dict[str, Any]:
 
 
 def _row(scenario: Scenario, checked: Checked, part: Part, simulated: StrategyResult) -> dict[str, Any]:
-    known = ecu_calibration(scenario, checked)
-    linked = firmware.image(known)
+    calibration = ecu_calibration(scenario, checked)
+    linked = firmware.image(calibration)
     operations: list[int] = []
 
     @contextmanager
@@ -90,15 +90,15 @@ def _row(scenario: Scenario, checked: Checked, part: Part, simulated: StrategyRe
             yield link
             operations.extend(link.operations)
 
-    result = simulate(scenario, "lv_hil", counted, known)
+    result = simulate(scenario, "lv_hil", counted, calibration)
     least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
     reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
     return {
-        "prediction_horizon": known.intervals,
-        "control_horizon": known.moves,
+        "prediction_horizon": calibration.intervals,
+        "control_horizon": calibration.moves,
         "checked": checked,
-        "checked_rows": known.row_count,
-        "iterations": known.iterations,
+        "checked_rows": calibration.row_count,
+        "iterations": calibration.iterations,
         "code": linked.sections.get(".text", 0),
         "constants": linked.sections.get(".rodata", 0),
         "variables": linked.ram,

@@ -14,31 +14,34 @@ from sim_core.result import FloatArray
 _ACROSS = 6  # numbers a line
 
 
-def fingerprint(known: Calibration) -> int:
+def fingerprint(calibration: Calibration) -> int:
     """Names a set of tables: both sides of a connection must have the same."""
-    return zlib.crc32(_body(known))
+    return zlib.crc32(_body(calibration))
 
 
-def loaded(known: Calibration) -> bytes:
+def loaded(calibration: Calibration) -> bytes:
     """What the program reads at its start: fingerprint, sizes, tables."""
-    body = _body(known)
+    body = _body(calibration)
     return struct.pack("<I", zlib.crc32(body)) + body
 
 
-def _body(known: Calibration) -> bytes:
+def _body(calibration: Calibration) -> bytes:
     whole = (
-        known.intervals,
-        known.preview_length,
-        known.row_count,
-        int(known.predicts),
-        known.iterations,
-        highest_code(known.bits),
+        calibration.intervals,
+        calibration.preview_length,
+        calibration.row_count,
+        int(calibration.predicts),
+        calibration.iterations,
+        highest_code(calibration.bits),
     )
-    real = (known.command_step, known.force_limit, known.slack_price, known.slack_yield)
+    real = (calibration.command_step, calibration.force_limit, calibration.slack_price, calibration.slack_yield)
     head = struct.pack("<6i4f", *whole, *real)
-    parts = [_single(part) for part in (known.input_steps, known.A, known.B, known.E, known.bounds)]
-    parts.append(np.array(known.axles, dtype=np.int8).tobytes())
-    for stage in known.stages:
+    parts = [
+        _single(part)
+        for part in (calibration.input_steps, calibration.A, calibration.B, calibration.E, calibration.bounds)
+    ]
+    parts.append(np.array(calibration.axles, dtype=np.int8).tobytes())
+    for stage in calibration.stages:
         parts += [_single(stage.rows), _single(stage.gram)]
     return b"".join([head, *parts])
 
@@ -47,60 +50,67 @@ def _single(values: FloatArray) -> bytes:
     return np.ascontiguousarray(values, dtype="<f4").tobytes()
 
 
-def sizes_header(known: Calibration) -> str:
+def sizes_header(calibration: Calibration) -> str:
     """`ridelab_sizes.h` of an exported controller: memory for these tables and no more."""
     return _guarded(
         "RIDELAB_SIZES_H",
         "How much memory the controller keeps: what these tables need.",
         [
-            f"#define RIDELAB_MOST_PREVIEWED {known.preview_length}",
-            f"#define RIDELAB_MOST_ROWS {known.row_count}",
-            f"#define RIDELAB_MOST_ACTIVE {most_active(known)}",
+            f"#define RIDELAB_MOST_PREVIEWED {calibration.preview_length}",
+            f"#define RIDELAB_MOST_ROWS {calibration.row_count}",
+            f"#define RIDELAB_MOST_ACTIVE {most_active(calibration)}",
         ],
     )
 
 
-def most_active(known: Calibration) -> int:
+def most_active(calibration: Calibration) -> int:
     """Limits that may bind together: one more than there are unknowns, forces and two slacks, never happens."""
-    return min(MOST_ACTIVE, FORCES * known.moves + 3)
+    return min(MOST_ACTIVE, FORCES * calibration.moves + 3)
 
 
-def calibration_header(known: Calibration) -> str:
+def calibration_header(calibration: Calibration) -> str:
     """`ridelab_calibration.h`: the tables' name, and the channels with their ranges."""
-    lines = ['#include "ridelab_tables.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(known):08x}u", ""]
-    lines.append(f"/* Converters of {known.bits} bits: codes from -{highest_code(known.bits)} to the same above zero.")
+    lines = ['#include "ridelab_tables.h"', "", f"#define RIDELAB_FINGERPRINT 0x{fingerprint(calibration):08x}u", ""]
+    highest = highest_code(calibration.bits)
+    lines.append(f"/* Converters of {calibration.bits} bits: codes from -{highest} to the same above zero.")
     for i, channel in enumerate(SENSORS):
         lines.append(f"   code {i}: {channel.label.lower()}, +-{channel.reach:g} {channel.unit}")
     for i, channel in enumerate(PREVIEW):
-        first = STATES + i * known.preview_length
-        last = first + known.preview_length - 1
+        first = STATES + i * calibration.preview_length
+        last = first + calibration.preview_length - 1
         lines.append(f"   codes {first} to {last}: {channel.label.lower()}, +-{channel.reach:g} {channel.unit}")
-    lines.append(f"   commands: force front and rear, +-{known.force_limit * 1000:g} N */")
+    lines.append(f"   commands: force front and rear, +-{calibration.force_limit * 1000:g} N */")
     lines.append("extern const ridelab_tables ridelab_calibration;")
     return _guarded("RIDELAB_CALIBRATION_H", "The tables of one scenario.", lines)
 
 
-def tables_source(known: Calibration) -> str:
+def tables_source(calibration: Calibration) -> str:
     """`ridelab_tables.c`."""
-    single = {"input_steps": known.input_steps, "a": known.A, "b": known.B, "e": known.E, "bounds": known.bounds}
+    single = {
+        "input_steps": calibration.input_steps,
+        "a": calibration.A,
+        "b": calibration.B,
+        "e": calibration.E,
+        "bounds": calibration.bounds,
+    }
     lines = ["/* Generated. */", '#include "ridelab_calibration.h"', ""]
     for name, values in single.items():
         lines += _array(name, values)
-    axles = ", ".join(map(str, known.axles))
-    lines += [f"static const int8_t axles[{len(known.axles)}] = {{{axles}}};", ""]
-    for stage, tables in zip(STAGES, known.stages, strict=True):
+    axles = ", ".join(map(str, calibration.axles))
+    lines += [f"static const int8_t axles[{len(calibration.axles)}] = {{{axles}}};", ""]
+    for stage, tables in zip(STAGES, calibration.stages, strict=True):
         lines += [*_array(f"{stage}_effects", tables.rows), *_array(f"{stage}_gram", tables.gram)]
     fields = {
-        "intervals": str(known.intervals),
-        "previewed": str(known.preview_length),
-        "rows": str(known.row_count),
-        "predicts": str(int(known.predicts)),
-        "iterations": str(known.iterations),
-        "highest": str(highest_code(known.bits)),
-        "command_step": _text(known.command_step),
-        "force_limit": _text(known.force_limit),
-        "slack_price": _text(known.slack_price),
-        "slack_yield": _text(known.slack_yield),
+        "intervals": str(calibration.intervals),
+        "previewed": str(calibration.preview_length),
+        "rows": str(calibration.row_count),
+        "predicts": str(int(calibration.predicts)),
+        "iterations": str(calibration.iterations),
+        "highest": str(highest_code(calibration.bits)),
+        "command_step": _text(calibration.command_step),
+        "force_limit": _text(calibration.force_limit),
+        "slack_price": _text(calibration.slack_price),
+        "slack_yield": _text(calibration.slack_yield),
         **{name: name for name in single},
         "axles": "axles",
         "effects": "{" + ", ".join(f"{stage}_effects" for stage in STAGES) + "}",

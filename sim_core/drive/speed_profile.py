@@ -25,7 +25,7 @@ DRIVE_LIMIT = 2.0  # and accelerates at most this much [m/s^2] (ours)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Stretch:
+class SpeedPlanInputs:
     """What the plan is made for; nothing else changes it. Speeds [m/s], places [m]."""
 
     initial_speed: float
@@ -102,7 +102,7 @@ def drive(scenario: Scenario, policy: SpeedPolicy) -> Drive:
     if policy is SpeedPolicy.CONSTANT:
         return _constant(initial)
     return _planned(
-        Stretch(
+        SpeedPlanInputs(
             initial_speed=initial,
             target_speed=speed.target_speed_kmh * KMH,
             detection=max(0.0, bump.start - speed.detection_distance),
@@ -129,35 +129,35 @@ def _constant(speed: float) -> Drive:
 
 
 @cached_up_to(32)
-def _planned(stretch: Stretch) -> Drive:
+def _planned(inputs: SpeedPlanInputs) -> Drive:
     """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
 
     Per period: the fuzzy torque sets the pressure demand (zero inside the target band, where the drive holds the
     target instead), the pressure follows with its lag exactly, speed by the midpoint rule. On the bump the car
     coasts; only if it would fall below the band does the drive keep it moving.
     """
-    chain, surface, h = stretch.chain, torque_surface(), CONTROL_STEP
-    target = min(stretch.target_speed, stretch.initial_speed)
+    chain, surface, h = inputs.chain, torque_surface(), CONTROL_STEP
+    target = min(inputs.target_speed, inputs.initial_speed)
     floor = target - TARGET_BAND
     keep_half, keep = chain.decay(h / 2), chain.decay(h)
-    x, v, pressure = stretch.detection, stretch.initial_speed, 0.0
+    x, v, pressure = inputs.detection, inputs.initial_speed, 0.0
     rows = []
     while True:
-        coasting = x >= stretch.bump_start
+        coasting = x >= inputs.bump_start
         error = v - target
         braking_wanted = not coasting and error > TARGET_BAND
         demand = 0.0
         if braking_wanted:
-            left = stretch.bump_start - x
+            left = inputs.bump_start - x
             share = surface.share(error / KMH, left)
-            if stretch.guarded:
+            if inputs.guarded:
                 share = max(share, _needed(chain, v, target, left))
             demand = share * chain.maximum_torque * chain.pressure_per_torque
         reference = floor if coasting else target
         push = 0.0 if braking_wanted else _push(chain, v, reference)
         acceleration = push - chain.resistance(v) - chain.deceleration(pressure, v)
         rows.append((x, v, acceleration, pressure, chain.deceleration(pressure, v)))
-        if x >= stretch.bump_end:
+        if x >= inputs.bump_end:
             break
         middle = v + h / 2 * acceleration
         pressure_middle = demand + (pressure - demand) * keep_half
@@ -167,9 +167,9 @@ def _planned(stretch: Stretch) -> Drive:
         pressure = demand + (pressure - demand) * keep
     table = np.array(rows).T
     table[3:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
-    time = stretch.detection / stretch.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
+    time = inputs.detection / inputs.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
     return Drive(
-        initial_speed=stretch.initial_speed,
+        initial_speed=inputs.initial_speed,
         time=time,
         position=table[0],
         speed=table[1],

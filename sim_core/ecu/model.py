@@ -30,7 +30,7 @@ class ModelEcu(Ecu):
     """Predict, law, checks, dual active-set iterations, converters; `previous` is the last command [kN]."""
 
     def __init__(self, calibration: Calibration, previous: FloatArray | None = None) -> None:
-        self._known = calibration
+        self._calibration = calibration
         self._previous = np.zeros(FORCES) if previous is None else previous
         self._steps = np.concatenate(
             [
@@ -41,19 +41,19 @@ class ModelEcu(Ecu):
 
     def exchange(self, frame: Frame) -> Reply:
         """Answer at once."""
-        known = self._known
+        calibration = self._calibration
         values = frame.codes * self._steps
         state = values[:STATES]
-        preview = values[STATES:].reshape(DISTURBANCES, known.preview_length)
-        if known.predicts:
-            state = known.A @ state + known.B @ self._previous + known.E @ preview[:, 0]
+        preview = values[STATES:].reshape(DISTURBANCES, calibration.preview_length)
+        if calibration.predicts:
+            state = calibration.A @ state + calibration.B @ self._previous + calibration.E @ preview[:, 0]
             preview = preview[:, 1:]
         rows, iterations, finished, slack = self.optimum(frame.stage, state, preview)
         limited = iterations > 0 or not finished
-        force = np.clip(rows[:FORCES], -known.force_limit, known.force_limit)
-        highest = highest_code(known.bits)
-        codes = np.clip(np.trunc(force / known.command_step + np.copysign(0.5, force)), -highest, highest)
-        self._previous = codes * known.command_step
+        force = np.clip(rows[:FORCES], -calibration.force_limit, calibration.force_limit)
+        highest = highest_code(calibration.bits)
+        codes = np.clip(np.trunc(force / calibration.command_step + np.copysign(0.5, force)), -highest, highest)
+        self._previous = codes * calibration.command_step
         commands = (int(codes[0]), int(codes[1]))
         return Reply(
             commands=commands, limited=limited, iterations=iterations, unfinished=not finished, slack=max(0.0, slack)
@@ -67,9 +67,9 @@ class ModelEcu(Ecu):
             state: When the command takes effect (8,).
             preview: From then on (3, Np).
         """
-        tables = self._known.stages[stage]
+        tables = self._calibration.stages[stage]
         given = np.concatenate([state, self._previous, preview.ravel()])
-        return _Dual(self._known, tables, tables.rows @ given).solve()
+        return _Dual(self._calibration, tables, tables.rows @ given).solve()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,14 +96,14 @@ class _Dual:
     The slacks' own limits bind at the start: unconstrained they would be negative, as their linear price says.
     """
 
-    def __init__(self, known: Calibration, tables: StageTables, values: FloatArray) -> None:
+    def __init__(self, calibration: Calibration, tables: StageTables, values: FloatArray) -> None:
         m = len(values)
-        self._known = known
+        self._calibration = calibration
         self._gram = np.zeros((m + AXLES, m + AXLES))
         self._gram[:m, :m] = tables.gram
         self._free = values
-        self._axles = np.concatenate([known.axles, range(AXLES)]).astype(np.intp)
-        self._active = _Limits(np.arange(m, m + AXLES), np.zeros(AXLES), np.full(AXLES, known.slack_price))
+        self._axles = np.concatenate([calibration.axles, range(AXLES)]).astype(np.intp)
+        self._active = _Limits(np.arange(m, m + AXLES), np.zeros(AXLES), np.full(AXLES, calibration.slack_price))
 
     def solve(self) -> tuple[FloatArray, int, bool, float]:
         iterations = 0
@@ -114,7 +114,7 @@ class _Dual:
                 return values, iterations, True, float(slacks.max())
             met, added = False, 0.0
             while not met:
-                if iterations == self._known.iterations or len(self._active.rows) == MOST_ACTIVE:
+                if iterations == self._calibration.iterations or len(self._active.rows) == MOST_ACTIVE:
                     values, slacks = self._primal(self._active.with_one(row, sign, added))
                     return values, iterations, False, float(slacks.max())
                 iterations += 1
@@ -148,7 +148,7 @@ class _Dual:
         rows, axles = limits.rows, self._axles[limits.rows]
         same = (axles[:, None] == axles) & (axles != FORCE_ROW)
         signs = limits.signs[:, None] * limits.signs
-        return np.asarray(signs * self._gram[np.ix_(rows, rows)] + self._known.slack_yield * same)
+        return np.asarray(signs * self._gram[np.ix_(rows, rows)] + self._calibration.slack_yield * same)
 
     def _primal(self, limits: _Limits) -> tuple[FloatArray, FloatArray]:
         """Row values (m,) and slacks (2,) that belong to these limits' multipliers."""
@@ -156,18 +156,20 @@ class _Dual:
         values = self._free - self._gram[:m, limits.rows] @ (limits.signs * limits.multipliers)
         axles = self._axles[limits.rows]
         paid = np.array([limits.multipliers[axles == axle].sum() for axle in range(AXLES)])
-        return values, self._known.slack_yield * (paid - self._known.slack_price)
+        return values, self._calibration.slack_yield * (paid - self._calibration.slack_price)
 
     def _excess(self, row: int, sign: float, values: FloatArray, slacks: FloatArray) -> float:
         axle = self._axles[row]
         slack = 0.0 if axle == FORCE_ROW else float(slacks[axle])
-        return float(sign * values[row] - self._known.bounds[row]) - slack if row < len(values) else -slack
+        return float(sign * values[row] - self._calibration.bounds[row]) - slack if row < len(values) else -slack
 
     def _worst(self, values: FloatArray, slacks: FloatArray) -> tuple[int, float, float]:
         """Row and side of the limit that is broken most, and by how much."""
         m = len(values)
         axles = self._axles[:m]
-        excess = np.abs(values) - self._known.bounds - np.where(axles == FORCE_ROW, 0.0, slacks[np.maximum(axles, 0)])
+        excess = (
+            np.abs(values) - self._calibration.bounds - np.where(axles == FORCE_ROW, 0.0, slacks[np.maximum(axles, 0)])
+        )
         row = int(excess.argmax())
         worst = row, float(np.sign(values[row])), float(excess[row])
         for axle in range(AXLES):

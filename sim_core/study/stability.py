@@ -8,7 +8,7 @@ oscillation, so no single figure of a run shows it reliably, and the modes do.
 import numpy as np
 
 from sim_core.car.plant import plant
-from sim_core.closed_loop import near_rest
+from sim_core.closed_loop import closed_loop_matrix
 from sim_core.control.making import make_controller
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
@@ -59,7 +59,7 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     controller = make_controller(believed, chosen, motion, road_input)
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
     apart = {coordinated_weights(believed, chosen, stage): stage for stage in STAGES} if actuated else {(): STAGES[0]}
-    return min(damping(near_rest(car, controller.law(stage)), step) for stage in apart.values())
+    return min(damping(closed_loop_matrix(car, controller.law(stage)), step) for stage in apart.values())
 
 
 def damping(loop: FloatArray, step: float) -> float:

@@ -38,19 +38,19 @@ SMALL = Scenario(
 
 
 @pytest.fixture(scope="module")
-def known() -> Calibration:
+def calibration() -> Calibration:
     return ecu_calibration(SMALL)
 
 
 @pytest.fixture(scope="module")
-def image(known: Calibration) -> firmware.Image:
-    return firmware.image(known)
+def image(calibration: Calibration) -> firmware.Image:
+    return firmware.image(calibration)
 
 
 def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_program(
-    tmp_path: Path, known: Calibration
+    tmp_path: Path, calibration: Calibration
 ) -> None:
-    content = export.zipped(known, SMALL.model_dump_json())
+    content = export.zipped(calibration, SMALL.model_dump_json())
     assert content == export.zipped(ecu_calibration(SMALL), SMALL.model_dump_json())
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         archive.extractall(tmp_path)
@@ -61,8 +61,8 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
     )
     assert made.returncode == 0
     assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == SMALL
-    exported = simulate(SMALL, "lv_hil", partial(connected, program=folder / "ridelab_ecu"), known)
-    loaded = simulate(SMALL, "lv_hil", connected, known)
+    exported = simulate(SMALL, "lv_hil", partial(connected, program=folder / "ridelab_ecu"), calibration)
+    loaded = simulate(SMALL, "lv_hil", connected, calibration)
     assert exported.summary() == loaded.summary()
     assert all(np.array_equal(exported.series[key], loaded.series[key]) for key in loaded.series)
     assert loaded.events["limited_steps"] > 5
@@ -78,9 +78,13 @@ def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: P
     )
 
 
-def test_numbers_survive_being_written_as_c(known: Calibration) -> None:
-    text = tables.tables_source(known)
-    for name, values in (("a", known.A), ("bump_gram", known.stages[2].gram), ("cruise_effects", known.stages[0].rows)):
+def test_numbers_survive_being_written_as_c(calibration: Calibration) -> None:
+    text = tables.tables_source(calibration)
+    for name, values in (
+        ("a", calibration.A),
+        ("bump_gram", calibration.stages[2].gram),
+        ("cruise_effects", calibration.stages[0].rows),
+    ):
         body = re.search(rf"float {name}\[(\d+)\] = {{(.*?)}};", text, re.DOTALL)
         assert body is not None
         numbers = [np.float32(number.rstrip("f")) for number in re.findall(r"[-+.\de]+f", body[2])]
@@ -88,13 +92,13 @@ def test_numbers_survive_being_written_as_c(known: Calibration) -> None:
         assert np.array_equal(np.array(numbers), values.astype(np.float32).ravel())
 
 
-def test_the_header_names_every_channel_with_its_range(known: Calibration) -> None:
-    header = tables.calibration_header(known)
+def test_the_header_names_every_channel_with_its_range(calibration: Calibration) -> None:
+    header = tables.calibration_header(calibration)
     for channel in (*SENSORS, *PREVIEW):
         assert f"{channel.label.lower()}, +-{channel.reach:g} {channel.unit}" in header
-    assert f"0x{tables.fingerprint(known):08x}u" in header
+    assert f"0x{tables.fingerprint(calibration):08x}u" in header
     other = ecu_calibration(SMALL.model_copy(update={"hil": Hil(bits=15)}))
-    assert tables.fingerprint(other) != tables.fingerprint(known)
+    assert tables.fingerprint(other) != tables.fingerprint(calibration)
 
 
 def test_the_c_code_keeps_the_habits_it_claims() -> None:
@@ -106,15 +110,15 @@ def test_the_c_code_keeps_the_habits_it_claims() -> None:
         assert not re.search(r"\d\.\d+(?!\d|f|e)", code), f"{name}: a double constant"
 
 
-def test_the_image_holds_what_the_tables_take(known: Calibration, image: firmware.Image) -> None:
+def test_the_image_holds_what_the_tables_take(calibration: Calibration, image: firmware.Image) -> None:
     """Constants are the float32 tables and little else; variables the controller, one input and one output."""
-    numbers = sum(stage.rows.size + stage.gram.size for stage in known.stages)
-    numbers += 11 + 64 + 16 + 24 + known.row_count
-    assert 0 <= image.sections[".rodata"] - (4 * numbers + known.row_count) < 256
+    numbers = sum(stage.rows.size + stage.gram.size for stage in calibration.stages)
+    numbers += 11 + 64 + 16 + 24 + calibration.row_count
+    assert 0 <= image.sections[".rodata"] - (4 * numbers + calibration.row_count) < 256
     assert image.flash == image.sections[".text"] + image.sections[".rodata"] + image.sections.get(".data", 0)
-    columns = 10 + 3 * known.intervals
-    least = 4 * (columns + known.row_count + 9 + 3 * known.preview_length + 4)
-    assert least < image.ram < least + 4 * (tables.most_active(known) + 8) ** 2
+    columns = 10 + 3 * calibration.intervals
+    least = 4 * (columns + calibration.row_count + 9 + 3 * calibration.preview_length + 4)
+    assert least < image.ram < least + 4 * (tables.most_active(calibration) + 8) ** 2
     assert len(image.segments[0][1]) == image.sections[".text"]
 
 
@@ -125,8 +129,8 @@ class Noting(Ecu):
         self.seen: list[tuple[Frame, tuple[int, int], int]] = []
 
     @contextmanager
-    def connect(self, known: Calibration) -> Iterator[Ecu]:
-        with connected(known) as self._program:
+    def connect(self, calibration: Calibration) -> Iterator[Ecu]:
+        with connected(calibration) as self._program:
             yield self
 
     def exchange(self, frame: Frame) -> Reply:
@@ -136,11 +140,11 @@ class Noting(Ecu):
 
 
 def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
-    known: Calibration, image: firmware.Image
+    calibration: Calibration, image: firmware.Image
 ) -> None:
     """The emulated Cortex-M3 gives each command to the bit, and an operation's cycles as `effort` has them."""
     noting = Noting()
-    simulate(SMALL, "lv_hil", noting.connect, known)
+    simulate(SMALL, "lv_hil", noting.connect, calibration)
     frames = noting.seen
     machine = CortexM3(image)
     machine.call("ridelab_firmware_start")
@@ -148,7 +152,7 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
     ratios, deepest = [], 0
     for k in (0, 1, busiest - 2, busiest - 1, busiest, busiest + 1):
         frame, commands, operations = frames[k]
-        before = np.array(frames[k - 1][1] if k else (0, 0)) * known.command_step
+        before = np.array(frames[k - 1][1] if k else (0, 0)) * calibration.command_step
         machine.write("controller", machine.read("controller", 4) + struct.pack("<2f", *before))
         machine.write("ridelab_firmware_input", struct.pack("<i", frame.stage) + frame.codes.astype("<i4").tobytes())
         spent = machine.call("ridelab_firmware_step")
@@ -162,7 +166,7 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
 
 def test_instructions_are_timed_as_the_manual_has_them() -> None:
     """ADDS 1; LDR 2; PUSH of four 5; UMULL 5; UDIV 12; LDRD 3."""
-    known = {
+    calibration = {
         "0818": (1, 1),
         "0868": (1, 2),
         "70b5": (1, 5),
@@ -170,7 +174,7 @@ def test_instructions_are_timed_as_the_manual_has_them() -> None:
         "b0fbf1f0": (1, 12),
         "d0e90012": (1, 3),
     }
-    for code, expected in known.items():
+    for code, expected in calibration.items():
         assert measured(bytes.fromhex(code)) == expected, code
 
 

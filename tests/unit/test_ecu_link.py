@@ -43,18 +43,18 @@ FINGERPRINT = {fingerprint}
 
 
 @pytest.fixture(scope="module")
-def known() -> Calibration:
+def calibration() -> Calibration:
     return ecu_calibration(SMALL)
 
 
-def frame(known: Calibration, step: int = 0, stage: int = 0) -> Frame:
-    return Frame(step=step, stage=stage, codes=np.zeros(8 + 3 * known.preview_length, dtype=np.int32))
+def frame(calibration: Calibration, step: int = 0, stage: int = 0) -> Frame:
+    return Frame(step=step, stage=stage, codes=np.zeros(8 + 3 * calibration.preview_length, dtype=np.int32))
 
 
-def peer(place: Path, known: Calibration, body: str) -> Path:
+def peer(place: Path, calibration: Calibration, body: str) -> Path:
     """A program of ours that behaves so."""
     path = place / "peer"
-    path.write_text(PEER.format(python=sys.executable, fingerprint=fingerprint(known), body=body))
+    path.write_text(PEER.format(python=sys.executable, fingerprint=fingerprint(calibration), body=body))
     path.chmod(0o755)
     return path
 
@@ -69,10 +69,10 @@ def nothing_stays(monkeypatch: pytest.MonkeyPatch) -> Any:
     assert {child.pid for child in psutil.Process().children()} <= before
 
 
-def test_the_program_answers_and_forgets_between_connections(known: Calibration) -> None:
+def test_the_program_answers_and_forgets_between_connections(calibration: Calibration) -> None:
     for _ in range(2):
-        with connected(known) as ecu:
-            codes = frame(known).codes
+        with connected(calibration) as ecu:
+            codes = frame(calibration).codes
             codes[4] = 50
             first = ecu.exchange(Frame(step=7, stage=2, codes=codes))
             assert first.commands != (0, 0)
@@ -95,34 +95,36 @@ MISBEHAVIOURS = {
 
 @pytest.mark.parametrize(("body", "reason"), MISBEHAVIOURS.values(), ids=MISBEHAVIOURS.keys())
 def test_a_peer_that_misbehaves_is_an_error_and_never_a_wait(
-    tmp_path: Path, known: Calibration, body: str, reason: str
+    tmp_path: Path, calibration: Calibration, body: str, reason: str
 ) -> None:
     begin = time.monotonic()
-    program = peer(tmp_path, known, body)
-    with pytest.raises(EcuError, match=reason), connected(known, program, patience=1.0) as ecu:
-        ecu.exchange(frame(known))
+    program = peer(tmp_path, calibration, body)
+    with pytest.raises(EcuError, match=reason), connected(calibration, program, patience=1.0) as ecu:
+        ecu.exchange(frame(calibration))
     assert time.monotonic() - begin < 8
 
 
-def test_a_program_that_does_not_start_is_an_error(tmp_path: Path, known: Calibration) -> None:
-    with pytest.raises(EcuError, match="does not start"), connected(known, tmp_path / "none"):
+def test_a_program_that_does_not_start_is_an_error(tmp_path: Path, calibration: Calibration) -> None:
+    with pytest.raises(EcuError, match="does not start"), connected(calibration, tmp_path / "none"):
         pass
 
 
-def test_a_stage_that_is_none_is_misuse(known: Calibration) -> None:
-    with pytest.raises(EcuError, match="nobody asked"), connected(known) as ecu:
-        ecu.exchange(frame(known, stage=3))
+def test_a_stage_that_is_none_is_misuse(calibration: Calibration) -> None:
+    with pytest.raises(EcuError, match="nobody asked"), connected(calibration) as ecu:
+        ecu.exchange(frame(calibration, stage=3))
 
 
-def test_a_stranger_is_turned_away_while_the_program_is_awaited(tmp_path: Path, known: Calibration) -> None:
+def test_a_stranger_is_turned_away_while_the_program_is_awaited(tmp_path: Path, calibration: Calibration) -> None:
     """Somebody else on this machine connects first; the program with the token is served all the same."""
     stranger = "socket.create_connection(link.getpeername()).sendall(b'RIDELAB1' + bytes(36))"
     body = f"{stranger}\nhello(token, FINGERPRINT)\nframe(); answer(0); frame()"
-    with connected(known, peer(tmp_path, known, body)) as ecu:
-        assert ecu.exchange(frame(known)).commands == (0, 0)
+    with connected(calibration, peer(tmp_path, calibration, body)) as ecu:
+        assert ecu.exchange(frame(calibration)).commands == (0, 0)
 
 
-def test_the_port_is_closed_once_the_program_is_there(known: Calibration, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_port_is_closed_once_the_program_is_there(
+    calibration: Calibration, monkeypatch: pytest.MonkeyPatch
+) -> None:
     ports = []
     create = socket.create_server
 
@@ -132,7 +134,7 @@ def test_the_port_is_closed_once_the_program_is_there(known: Calibration, monkey
         return listener
 
     monkeypatch.setattr(socket, "create_server", noted)
-    with connected(known):
+    with connected(calibration):
         assert ports[0][0] == "127.0.0.1"
         with pytest.raises(ConnectionRefusedError):
             socket.create_connection(ports[0], timeout=1)

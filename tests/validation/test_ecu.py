@@ -54,15 +54,15 @@ def test_the_ecus_optimum_is_the_qps() -> None:
 class Both(Ecu):
     """Asks the program and, with the same memory, the model; the drive follows the program."""
 
-    def __init__(self, program: ProcessEcu, known: Calibration) -> None:
-        self._program, self._known = program, known
+    def __init__(self, program: ProcessEcu, calibration: Calibration) -> None:
+        self._program, self._calibration = program, calibration
         self._previous = np.zeros(FORCES)
         self.pairs: list[tuple[Reply, Reply]] = []
 
     def exchange(self, frame: Frame) -> Reply:
-        modelled = ModelEcu(self._known, previous=self._previous).exchange(frame)
+        modelled = ModelEcu(self._calibration, previous=self._previous).exchange(frame)
         reply = self._program.exchange(frame)
-        self._previous = np.array(reply.commands) * self._known.command_step
+        self._previous = np.array(reply.commands) * self._calibration.command_step
         self.pairs.append((reply, modelled))
         return reply
 
@@ -85,9 +85,9 @@ def test_the_c_program_does_what_the_model_does_over_a_whole_run(mpc: Mpc, hil: 
     both: list[Both] = []
 
     @contextmanager
-    def connect(known: Calibration) -> Iterator[Ecu]:
-        with connected(known) as program:
-            both.append(Both(program, known))
+    def connect(calibration: Calibration) -> Iterator[Ecu]:
+        with connected(calibration) as program:
+            both.append(Both(program, calibration))
             yield both[0]
 
     scenario = Scenario(road=SHORT, speed=SLOWER, mpc=mpc, hil=hil)
