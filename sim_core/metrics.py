@@ -5,6 +5,7 @@ so do the accelerations. Mean squares are trapezoids within the columns; windows
 does.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil, floor, sqrt
@@ -131,11 +132,7 @@ def _by_window(
 ) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS."""
     samples = table.reshape(len(table), -1)
-    squares = (samples * samples) @ places.weights.T
-    for signal in _JUMPING:  # straight between samples: a trapezoid's (a² + b²)/2 is (b - a)²/6 more than their mean
-        change = np.diff(table[_ROW[signal]], axis=0).ravel()
-        squares[_ROW[signal]] -= places.segments @ (change * change) / 6
-    rms = np.sqrt(np.maximum(squares, 0))
+    rms = _rms(table, places.weights, places.segments)
     peaks = [_peaks(table, part) for part in places.within]
     following = table.shape[2]  # the next sample of a command
     for axle, signal in enumerate(_TYRE_LOADS):
@@ -157,6 +154,56 @@ def _by_window(
         }
         for i, window in enumerate(WINDOWS)
     }
+
+
+def rms_between(series: Series, drive: Drive, stretches: Sequence[tuple[float, float]]) -> dict[str, float]:
+    """RMS of METRIC_SIGNALS over all the time in which the front axle is in one of these stretches of the road.
+
+    Args:
+        series: Of a run; as exact as its metrics, whose windows `stretches` may differ from.
+        drive: How that run drove.
+        stretches: First and last position [m], from x = 0 to the road's end at most; none overlap.
+
+    Raises:
+        ValueError: A stretch is empty, or the run does not reach its end.
+    """
+    time = series["time"]
+    fine_step = float(time[-1]) / (len(time) - 1)
+    table = np.stack([series.columns(signal) for signal in METRIC_SIGNALS])
+    fine, commands = table.shape[1] - 1, table.shape[2]
+    spans = [(drive.time_at(first) / fine_step, drive.time_at(last) / fine_step) for first, last in stretches]
+    if any(not 0 <= first < last <= fine * commands + _SNAP for first, last in spans):
+        raise ValueError("A stretch ends behind its beginning and lies on the road that was driven")
+    segments = _segments(spans, fine, commands)[np.newaxis]
+    rms = _rms(table, _weights(segments).reshape(1, -1), segments.reshape(1, -1))
+    return {signal: float(rms[_ROW[signal], 0]) for signal in METRIC_SIGNALS}
+
+
+def _rms(table: FloatArray, weights: FloatArray, segments: FloatArray) -> FloatArray:
+    """RMS of METRIC_SIGNALS in each window (8, windows)."""
+    samples = table.reshape(len(table), -1)
+    squares = (samples * samples) @ weights.T
+    for signal in _JUMPING:  # straight between samples: a trapezoid's (a² + b²)/2 is (b - a)²/6 more than their mean
+        change = np.diff(table[_ROW[signal]], axis=0).ravel()
+        squares[_ROW[signal]] -= segments @ (change * change) / 6
+    return np.asarray(np.sqrt(np.maximum(squares, 0)))
+
+
+def _segments(spans: Sequence[tuple[float, float]], fine: int, commands: int) -> FloatArray:
+    """Share of each fine step in the time of these spans, given in fine steps (fine, commands)."""
+    steps = np.arange(commands * fine)
+    inside = [np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) for first, last in spans]
+    share = np.sum(inside, axis=0) / sum(last - first for first, last in spans)
+    return np.asarray(share.reshape(commands, fine).T)
+
+
+def _weights(segments: FloatArray) -> FloatArray:
+    """Share of each sample, by trapezoids, where `segments` is that of each fine step (windows, fine + 1, commands)."""
+    windows, fine, commands = segments.shape
+    weights = np.zeros((windows, fine + 1, commands))
+    weights[:, :-1] = segments / 2
+    weights[:, 1:] += segments / 2
+    return weights
 
 
 def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatArray:
@@ -185,14 +232,8 @@ def _windows(
     edges = [round(place) if abs(place - round(place)) < _SNAP else place for place in (0.0, arrival, leaving, end)]
     spans = list(pairwise(edges))
 
-    steps = np.arange(commands * fine)
-    segments = np.zeros((len(WINDOWS), fine, commands))
-    for i, (first, last) in enumerate([spans[0], spans[1], (edges[0], edges[-1])]):
-        share = np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) / (last - first)
-        segments[i] = share.reshape(commands, fine).T
-    weights = np.zeros((len(WINDOWS), per_command, commands))
-    weights[:, :-1] = segments / 2
-    weights[:, 1:] += segments / 2
+    windows = (spans[0], spans[1], (edges[0], edges[-1]))
+    segments = np.stack([_segments([window], fine, commands) for window in windows])
 
     def sample(step: int) -> int:
         return step % fine * commands + step // fine
@@ -204,7 +245,7 @@ def _windows(
         return AxleKinks(samples=samples, within=tuple(inside))
 
     return Windows(
-        weights=weights.reshape(len(WINDOWS), -1),
+        weights=_weights(segments).reshape(len(WINDOWS), -1),
         segments=segments.reshape(len(WINDOWS), -1),
         within=tuple(_blocks(ceil(first), floor(last), fine) for first, last in spans),
         ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),

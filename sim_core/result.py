@@ -34,6 +34,14 @@ class Series(Mapping[str, FloatArray]):
             self._made[key] = self._columns[key][:-1].T.reshape(-1)[: self._length]
         return self._made[key]
 
+    def columns(self, key: str) -> FloatArray:
+        """A signal with its values at both ends of every held command (samples + 1, n).
+
+        Raises:
+            KeyError: It is none of those a suspension changes.
+        """
+        return self._columns[key]
+
     def __iter__(self) -> Iterator[str]:
         """Names in the catalogue's order."""
         return iter(SIGNALS)
@@ -78,7 +86,7 @@ class StrategyResult:
     stages: tuple[Span, ...]
     travel_time: float
     arrival_speed_kmh: float
-    series: Mapping[str, FloatArray]
+    series: Series
 
     def summary(self) -> dict[str, Any]:
         """Everything but the series and the strategy's id, ready for JSON."""

@@ -16,6 +16,7 @@ from sim_core.catalogue import SIGNALS
 
 _HEADS = ("table", "figure", "strategy", "against", "printed", "change", "ours", "change", "95 %", "verdict")
 _BLIND = ("without preview", "95 %", "verdict")
+_SETS = ("interpretation", "reached", "simulated", "ECU, ±8 %", "within ±10 points", "printed in our interval")
 _LEFT = {1, 2, 3, 9, 12}
 
 
@@ -28,7 +29,13 @@ def paper(
             show_default=False,
         ),
     ] = None,
-    seeds: Annotated[int, typer.Option(metavar="N", min=20, max=100, help="Roads that every strategy drives.")] = 20,
+    interpretation: Annotated[
+        str,
+        typer.Option(metavar="NAME", help="A named set of readings, default or favourable; --reading overrides it."),
+    ] = "default",
+    seeds: Annotated[
+        str, typer.Option(metavar="N|A-B", help="Roads that every strategy drives, 20 to 100: seeds 1 to N, or A to B.")
+    ] = "20",
     report: Annotated[
         str | None,
         typer.Option(metavar="FILE", help="Write all of it as one HTML file, figures too.", show_default=False),
@@ -41,16 +48,17 @@ def paper(
 
     The first time it takes up to a minute; then it is stored.
     """
-    chosen = _chosen(reading or [])
+    asked: dict[str, Any] = _roads(seeds)
+    asked |= {"interpretation": _named(interpretation), "readings": _chosen(reading or [])}
     if report is not None and report != "-" and not Path(report).parent.is_dir():
         raise InputError(f"--report: there is no folder {Path(report).parent}")
     with Services(server, data_dir) as services:
         ridelab = services.at()
-        with _waiting(f"Driving {seeds} roads"):
-            found = ridelab.paper(seeds=seeds, readings=chosen)
+        with _waiting(f"Driving {asked['seeds']} roads"):
+            found = ridelab.paper(**asked)
         if report is not None:
             with _waiting("Making the report"):
-                output.deliver(ridelab.paper_report(seeds=seeds, readings=chosen), report)
+                output.deliver(ridelab.paper_report(**asked), report)
     if report == "-":
         return
     if as_json:
@@ -75,12 +83,52 @@ def lines(answer: Mapping[str, Any]) -> Iterator[str]:
             yield f"{item['title']}: {labels[item['chosen']]['label']}"
     if (missing := answer["unavailable"]) is not None:
         yield f"{missing['cells']} cells not available here. {missing['reason']}"
+    yield ""
+    yield from aligned(_SETS, [_set(item) for item in answer["interpretations"]], left={0})
+    yield ""
     blind = answer["without_preview"]
     yield f"without preview: {_counted(blind['reached'], answer['total'], blind['counts'])}"
     yield (
-        f"{_counted(answer['reached'], answer['total'], answer['counts'])} "
-        f"(Ridelab core {answer['core_version']}, {answer['seeds']} roads)"
+        f"{_counted(answer['reached'], answer['total'], answer['counts'])} (Ridelab core {answer['core_version']}, "
+        f"seeds {answer['first_seed']}-{answer['first_seed'] + answer['seeds'] - 1})"
     )
+
+
+def _set(item: Mapping[str, Any]) -> list[str]:
+    """A named set and what the cells come to under it."""
+    simulated, in_ecu, near = item["simulated"], item["ecu"], item["agreement"]
+    return [
+        item["id"],
+        f"{item['reached']} of {item['total']}",
+        f"{simulated['reached']} of {simulated['total']}",
+        f"{in_ecu['reached']} of {in_ecu['total']}" if in_ecu["total"] else "not available",
+        f"{near['within']} of {near['cells']}",
+        f"{near['in_interval']} of {near['cells']}",
+    ]
+
+
+def _roads(text: str) -> dict[str, int]:
+    """How many roads from which seed on, of `N` or `A-B`.
+
+    Raises:
+        InputError: It is neither, or not 20 to 100 roads.
+    """
+    first, _, last = text.rpartition("-")
+    try:
+        begin, end = int(first or 1), int(last)
+    except ValueError:
+        raise InputError("--seeds takes N or A-B, such as 20 or 21-60") from None
+    if begin < 1 or not 20 <= end + 1 - begin <= 100:
+        raise InputError("--seeds takes 20 to 100 roads, of seeds from 1 on")
+    return {"seeds": end + 1 - begin, "first_seed": begin}
+
+
+def _named(interpretation: str) -> str:
+    from sim_core.study.interpretations import INTERPRETATIONS
+
+    if interpretation not in INTERPRETATIONS:
+        raise InputError(f"--interpretation: Unknown; there are {', '.join(INTERPRETATIONS)}")
+    return interpretation
 
 
 def _chosen(readings: Sequence[str]) -> dict[str, str]:
@@ -90,7 +138,7 @@ def _chosen(readings: Sequence[str]) -> dict[str, str]:
         InputError: There is no such reading or choice, or one is given twice.
     """
     from sim_core.errors import RidelabError
-    from sim_core.study.interpretations import reading
+    from sim_core.study.readings import reading
 
     chosen: dict[str, str] = {}
     for text in readings:

@@ -197,29 +197,45 @@ class Ridelab:
         with self._http.stream(path, params={"baseline": baseline}) as response:
             yield from response.iter_bytes()
 
-    def paper(self, *, seeds: int = 20, readings: Mapping[str, str] | None = None) -> dict[str, Any]:
+    def paper(
+        self,
+        *,
+        seeds: int = 20,
+        first_seed: int = 1,
+        interpretation: str = "default",
+        readings: Mapping[str, str] | None = None,
+    ) -> dict[str, Any]:
         """The paper's printed changes with ours and a verdict on each; up to a minute the first time.
 
         Args:
             seeds: How many roads.
-            readings: Reading -> choice, those that are not Ridelab's own.
+            first_seed: Of the first road; the others follow it.
+            interpretation: A named set of readings, `default` or `favourable`.
+            readings: Reading -> choice, those that are not the set's.
 
         Raises:
             RidelabAPIError: The service refused.
             RidelabConnectionError: No answer, or not Ridelab's.
         """
-        params = {**(readings or {}), "seeds": seeds}
+        params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
         found: dict[str, Any] = self._http.json("GET", f"{API}/paper", params=params)
         return found
 
-    def paper_report(self, *, seeds: int = 20, readings: Mapping[str, str] | None = None) -> Iterator[bytes]:
+    def paper_report(
+        self,
+        *,
+        seeds: int = 20,
+        first_seed: int = 1,
+        interpretation: str = "default",
+        readings: Mapping[str, str] | None = None,
+    ) -> Iterator[bytes]:
         """The same as one HTML file, with what each part contributes and the figures, piece by piece.
 
         Raises:
             RidelabAPIError: The service refused.
             RidelabConnectionError: No answer, or it broke off.
         """
-        params = {**(readings or {}), "seeds": seeds}
+        params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
         with self._http.stream(f"{API}/paper/report.html", params=params) as response:
             yield from response.iter_bytes()
 

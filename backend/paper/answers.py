@@ -1,45 +1,60 @@
 """Values of many runs as the paper page's answers."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from typing import Any
 
 from sim_core import __version__ as CORE_VERSION
 from sim_core.study import paper
 from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from sim_core.study.errata import ERRATA
-from sim_core.study.interpretations import READINGS
+from sim_core.study.interpretations import INTERPRETATIONS, interpretation_of
 from sim_core.study.intervals import Interval, change_with_interval, mean_with_interval
 from sim_core.study.paper import FIGURES, Judged
 from sim_core.study.paper_tables import TABLES, PaperCell, cells
+from sim_core.study.readings import READINGS, changes_of
 
 
 def reproduction(
     chosen: Mapping[str, str],
-    seeds: int,
+    roads: range,
     ours: paper.Values,
     without_preview: paper.Values,
+    named: Mapping[str, paper.Values],
     reason: str | None = None,
 ) -> dict[str, Any]:
     """`PaperAnswer`.
 
     Args:
         chosen: Reading -> choice, all of them.
-        seeds: Roads 1 to this.
+        roads: Their seeds.
         ours: By strategy, under these readings.
         without_preview: The same without preview.
-        reason: Why hardware in the loop is not available; both are then judged without it.
+        named: The same under each named set.
+        reason: Why hardware in the loop is not available; all are then judged without it.
     """
     if reason is not None:
         ours, without_preview = _simulated(ours), _simulated(without_preview)
+        named = {name: _simulated(values) for name, values in named.items()}
     judged, blind = paper.judge(ours), paper.judge(without_preview)
-    counts, blind_counts = paper.count(judged), paper.count(blind)
+    blind_counts = paper.count(blind)
     by_cell, blind_by_cell = ({item.cell: item for item in items} for items in (judged, blind))
     return {
         "core_version": CORE_VERSION,
-        "seeds": seeds,
-        "reached": counts["reached"],
-        "total": len(judged),
-        "counts": counts,
+        **_roads(roads),
+        "interpretation": interpretation_of(chosen),
+        **_counted(judged),
+        "interpretations": [
+            {
+                "id": item.id,
+                "title": item.title,
+                "description": item.description,
+                "choices": item.choices,
+                "changes": changes_of(item.otherwise),
+                **_counted(paper.judge(named[item.id])),
+            }
+            for item in INTERPRETATIONS.values()
+        ],
         "unavailable": unavailable(reason),
         "without_preview": {"reached": blind_counts["reached"], "counts": blind_counts},
         "scenario": paper.scenario_for(chosen, 1).model_dump(mode="json"),
@@ -51,7 +66,12 @@ def reproduction(
                 "description": reading.description,
                 "chosen": chosen[reading.id],
                 "choices": [
-                    {"id": choice.id, "label": choice.label, "default": choice.id == reading.default}
+                    {
+                        "id": choice.id,
+                        "label": choice.label,
+                        "default": choice.id == reading.default,
+                        "source": choice.source,
+                    }
                     for choice in reading.choices
                 ],
             }
@@ -94,13 +114,34 @@ def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Seque
     }
 
 
-def attribution(seeds: int, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> dict[str, Any]:
+def _roads(roads: range) -> dict[str, int]:
+    return {"seeds": len(roads), "first_seed": roads[0]}
+
+
+def _counted(judged: Sequence[Judged]) -> dict[str, Any]:
+    """`Counted`."""
+    counts, (simulated, in_ecu) = paper.count(judged), paper.split(judged)
+    return {
+        "reached": counts["reached"],
+        "total": len(judged),
+        "counts": counts,
+        "simulated": _part(simulated),
+        "ecu": _part(in_ecu),
+        "agreement": asdict(paper.agreement(judged)),
+    }
+
+
+def _part(judged: Sequence[Judged]) -> dict[str, int]:
+    return {"reached": paper.count(judged)["reached"], "total": len(judged)}
+
+
+def attribution(roads: range, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> dict[str, Any]:
     """`AttributionAnswer` from a row for each road: variant -> its figures."""
     values = {variant.id: _of_variant(variant.id, runs) for variant in VARIANTS}
     passive = values["passive-constant"]
     return {
         "core_version": CORE_VERSION,
-        "seeds": seeds,
+        **_roads(roads),
         "rows": [
             {
                 "id": variant.id,

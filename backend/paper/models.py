@@ -6,12 +6,14 @@ from pydantic import ConfigDict, Field, create_model
 
 from backend.models import Answer, RequestModel
 from sim_core.scenario import Scenario
-from sim_core.study.interpretations import READINGS
-from sim_core.study.paper import SEEDS
+from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
+from sim_core.study.paper import AGREEMENT, HIL_TOLERANCE, SEEDS
+from sim_core.study.readings import READINGS
 
 Verdict = Literal["reached", "smaller", "contradicts", "unavailable"]
 Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
-Seeds = Annotated[int, Field(ge=20, le=100, description="Roads 1 to this, each driven by every strategy")]
+Seeds = Annotated[int, Field(ge=20, le=100, description="How many roads every strategy drives")]
+FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road's seed; the others follow it")]
 
 
 class Counts(Answer):
@@ -20,6 +22,32 @@ class Counts(Answer):
     reached: int
     smaller: int
     contradicts: int
+
+
+class Part(Answer):
+    """A part of the cells."""
+
+    reached: int
+    total: int = Field(description="Cells with a verdict")
+
+
+class Agreement(Answer):
+    """How near the changes we simulate come to the paper's; a misprint is taken as its absolutes have it."""
+
+    cells: int
+    within: int = Field(description=f"Within ±{AGREEMENT:g} percentage points of the paper's change")
+    in_interval: int = Field(description="The paper's change lies in our 95 % interval")
+
+
+class Counted(Answer):
+    """What the cells come to under some readings."""
+
+    reached: int
+    total: int = Field(description="Cells with a verdict")
+    counts: Counts
+    simulated: Part = Field(description="The changes we simulate")
+    ecu: Part = Field(description=f"Hardware in the loop, by our rule of ±{HIL_TOLERANCE:g} %")
+    agreement: Agreement
 
 
 class Misprint(Answer):
@@ -76,6 +104,7 @@ class ReadingChoice(Answer):
     id: str
     label: str
     default: bool
+    source: str = Field(description="The sentence or equation of the paper that has it, or `ours`")
 
 
 class ReadingAnswer(Answer):
@@ -111,14 +140,24 @@ class Erratum(Answer):
     here: str
 
 
-class PaperAnswer(Answer):
+class Interpretation(Counted):
+    """A named set of readings, and what the cells come to under it, on the same roads."""
+
+    id: str
+    title: str
+    description: str
+    choices: dict[str, str] = Field(description="Reading: choice, all of them")
+    changes: dict[str, Any] = Field(description="The scenario's fields it changes, by dotted name")
+
+
+class PaperAnswer(Counted):
     """The reproduction."""
 
     core_version: str
     seeds: int
-    reached: int
-    total: int = Field(description="Cells with a verdict")
-    counts: Counts
+    first_seed: int
+    interpretation: str | None = Field(description="The named set whose readings these are; null where none has them")
+    interpretations: list[Interpretation] = Field(description="The named sets")
     unavailable: Unavailable | None
     without_preview: WithoutPreview
     scenario: Scenario
@@ -219,6 +258,7 @@ class AttributionAnswer(Answer):
 
     core_version: str
     seeds: int
+    first_seed: int
     rows: list[CombinationRow]
     shares: list[Share]
     sentences: list[str]
@@ -240,20 +280,37 @@ class PaperFigures(Answer):
     figures: list[PaperFigure]
 
 
-class _Query(RequestModel):
+class RoadsQuery(RequestModel):
+    """Which roads."""
+
     model_config = ConfigDict(strict=False)
 
     seeds: Seeds = SEEDS
+    first_seed: FirstSeed = 1
+
+    @property
+    def roads(self) -> range:
+        """Their seeds."""
+        return range(self.first_seed, self.first_seed + self.seeds)
+
+
+class _Query(RoadsQuery):
+    interpretation: Literal[tuple(INTERPRETATIONS)] = Field(  # type: ignore[valid-type]
+        DEFAULT.id, description="A named set of readings; single ones beside it override it"
+    )
 
     def chosen(self) -> dict[str, str]:
         """Reading -> choice, all of them."""
-        return {name: getattr(self, name) for name in READINGS}
+        single = {name: getattr(self, name) for name in READINGS}
+        return INTERPRETATIONS[self.interpretation].choices | {
+            name: choice for name, choice in single.items() if choice is not None
+        }
 
 
 _CHOICES: dict[str, Any] = {
     reading.id: (
-        Literal[tuple(choice.id for choice in reading.choices)],
-        Field(reading.default, description=f"{reading.title}: {reading.description}"),
+        Literal[tuple(choice.id for choice in reading.choices)] | None,
+        Field(None, description=f"{reading.title}: {reading.description} By default as the interpretation has it."),
     )
     for reading in READINGS.values()
 }

@@ -23,7 +23,8 @@ from backend.store import Store, StoredResult
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 from sim_core.study import paper
-from sim_core.study.interpretations import READINGS
+from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
+from sim_core.study.readings import READINGS
 
 AT_ONCE = 4  # roads one worker task drives
 HISTORY_POINTS = 1200
@@ -45,90 +46,92 @@ class Paper:
         # A visitor's what-if finds a worker free: this work takes one of them at a time.
         self._turns = Turns()
 
-    async def reproduction(self, chosen: Mapping[str, str], seeds: int, client: str) -> dict[str, Any]:
+    async def reproduction(self, chosen: Mapping[str, str], roads: range, client: str) -> dict[str, Any]:
         """Every cell under these readings (reading -> choice, all of them), as `PaperAnswer`.
 
         Raises:
             ProblemError: 429 or 503.
         """
-        without = {**chosen, "preview": "none"}
-        ours, reason = await self._values(chosen, seeds, client, ahead=True)
-        blind, blind_reason = (
-            (ours, reason) if without == chosen else await self._values(without, seeds, client, ahead=True)
-        )
-        return answers.reproduction(chosen, seeds, ours, blind, reason or blind_reason)
+        values, reason = await self._values(chosen, roads, client, ahead=True)
+        blind, blind_reason = await self._values({**chosen, "preview": "none"}, roads, client, ahead=True)
+        named = {}
+        for name, item in INTERPRETATIONS.items():
+            named[name], named_reason = await self._values(item.choices, roads, client, ahead=True)
+            reason = reason or named_reason
+        return answers.reproduction(chosen, roads, values, blind, named, reason or blind_reason)
 
-    async def readings(self, seeds: int, client: str) -> dict[str, Any]:
+    async def readings(self, roads: range, client: str) -> dict[str, Any]:
         """What each switch does by itself, as `ReadingsAnswer`; as many rows as there are after a while.
 
         Raises:
             ProblemError: 429 or 503.
         """
-        default = paper.default_choices()
-        values, reason = await self._values(default, seeds, client)
+        default = DEFAULT.choices
+        values, reason = await self._values(default, roads, client)
         base = paper.judge(values)
         end, rows = time.monotonic() + PATIENCE, []
         choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
         for reading, choice in choices:
-            values, this_reason = await self._values({**default, reading: choice}, seeds, client)
+            values, this_reason = await self._values({**default, reading: choice}, roads, client)
             rows.append(answers.reading_row(reading, choice, base, paper.judge(values)))
             reason = this_reason or reason
             if time.monotonic() > end:
                 break
         return {"rows": rows, "complete": len(rows) == len(choices), "unavailable": answers.unavailable(reason)}
 
-    async def attribution(self, seeds: int, client: str) -> dict[str, Any]:
+    async def attribution(self, roads: range, client: str) -> dict[str, Any]:
         """What each part contributes, as `AttributionAnswer`.
 
         Raises:
             ProblemError: 429 or 503.
         """
-        return answers.attribution(seeds, await self._rows(work.combinations, (), seeds, client))
+        return answers.attribution(roads, await self._rows(work.combinations, (), roads, client))
 
-    async def figures(self, seeds: int, client: str) -> dict[str, Any]:
+    async def figures(self, roads: range, client: str) -> dict[str, Any]:
         """The paper's figures made by us, as `PaperFigures`.
 
         Raises:
             ProblemError: 429 or 503.
         """
-        peaks = await self._rows(work.peaks_over_speed, (), seeds, client)
+        peaks = await self._rows(work.peaks_over_speed, (), roads, client)
         found = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
         outcomes = {name: item.outcome for name, item in found.items()}
         return {"figures": await asyncio.to_thread(drawings.all_figures, peaks, outcomes)}
 
-    async def report(self, chosen: Mapping[str, str], seeds: int, client: str, *, compressed: bool) -> Report:
+    async def report(self, chosen: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
         """All of it as one HTML file; what each part contributes and the figures are by the default readings.
 
         Raises:
             ProblemError: 429 or 503.
         """
-        found = await self.reproduction(chosen, seeds, client)
-        parts, drawn = await self.attribution(seeds, client), await self.figures(seeds, client)
+        found = await self.reproduction(chosen, roads, client)
+        parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
         with self._admission.computing(client, Scenario(), ()):
             return await made(partial(paper_report.report, found, parts, drawn["figures"], compressed=compressed))
 
     async def _values(
-        self, chosen: Mapping[str, str], seeds: int, client: str, *, ahead: bool = False
+        self, chosen: Mapping[str, str], roads: range, client: str, *, ahead: bool = False
     ) -> tuple[paper.Values, str | None]:
         """Each strategy's figures; where the ECU's program cannot take part, all others' and why."""
-        given = (dict(chosen),)
-        simulated = paper.gathered(await self._rows(work.simulated_values, given, seeds, client, ahead=ahead))
+        given = ({name: choice for name, choice in chosen.items() if name != paper.WINDOW},)
+        window = chosen[paper.WINDOW]
+        simulated = paper.gathered(await self._rows(work.simulated_values, given, roads, client, ahead=ahead), window)
         try:
-            in_ecu = await self._rows(work.ecu_values, given, seeds, client, ahead=ahead)
+            in_ecu = await self._rows(work.ecu_values, given, roads, client, ahead=ahead)
         except EcuUnavailableError as error:
             return simulated, error.message
-        return simulated | paper.gathered(in_ecu), None
+        return simulated | paper.gathered(in_ecu, window), None
 
     async def _rows(
         self,
         function: Callable[..., list[Any]],
         given: tuple[Any, ...],
-        seeds: int,
+        roads: range,
         client: str,
         *,
         ahead: bool = False,
     ) -> list[Any]:
-        """`function(*given, roads)` for roads 1 to `seeds`, a row each: stored, under way, or computed and stored.
+        """`function(*given, seeds)` for these roads, a row each: stored, under way, or computed and stored.
 
         What is `ahead` is computed before what is not.
 
@@ -136,7 +139,7 @@ class Paper:
             EcuUnavailableError: The ECU's program cannot take part; nothing is stored then.
             ProblemError: 429 or 503.
         """
-        key = _key(function, given, seeds)
+        key = _key(function, given, roads)
         stored = await self._store.call(self._store.runs.load_results, [key])
         if key in stored:
             rows: list[Any] = stored[key].summary["rows"]
@@ -148,7 +151,7 @@ class Paper:
                 if len(self._under_way) >= MOST_UNDER_WAY:
                     detail = "The service is full: too much of the paper page is being computed."
                     raise ProblemError(503, detail, kind="full", retry_after=RETRY_AFTER)
-                task = self._under_way[key] = asyncio.create_task(self._compute(key, function, given, seeds))
+                task = self._under_way[key] = asyncio.create_task(self._compute(key, function, given, roads))
             self._waiting[task] += 1
             try:
                 with self._turns.ahead(key) if ahead else nullcontext():
@@ -165,29 +168,28 @@ class Paper:
             task.cancel()
 
     async def _compute(
-        self, key: str, function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int
+        self, key: str, function: Callable[..., list[Any]], given: tuple[Any, ...], roads: range
     ) -> list[Any]:
         begin, rows = time.perf_counter(), []
-        for first in range(1, seeds + 1, AT_ONCE):
-            roads = list(range(first, min(first + AT_ONCE, seeds + 1)))
+        for begun in range(0, len(roads), AT_ONCE):
             async with self._turns.turn(key):
-                rows += await self._workers.call(function, *given, roads)
+                rows += await self._workers.call(function, *given, list(roads[begun : begun + AT_ONCE]))
         took = 1000 * (time.perf_counter() - begin)
-        item = stored_rows(function, given, seeds, rows, took)
+        item = stored_rows(function, given, roads, rows, took)
         await self._store.call(self._store.runs.save_result, item, CORE_VERSION)
         return rows
 
 
 def stored_rows(
-    function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int, rows: list[Any], compute_ms: float
+    function: Callable[..., list[Any]], given: tuple[Any, ...], roads: range, rows: list[Any], compute_ms: float
 ) -> StoredResult:
-    """`function(*given, roads)` for roads 1 to `seeds`, as it is stored."""
-    key = _key(function, given, seeds)
+    """`function(*given, seeds)` for these roads, as it is stored."""
+    key = _key(function, given, roads)
     return StoredResult(key=key, strategy=_name(function), status="ok", summary={"rows": rows}, compute_ms=compute_ms)
 
 
-def _key(function: Callable[..., list[Any]], given: tuple[Any, ...], seeds: int) -> str:
-    return digest.derived_key(_name(function), {"given": given, "seeds": seeds})
+def _key(function: Callable[..., list[Any]], given: tuple[Any, ...], roads: range) -> str:
+    return digest.derived_key(_name(function), {"given": given, "roads": [roads[0], roads[-1]]})
 
 
 def _name(function: Callable[..., list[Any]]) -> str:

@@ -9,24 +9,28 @@ from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import Strategy
 from sim_core.study.attribution import COMFORT_FIGURES, VARIANTS
-from sim_core.study.paper import IN_ECU, SIMULATED, figures_of, scenario_for
+from sim_core.study.paper import IN_ECU, SIMULATED, figures_by_window, figures_of, scenario_for
 
 ROAD_END = 110  # Eq. 3 [m]
 SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
 
 
-def simulated_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
-    """For each seed: strategy -> its eight figures (`sim_core.study.paper.FIGURES`), under these readings."""
-    return [{name: figures_of(simulate(scenario_for(chosen, seed), name)) for name in SIMULATED} for seed in seeds]
+def simulated_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, dict[str, list[float]]]]:
+    """For each seed: strategy -> its `figures_by_window`, under these readings."""
+    return [{name: _figures(scenario_for(chosen, seed), name) for name in SIMULATED} for seed in seeds]
 
 
-def ecu_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, list[float]]]:
+def ecu_values(chosen: Mapping[str, str], seeds: Sequence[int]) -> list[dict[str, dict[str, list[float]]]]:
     """The same of hardware in the loop.
 
     Raises:
         EcuUnavailableError: The ECU's program cannot take part.
     """
-    return [{IN_ECU: figures_of(simulate(scenario_for(chosen, seed), IN_ECU))} for seed in seeds]
+    return [{IN_ECU: _figures(scenario_for(chosen, seed), IN_ECU)} for seed in seeds]
+
+
+def _figures(scenario: Scenario, name: str) -> dict[str, list[float]]:
+    return figures_by_window(scenario, simulate(scenario, name))
 
 
 def combinations(seeds: Sequence[int]) -> list[dict[str, dict[str, Any]]]:

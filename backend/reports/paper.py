@@ -45,6 +45,9 @@ def report(
     values = {
         "core_version": CORE_VERSION,
         "seeds": reproduction["seeds"],
+        "first_seed": reproduction["first_seed"],
+        "interpretation": reproduction["interpretation"],
+        "interpretations": reproduction["interpretations"],
         "reached": reproduction["reached"],
         "total": reproduction["total"],
         "counts": [_count(name, number, reproduction["total"]) for name, number in reproduction["counts"].items()],
@@ -79,6 +82,7 @@ def _reading(item: Mapping[str, Any]) -> dict[str, Any]:
         "title": item["title"],
         "description": item["description"],
         "chosen": chosen["label"],
+        "source": chosen["source"],
         "default": None if chosen["default"] else default,
         "others": [choice["label"] for choice in item["choices"] if choice is not chosen],
     }

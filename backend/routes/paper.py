@@ -9,7 +9,6 @@ from backend.paper import models
 from backend.paper.service import Paper
 from backend.routes import router
 from backend.routes.deps import Client, html_answer, json_answer, takes_gzip, unless_gone
-from sim_core.study.paper import SEEDS
 
 paper = router("paper", 422, 429, 503)
 
@@ -21,31 +20,31 @@ async def _paper(request: Request) -> Paper:
 
 PaperService = Annotated[Paper, Depends(_paper)]
 Chosen: Any = Annotated[models.PaperQuery, Query()]
-Roads = Annotated[models.Seeds, Query()]
+Roads = Annotated[models.RoadsQuery, Query()]
 
 
 @paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
 async def get_paper(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
-    """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; each reading may be chosen."""
-    return json_answer(await unless_gone(request, service.reproduction(query.chosen(), query.seeds, client)))
+    """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly."""
+    return json_answer(await unless_gone(request, service.reproduction(query.chosen(), query.roads, client)))
 
 
 @paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)
-async def get_readings(request: Request, service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
+async def get_readings(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
     """What each reading does to the verdicts by itself; ask again while it is not complete."""
-    return json_answer(await unless_gone(request, service.readings(seeds, client)))
+    return json_answer(await unless_gone(request, service.readings(query.roads, client)))
 
 
 @paper.get("/paper/attribution", operation_id="getPaperAttribution", response_model=models.AttributionAnswer)
-async def get_attribution(request: Request, service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
+async def get_attribution(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
     """Preview, weights and speed varied one at a time, and how much of LV's gain each is."""
-    return json_answer(await unless_gone(request, service.attribution(seeds, client)))
+    return json_answer(await unless_gone(request, service.attribution(query.roads, client)))
 
 
 @paper.get("/paper/figures", operation_id="getPaperFigures", response_model=models.PaperFigures)
-async def get_figures(request: Request, service: PaperService, client: Client, seeds: Roads = SEEDS) -> Response:
+async def get_figures(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
     """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
-    return json_answer(await unless_gone(request, service.figures(seeds, client)))
+    return json_answer(await unless_gone(request, service.figures(query.roads, client)))
 
 
 @paper.get(
@@ -56,6 +55,6 @@ async def get_figures(request: Request, service: PaperService, client: Client, s
 )
 async def get_report(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
     """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
-    work = service.report(query.chosen(), query.seeds, client, compressed=takes_gzip(request))
+    work = service.report(query.chosen(), query.roads, client, compressed=takes_gzip(request))
     report = await unless_gone(request, work)
     return html_answer(report, "ridelab-paper.html")

@@ -14,14 +14,14 @@ from backend.paper import models, work
 from backend.paper.service import stored_rows
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
-from sim_core.study.interpretations import READINGS
-from sim_core.study.paper import SEEDS, default_choices
+from sim_core.study.interpretations import DEFAULT
+from sim_core.study.readings import READINGS
 from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
 from tests.api.streams import told
 from tests.html import check, read
 from tests.servers.compilers import Bare
-from tests.servers.reproduction import rows, store_in
+from tests.servers.reproduction import ROADS, readings, rows, store_in
 
 SMALL = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
@@ -114,11 +114,11 @@ def simulated(bare: Service) -> None:
     """What the paper page's five simulated strategies give is stored; each switch as if it changed nothing."""
     store = bare.app.state.store
     store_in(store, ecu=False)
-    default, as_default = default_choices(), rows()[0].summary["rows"]
-    for reading in READINGS.values():
+    as_default = rows()[0].summary["rows"]
+    for reading in READINGS.values():  # the reading `window` changes no run
         for choice in reading.choices[1:]:
-            given = ({**default, reading.id: choice.id},)
-            item = stored_rows(work.simulated_values, given, SEEDS, as_default, 1.0)
+            given = (readings(**{reading.id: choice.id}),)
+            item = stored_rows(work.simulated_values, given, ROADS, as_default, 1.0)
             store.runs.save_result(item, CORE_VERSION)
 
 
@@ -159,7 +159,7 @@ def test_so_do_the_switches_figures_and_the_report(bare: Service) -> None:
     models.ReadingsAnswer.model_validate(found)
     assert found["unavailable"]["reason"] == NO_COMPILER
     assert {row["total"] for row in found["rows"]} == {40}
-    assert {row["changed"] for row in found["rows"] if row["choice"] != "none"} == {0}
+    assert {row["changed"] for row in found["rows"] if row["choice"] != "none" and row["reading"] != "window"} == {0}
     for figure in paper(bare, "/figures").json()["figures"]:
         assert (f"LV as ECU code is not available here. {NO_COMPILER}." in figure["caption"]) == (figure["number"] > 18)
     page = read(paper(bare, "/report.html").text)
@@ -182,13 +182,13 @@ def served(machine: Bare, tmp_path: Path) -> Iterator[Service]:
 
 def test_it_serves_once_there_is_a_compiler(served: Service, machine: Bare) -> None:
     first = served.run(["lv_hil", "passive"], SMALL).json()
-    without = served.inside(served.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+    without = served.inside(served.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
     machine.install()
     second = served.run(["lv_hil", "passive"], SMALL).json()
     assert second["strategies"]["lv_hil"]["status"] == "ok"
     assert second["strategies"]["passive"]["cached"] is True
     assert second["id"] != first["id"]
-    found = served.inside(served.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+    found = served.inside(served.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
     assert (without["total"], found["total"], found["unavailable"]) == (40, 48, None)
     simulated = [cell for cell in without["cells"] if cell["verdict"] != "unavailable"]
     assert simulated == [cell for cell in found["cells"] if cell["strategy"] != "lv_hil"]

@@ -11,7 +11,8 @@ import pytest
 from backend.paper import models
 from backend.paper.service import stored_rows
 from backend.paper.work import SPEEDS_KMH
-from sim_core.study.paper import FIGURES, default_choices
+from sim_core.study.interpretations import DEFAULT
+from sim_core.study.paper import FIGURES
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
 from tests.servers.reproduction import PARTS, rows
@@ -45,7 +46,7 @@ def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str
 @pytest.fixture(scope="module")
 def anew(service: Service) -> dict[str, Any]:
     """The reproduction on a few roads, which the workers drive now."""
-    return service.inside(service.app.state.paper.reproduction(default_choices(), FEW, "192.0.2.1"))
+    return service.inside(service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
 
 
 def test_what_is_computed_now_is_what_was_kept(
@@ -53,10 +54,10 @@ def test_what_is_computed_now_is_what_was_kept(
 ) -> None:
     """The roads driven now are the first of those in the reproduction that all other tests read."""
     monkeypatch.setattr("backend.paper.service.AT_ONCE", 1)  # several tasks of the workers, put together again
-    service.inside(service.app.state.paper.attribution(FEW, "192.0.2.1"))
-    service.inside(service.app.state.paper.figures(FEW, "192.0.2.1"))
+    service.inside(service.app.state.paper.attribution(range(1, FEW + 1), "192.0.2.1"))
+    service.inside(service.app.state.paper.figures(range(1, FEW + 1), "192.0.2.1"))
     for (function, given), kept in zip(PARTS, rows(), strict=True):
-        key = stored_rows(function, given, FEW, [], 0).key
+        key = stored_rows(function, given, range(1, FEW + 1), [], 0).key
         found = service.app.state.store.runs.load_results([key])[key].summary["rows"]
         # Another process, the same arithmetic: only the blocks a law is computed in may differ in their last bits.
         assert list(numbers(found)) == pytest.approx(list(numbers(kept.summary["rows"][:FEW])), rel=1e-9), function
@@ -99,6 +100,64 @@ def test_a_switch_changes_what_it_says(client: httpx.Client, answer: dict[str, A
             assert {key: cell[key] for key in without} == without
 
 
+def test_both_named_sets_stand_beside_each_other_under_any_reading(
+    client: httpx.Client, answer: dict[str, Any]
+) -> None:
+    favourable = client.get(PAPER, params={"interpretation": "favourable"}).json()
+    assert [item["interpretation"] for item in (answer, favourable)] == ["default", "favourable"]
+    assert [item["id"] for item in answer["interpretations"]] == ["default", "favourable"]
+    assert answer["interpretations"] == favourable["interpretations"]
+    for item, own in zip(answer["interpretations"], (answer, favourable), strict=True):
+        assert {key: own[key] for key in models.Counted.model_fields} == {
+            key: item[key] for key in models.Counted.model_fields
+        }
+        assert item["choices"] == {reading["id"]: reading["chosen"] for reading in own["readings"]}
+        simulated = [cell for cell in own["cells"] if cell["strategy"] != "lv_hil"]
+        assert item["simulated"] == {"reached": [cell["verdict"] for cell in simulated].count("reached"), "total": 40}
+        assert item["ecu"]["reached"] + item["simulated"]["reached"] == item["reached"]
+        claims = [cell["misprint"]["follows"] if cell["misprint"] else cell["paper_change"] for cell in simulated]
+        changes = [cell["our_change"] for cell in simulated]
+        assert item["agreement"] == {
+            "cells": 40,
+            "within": sum(abs(ours - claim) <= 10 for ours, claim in zip(changes, claims, strict=True)),
+            "in_interval": sum(
+                cell["ci"][0] <= claim <= cell["ci"][1] for cell, claim in zip(simulated, claims, strict=True)
+            ),
+        }
+    assert favourable["scenario"]["vehicle"]["cg_height"] == 0
+    assert favourable["scenario"]["mpc"]["deflection_limit"] == 0.1
+    assert answer["interpretations"][1]["changes"]["mpc.force_limit"] == 20_000
+
+
+def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
+    """Where the RMS are taken changes no run, so nothing is computed for it."""
+    query = {"interpretation": "favourable", "window": "to_bump"}
+    found = service.client.get(PAPER, params=query | {"preview": "lookahead"}).json()
+    assert found["interpretation"] is None
+    chosen = {reading["id"]: reading["chosen"] for reading in found["readings"]}
+    assert chosen == found["interpretations"][1]["choices"] | {"window": "to_bump"}
+    assert found["scenario"]["vehicle"]["cg_height"] == 0
+    full = service.client.get(PAPER, params={"interpretation": "favourable"}).json()
+    for one, other in zip(found["cells"], full["cells"], strict=True):
+        assert (one["our_value"] == other["our_value"]) == (one["window"] == "bump")
+
+
+def test_fresh_roads_are_asked_for_by_their_first_seed(client: httpx.Client) -> None:
+    runs = [
+        client.post("/api/v1/runs", json={"scenario": {"road": {"seed": seed}}, "strategies": ["passive"]}).json()
+        for seed in range(21, 41)
+    ]
+    found = client.get(PAPER, params={"first_seed": 21}).json()
+    assert (found["first_seed"], found["seeds"]) == (21, 20)
+    (base,) = {
+        cell["our_base"]
+        for cell in found["cells"]
+        if cell["against"] == "passive" and cell["table"] == 5 and cell["signal"] == "rear_tyre_load"
+    }
+    peaks = [run["strategies"]["passive"]["metrics"]["bump"]["rear_tyre_load"]["peak"] for run in runs]
+    assert base == pytest.approx(statistics.fmean(peaks), rel=1e-9)
+
+
 def test_what_was_computed_once_is_answered_from_the_store(
     service: Service, answer: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -108,7 +167,14 @@ def test_what_was_computed_once_is_answered_from_the_store(
 
 
 @pytest.mark.parametrize(
-    ("query", "parameter"), [({"preview": "red"}, "preview"), ({"seeds": "3"}, "seeds"), ({"colour": "red"}, "colour")]
+    ("query", "parameter"),
+    [
+        ({"preview": "red"}, "preview"),
+        ({"seeds": "3"}, "seeds"),
+        ({"colour": "red"}, "colour"),
+        ({"interpretation": "red"}, "interpretation"),
+        ({"first_seed": "0"}, "first_seed"),
+    ],
 )
 def test_what_cannot_be_chosen_is_refused_by_name(client: httpx.Client, query: dict[str, str], parameter: str) -> None:
     response = client.get(PAPER, params=query)

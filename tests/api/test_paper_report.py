@@ -23,7 +23,7 @@ def told(service: Any) -> dict[str, Any]:
     """The answers the report is made of: the reproduction on 20 roads, stored as if they were 22."""
     for (function, given), kept in zip(PARTS, rows(), strict=True):
         roads = kept.summary["rows"]
-        item = stored_rows(function, given, SEEDS, [*roads, *roads[: SEEDS - len(roads)]], 1.0)
+        item = stored_rows(function, given, range(1, SEEDS + 1), [*roads, *roads[: SEEDS - len(roads)]], 1.0)
         service.app.state.store.runs.save_result(item, CORE_VERSION)
     found: dict[str, Any] = {}
     for name in ("paper", "paper/attribution", "paper/figures"):
@@ -53,6 +53,15 @@ def test_its_count_is_that_of_its_cells(page: Element, told: dict[str, Any]) -> 
     assert verdicts.count("reached") == answer["reached"]
     assert f"{answer['reached']} of {answer['total']} cells reached" in next(page.all("h1")).text
     assert f"Without preview of the road: {answer['without_preview']['reached']} of" in page.text
+    for item in answer["interpretations"]:
+        (row,) = (row for row in page.all("tr") if row.attributes.get("data-interpretation") == item["id"])
+        shown = [cell.text for cell in row.all("td")]
+        near = (item["agreement"]["within"], item["agreement"]["in_interval"])
+        parts = (item, item["simulated"], item["ecu"])
+        assert shown == [
+            *(f"{part['reached']} of {part['total']}" for part in parts),
+            *(f"{number} of 40" for number in near),
+        ]
     for cell in answer["cells"]:
         row = rows[f"{cell['table']}.{cell['strategy']}.{cell['against']}.{cell['signal']}"]
         assert float(str(row.attributes["data-value"])) == cell["our_change"]
@@ -97,7 +106,8 @@ def command(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes]) -> 
     """The command in this process: its exit code, output and errors."""
 
     def run(*arguments: str) -> tuple[int, str, str]:
-        code = app.run(["paper", "--seeds", str(SEEDS), "--server", str(client.base_url), *arguments])
+        roads = () if "--seeds" in arguments else ("--seeds", str(SEEDS))
+        code = app.run(["paper", *roads, "--server", str(client.base_url), *arguments])
         captured = capfdbinary.readouterr()
         return code, captured.out.decode(), captured.err.decode()
 
@@ -122,6 +132,15 @@ def test_the_command_prints_every_cell_and_the_counts(command: Any, told: dict[s
         told_of = [item for item in (cell, cell["without_preview"]) if item]
         assert verdicts == [item["verdict"] + ("" if item["certain"] else "?") for item in told_of]
     last = printed.splitlines()[-2:]
+    for item in answer["interpretations"]:
+        (line,) = (line for line in printed.splitlines() if line.startswith(f"{item['id']} "))
+        parts = (item, item["simulated"], item["ecu"])
+        near = (item["agreement"]["within"], item["agreement"]["in_interval"])
+        told_of_set = [
+            *(f"{part['reached']} of {part['total']}" for part in parts),
+            *(f"{number} of 40" for number in near),
+        ]
+        assert line.split() == " ".join([item["id"], *told_of_set]).split()
     assert last[0].startswith(f"without preview: {answer['without_preview']['reached']} of {answer['total']} cells")
     assert last[1].startswith(f"{answer['reached']} of {answer['total']} cells reached, ")
 
@@ -130,7 +149,8 @@ def test_the_command_answers_machines_and_writes_the_report(
     command: Any, told: dict[str, Any], page: Element, tmp_path: Path
 ) -> None:
     file = tmp_path / "paper.html"
-    code, printed, errors = command("--json", "--report", str(file), "--reading", "preview=lookahead")
+    same = ("--seeds", f"1-{SEEDS}", "--interpretation", "default", "--reading", "preview=lookahead")
+    code, printed, errors = command("--json", "--report", str(file), *same)
     assert code == 0
     assert json.loads(printed) == told["paper"]
     assert str(file) in errors
@@ -148,7 +168,10 @@ def test_the_command_answers_machines_and_writes_the_report(
         (["--reading", "preview"], "--reading takes READING=CHOICE"),
         (["--reading", "preview=none", "--reading", "preview=none"], "--reading preview: given twice"),
         (["--report", "/nowhere/paper.html"], "--report: there is no folder /nowhere"),
-        (["--seeds", "3"], "--seeds"),
+        (["--seeds", "3"], "--seeds takes 20 to 100 roads"),
+        (["--seeds", "30-21"], "--seeds takes 20 to 100 roads"),
+        (["--seeds", "few"], "--seeds takes N or A-B"),
+        (["--interpretation", "kind"], "--interpretation: Unknown; there are default, favourable"),
     ],
 )
 def test_the_command_refuses_what_there_is_not(command: Any, arguments: list[str], said: str) -> None:

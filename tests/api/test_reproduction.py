@@ -14,9 +14,8 @@ from tests.servers.reproduction import SOURCES, digest, files, packages
 COMPUTE = """
 import sys
 from backend.paper import work
-from sim_core.study import paper
-work.simulated_values(paper.default_choices(), [1])
-work.ecu_values(paper.default_choices(), [1])
+work.simulated_values({}, [1])
+work.ecu_values({}, [1])
 work.combinations([1])
 work.peaks_over_speed([1])
 print(*(module.__file__ for name, module in sys.modules.items() if name.partition(".")[0] in ("sim_core", "backend")))

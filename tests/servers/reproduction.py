@@ -1,8 +1,8 @@
 """The paper's reproduction, computed once and kept: what every test of the paper page would else compute anew.
 
-`rows()` is what a service stores for the page by its default readings and without preview, on 20 roads. It lies in
-`.cache/` under a digest of everything its numbers depend on, so it is computed again after any change of that. A
-service under test takes it into its database, before it starts or while it runs:
+`rows()` is what a service stores for the page by its default readings, without preview and by the favourable ones, on
+20 roads. It lies in `.cache/` under a digest of everything its numbers depend on, so it is computed again after any
+change of that. A service under test takes it into its database, before it starts or while it runs:
 
     store_in(store)                                          # a `backend.store.Store` of this process
     store_in_database(f"sqlite:///{folder}/ridelab.sqlite")  # of another one; made where there is none yet
@@ -26,6 +26,7 @@ from backend.paper.service import stored_rows
 from backend.store import Store, StoredResult
 from sim_core import __version__ as CORE_VERSION
 from sim_core.study import paper
+from sim_core.study.interpretations import DEFAULT, FAVOURABLE, Interpretation
 from tests.servers.process import ROOT
 
 FOLDER = ROOT / ".cache"
@@ -39,12 +40,21 @@ SOURCES = (
 )
 WAIT = 240.0  # for another test process that computes it [s]
 
-DEFAULT = paper.default_choices()
+ROADS = range(1, paper.SEEDS + 1)
+
+
+def readings(interpretation: Interpretation = DEFAULT, **single: str) -> dict[str, str]:
+    """What the runs under these readings are computed from: where their RMS are taken changes no run."""
+    return {name: choice for name, choice in (interpretation.choices | single).items() if name != paper.WINDOW}
+
+
 PARTS: tuple[tuple[Callable[..., list[Any]], tuple[Any, ...]], ...] = (
-    (work.simulated_values, (DEFAULT,)),
-    (work.simulated_values, ({**DEFAULT, "preview": "none"},)),
-    (work.ecu_values, (DEFAULT,)),
-    (work.ecu_values, ({**DEFAULT, "preview": "none"},)),
+    (work.simulated_values, (readings(),)),
+    (work.simulated_values, (readings(preview="none"),)),
+    (work.simulated_values, (readings(FAVOURABLE),)),
+    (work.ecu_values, (readings(),)),
+    (work.ecu_values, (readings(preview="none"),)),
+    (work.ecu_values, (readings(FAVOURABLE),)),
     (work.combinations, ()),
     (work.peaks_over_speed, ()),
 )
@@ -63,7 +73,7 @@ def rows() -> list[StoredResult]:
             beside.replace(path)
     kept = orjson.loads(path.read_bytes())
     return [
-        stored_rows(function, given, paper.SEEDS, part["rows"], part["compute_ms"])
+        stored_rows(function, given, ROADS, part["rows"], part["compute_ms"])
         for (function, given), part in zip(PARTS, kept, strict=True)
     ]
 
@@ -73,7 +83,7 @@ def computed() -> list[dict[str, Any]]:
     parts = []
     for function, given in PARTS:
         begin = time.perf_counter()
-        found = function(*given, range(1, paper.SEEDS + 1))
+        found = function(*given, ROADS)
         parts.append({"rows": found, "compute_ms": 1000 * (time.perf_counter() - begin)})
     return parts
 

@@ -1,6 +1,7 @@
 """The paper's numbers as we hold them, and the rules of a verdict: rules are pinned, verdicts are not."""
 
 import json
+import re
 from math import inf, nan
 from pathlib import Path
 
@@ -14,10 +15,11 @@ from sim_core.scenario import Scenario
 from sim_core.scenario.dotted import field
 from sim_core.study import paper
 from sim_core.study.attribution import FACTORS, VARIANTS, shares
-from sim_core.study.interpretations import READINGS
+from sim_core.study.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
 from sim_core.study.intervals import change_with_interval, mean_with_interval
 from sim_core.study.paper import FIGURES, Verdict, judge, scenario_for, verdict
 from sim_core.study.paper_tables import ABSOLUTES, TABLES, cells
+from sim_core.study.readings import OURS, READINGS
 
 COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
 NAMED = {"lv_hil": "hil"}
@@ -163,10 +165,44 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
             for name, value in choice.changes.items():
                 field(name).checked(value)
             ours = scenario_for({reading.id: choice.id}, 1).model_dump(mode="json")
-            assert (ours == default) == (choice.id == reading.default), (reading.id, choice.id)
+            changes_no_run = choice.id == reading.default or reading.id == paper.WINDOW
+            assert (ours == default) == changes_no_run, (reading.id, choice.id)
+            assert (choice.stretches is None) == (choice.id == reading.default or reading.id != paper.WINDOW)
     for chosen in ({"colour": "red"}, {"preview": "red"}):
         with pytest.raises(UnknownNameError):
             scenario_for(chosen, 1)
+
+
+def test_each_choice_names_its_place_in_the_paper_or_is_ours() -> None:
+    for reading in READINGS.values():
+        for choice in reading.choices:
+            assert choice.source == OURS or re.search(r"Eq\. \d|[Ss]ection \d|Table \d", choice.source), choice
+            assert "literal" not in choice.label + choice.source + reading.description
+
+
+def test_the_named_sets() -> None:
+    assert {name: item.choices[paper.WINDOW] for name, item in INTERPRETATIONS.items()} == {
+        "default": "to_bump",
+        "favourable": "full_course",
+    }
+    scenario = scenario_for(FAVOURABLE.choices, 1)
+    assert scenario.vehicle.cg_height == 0
+    assert (scenario.mpc.force_limit, scenario.mpc.sample_time, scenario.mpc.deflection_limit) == (20_000, 0.005, 0.1)
+    assert scenario_for(DEFAULT.choices, 1) == Scenario()
+    assert [interpretation_of(item.choices) for item in INTERPRETATIONS.values()] == list(INTERPRETATIONS)
+    assert interpretation_of(FAVOURABLE.choices | {"force_limit": "10"}) is None
+
+
+def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
+    """LV at half of all others, in the ECU too: ours is 0 % between those two, -50 % or +100 % elsewhere."""
+    judged = judge(values_of({"lv": 0.5, "lv_hil": 0.5}))
+    simulated, in_ecu = paper.split(judged)
+    assert (len(simulated), len(in_ecu)) == (40, 8)
+    assert {item.cell.strategy for item in in_ecu} == {"lv_hil"}
+    assert {item.verdict for item in in_ecu} == {Verdict.REACHED}
+    # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
+    found = paper.agreement(judged)
+    assert (found.cells, found.within, found.in_interval) == (40, 6, 0)
 
 
 def test_the_paper_s_strategies_are_among_the_combinations() -> None:

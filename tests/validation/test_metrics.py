@@ -5,6 +5,9 @@ import pytest
 
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, WINDOWS
 from sim_core.comfort import wk_gain
+from sim_core.drive.speed_profile import Drive, drive
+from sim_core.metrics import rms_between
+from sim_core.result import Series
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
@@ -68,6 +71,77 @@ def test_a_window_ends_where_the_drive_does_not_where_a_sample_is() -> None:
     widths = 4 + np.arange(20) * 0.001
     changes = np.diff([rms(float(width)) for width in widths])
     assert np.abs(changes - changes.mean()).max() < 0.2 * np.abs(changes).mean()
+
+
+STRETCHES = [[(0, 100)], [(0, 100), (104, 110)], [(0, 110)], [(63.2, 63.3), (20, 50), (149, 150)]]
+
+
+@pytest.mark.parametrize("stretches", STRETCHES, ids=str)
+@pytest.mark.parametrize("strategy", ["passive", "lv", "lqr"])
+def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretches: list[tuple[float, float]]) -> None:
+    """From a million instants, with the jump where a held command changes.
+
+    Between samples accelerations are straight lines, of all else the squares are; a million
+    instants place a stretch's ends within 20 µs, which is a ten-thousandth of the shortest stretch's RMS.
+    """
+    scenario = Scenario()
+    result, motion = simulate(scenario, strategy), drive(scenario, STRATEGIES[strategy].speed)
+    found = rms_between(result.series, motion, stretches)
+    assert list(found) == list(METRIC_SIGNALS)
+    time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
+    position = motion.at(time)[0]
+    time = time[np.any([(first <= position) & (position <= last) for first, last in stretches], axis=0)]
+    fine = len(result.series.columns("front_force")) - 1
+    step = time / result.series["time"][1]
+    sample = step.astype(int)
+    command, row = np.divmod(sample, fine)
+    for signal, value in found.items():
+        power = 1 if signal.endswith("acceleration") else 2
+        values = result.series.columns(signal) ** power
+        history = values[row, command] + (step - sample) * (values[row + 1, command] - values[row, command])
+        assert value == pytest.approx(np.sqrt(np.mean(history ** (2 / power))), rel=1e-4), signal
+
+
+def test_rms_over_stretches_add_up_to_those_of_the_windows() -> None:
+    scenario = Scenario()
+    for strategy in ("passive", "lv", "lqr"):
+        result, motion = simulate(scenario, strategy), drive(scenario, STRATEGIES[strategy].speed)
+        bump_end = scenario.road.bump.start + scenario.road.bump.width + scenario.vehicle.wheelbase
+        windows = {"rough_road": [(0, 100)], "bump": [(100, bump_end)], "whole": [(0, 30), (30, 150)]}
+        for window, stretches in windows.items():
+            expected = {signal: item["rms"] for signal, item in result.metrics[window].items()}
+            assert rms_between(result.series, motion, stretches) == pytest.approx(expected, rel=1e-9), window
+        parts = [rms_between(result.series, motion, [part])["pitch_acceleration"] for part in ((0, 100), (104, 110))]
+        times = [motion.time_at(last) - motion.time_at(first) for first, last in ((0, 100), (104, 110))]
+        both = np.sqrt(np.average(np.square(parts), weights=times))
+        union = rms_between(result.series, motion, [(0, 100), (104, 110)])["pitch_acceleration"]
+        assert union == pytest.approx(both, rel=1e-12)
+
+
+def test_rms_between_knows_jumps() -> None:
+    """A sawtooth that rises from 0 to 1 while each of ten commands is held: its mean square is 1/3, to the middle of a tooth 1/12."""
+    teeth = np.tile(np.linspace(0, 1, 5), (10, 1)).T
+    series = Series({"time": np.arange(41) / 40}, dict.fromkeys(METRIC_SIGNALS, teeth))
+    two, none = np.array([0.0, 1.0]), np.zeros(2)
+    motion = Drive(
+        initial_speed=10,
+        time=two,
+        position=10 * two,
+        speed=np.full(2, 10.0),
+        acceleration=none,
+        pressure=none,
+        braking=none,
+    )
+    for stretches, expected in (
+        ([(0, 10)], 1 / 3),
+        ([(2, 4)], 1 / 3),
+        ([(2, 2.5)], 1 / 12),
+        ([(1, 1.5), (3, 4)], 1 / 4),
+    ):
+        assert rms_between(series, motion, stretches)["body_acceleration"] ** 2 == pytest.approx(expected)
+    for nowhere in ([(3, 3)], [(9, 11)], [(-1, 2)]):
+        with pytest.raises(ValueError, match="stretch"):
+            rms_between(series, motion, nowhere)
 
 
 def test_papers_static_loads() -> None:

@@ -316,7 +316,7 @@ export interface paths {
         };
         /**
          * Get Paper
-         * @description Every printed change of Tables 4-5 and 7-10 with ours and a verdict; each reading may be chosen.
+         * @description Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly.
          */
         get: operations["getPaper"];
         put?: never;
@@ -817,6 +817,24 @@ export interface components {
             saturation?: number | null;
         };
         /**
+         * Agreement
+         * @description How near the changes we simulate come to the paper's; a misprint is taken as its absolutes have it.
+         */
+        Agreement: {
+            /** Cells */
+            cells: number;
+            /**
+             * In Interval
+             * @description The paper's change lies in our 95 % interval
+             */
+            in_interval: number;
+            /**
+             * Within
+             * @description Within ±10 percentage points of the paper's change
+             */
+            within: number;
+        };
+        /**
          * AttributionAnswer
          * @description What each part contributes.
          */
@@ -825,6 +843,8 @@ export interface components {
             core_version: string;
             /** Equal Speed */
             equal_speed: components["schemas"]["EqualSpeed"][];
+            /** First Seed */
+            first_seed: number;
             /** Rows */
             rows: components["schemas"]["CombinationRow"][];
             /** Seeds */
@@ -2109,6 +2129,45 @@ export interface components {
             seed: number;
         };
         /**
+         * Interpretation
+         * @description A named set of readings, and what the cells come to under it, on the same roads.
+         */
+        Interpretation: {
+            agreement: components["schemas"]["Agreement"];
+            /**
+             * Changes
+             * @description The scenario's fields it changes, by dotted name
+             */
+            changes: {
+                [key: string]: unknown;
+            };
+            /**
+             * Choices
+             * @description Reading: choice, all of them
+             */
+            choices: {
+                [key: string]: string;
+            };
+            counts: components["schemas"]["Counts"];
+            /** Description */
+            description: string;
+            /** @description Hardware in the loop, by our rule of ±8 % */
+            ecu: components["schemas"]["Part"];
+            /** Id */
+            id: string;
+            /** Reached */
+            reached: number;
+            /** @description The changes we simulate */
+            simulated: components["schemas"]["Part"];
+            /** Title */
+            title: string;
+            /**
+             * Total
+             * @description Cells with a verdict
+             */
+            total: number;
+        };
+        /**
          * Judgement
          * @description Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable.
          */
@@ -2858,13 +2917,28 @@ export interface components {
          * @description The reproduction.
          */
         PaperAnswer: {
+            agreement: components["schemas"]["Agreement"];
             /** Cells */
             cells: components["schemas"]["Cell"][];
             /** Core Version */
             core_version: string;
             counts: components["schemas"]["Counts"];
+            /** @description Hardware in the loop, by our rule of ±8 % */
+            ecu: components["schemas"]["Part"];
             /** Errata */
             errata: components["schemas"]["Erratum"][];
+            /** First Seed */
+            first_seed: number;
+            /**
+             * Interpretation
+             * @description The named set whose readings these are; null where none has them
+             */
+            interpretation: string | null;
+            /**
+             * Interpretations
+             * @description The named sets
+             */
+            interpretations: components["schemas"]["Interpretation"][];
             /** Reached */
             reached: number;
             /** Readings */
@@ -2876,6 +2950,8 @@ export interface components {
             scenario: components["schemas"]["Scenario"];
             /** Seeds */
             seeds: number;
+            /** @description The changes we simulate */
+            simulated: components["schemas"]["Part"];
             /** Tables */
             tables: components["schemas"]["TableAnswer"][];
             /**
@@ -2912,6 +2988,19 @@ export interface components {
         PaperFigures: {
             /** Figures */
             figures: components["schemas"]["PaperFigure"][];
+        };
+        /**
+         * Part
+         * @description A part of the cells.
+         */
+        Part: {
+            /** Reached */
+            reached: number;
+            /**
+             * Total
+             * @description Cells with a verdict
+             */
+            total: number;
         };
         /**
          * Place
@@ -3031,6 +3120,11 @@ export interface components {
             id: string;
             /** Label */
             label: string;
+            /**
+             * Source
+             * @description The sentence or equation of the paper that has it, or `ours`
+             */
+            source: string;
         };
         /**
          * ReadingRow
@@ -5769,24 +5863,32 @@ export interface operations {
     getPaper: {
         parameters: {
             query?: {
-                /** @description Braking pitches the body: Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes. */
-                braking_moment?: "on" | "off";
-                /** @description Actuator force limit: The paper gives none. */
-                force_limit?: "5" | "2.5" | "10";
-                /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. */
-                lqr_preview?: "none" | "wheelbase" | "lookahead";
-                /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. */
-                preview?: "lookahead" | "wheelbase" | "none";
-                /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. */
-                road_end?: "150" | "110";
-                /** @description Control interval: The paper does not give it. */
-                sample_time?: "10" | "5" | "20";
-                /** @description Roads 1 to this, each driven by every strategy */
+                /** @description Braking pitches the body: Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes. By default as the interpretation has it. */
+                braking_moment?: ("on" | "off") | null;
+                /** @description The first road's seed; the others follow it */
+                first_seed?: number;
+                /** @description Actuator force limit: The paper gives none. By default as the interpretation has it. */
+                force_limit?: ("5" | "2.5" | "10" | "20") | null;
+                /** @description A named set of readings; single ones beside it override it */
+                interpretation?: "default" | "favourable";
+                /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. By default as the interpretation has it. */
+                lqr_preview?: ("none" | "wheelbase" | "lookahead") | null;
+                /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. By default as the interpretation has it. */
+                preview?: ("none" | "wheelbase" | "lookahead") | null;
+                /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. By default as the interpretation has it. */
+                road_end?: ("150" | "110") | null;
+                /** @description Control interval: The paper does not give it. By default as the interpretation has it. */
+                sample_time?: ("10" | "5" | "20") | null;
+                /** @description How many roads every strategy drives */
                 seeds?: number;
-                /** @description Travel weight q4: Eq. 16 and the LQR's cost name three weights; a fourth, on travel, is ours. Without it an LQR uses far more travel than a car has. */
-                travel_weight?: "3" | "0";
-                /** @description Table 2's car: Its masses look like a whole car's, its stiffnesses like one wheel's. */
-                vehicle?: "printed" | "half";
+                /** @description Travel limit: Eq. 14 names a limit of the deflection, f_dmax; the paper gives no value. By default as the interpretation has it. */
+                travel_limit?: ("80" | "100") | null;
+                /** @description Travel weight q4: A weight on suspension travel is ours. Without it an LQR uses far more travel than a car has. By default as the interpretation has it. */
+                travel_weight?: ("3" | "0") | null;
+                /** @description Table 2's car: Its masses look like a whole car's, its stiffnesses like one wheel's. By default as the interpretation has it. */
+                vehicle?: ("printed" | "half") | null;
+                /** @description Where the RMS are taken: Section 4.1.1 takes the RMS on the graded road surface, section 4.2.2 over the full course. By default as the interpretation has it. */
+                window?: ("to_bump" | "class_b" | "full_course") | null;
             };
             header?: never;
             path?: never;
@@ -5844,7 +5946,9 @@ export interface operations {
     getPaperAttribution: {
         parameters: {
             query?: {
-                /** @description Roads 1 to this, each driven by every strategy */
+                /** @description The first road's seed; the others follow it */
+                first_seed?: number;
+                /** @description How many roads every strategy drives */
                 seeds?: number;
             };
             header?: never;
@@ -5903,7 +6007,9 @@ export interface operations {
     getPaperFigures: {
         parameters: {
             query?: {
-                /** @description Roads 1 to this, each driven by every strategy */
+                /** @description The first road's seed; the others follow it */
+                first_seed?: number;
+                /** @description How many roads every strategy drives */
                 seeds?: number;
             };
             header?: never;
@@ -5962,7 +6068,9 @@ export interface operations {
     getPaperReadings: {
         parameters: {
             query?: {
-                /** @description Roads 1 to this, each driven by every strategy */
+                /** @description The first road's seed; the others follow it */
+                first_seed?: number;
+                /** @description How many roads every strategy drives */
                 seeds?: number;
             };
             header?: never;
@@ -6021,24 +6129,32 @@ export interface operations {
     getPaperReport: {
         parameters: {
             query?: {
-                /** @description Braking pitches the body: Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes. */
-                braking_moment?: "on" | "off";
-                /** @description Actuator force limit: The paper gives none. */
-                force_limit?: "5" | "2.5" | "10";
-                /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. */
-                lqr_preview?: "none" | "wheelbase" | "lookahead";
-                /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. */
-                preview?: "lookahead" | "wheelbase" | "none";
-                /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. */
-                road_end?: "150" | "110";
-                /** @description Control interval: The paper does not give it. */
-                sample_time?: "10" | "5" | "20";
-                /** @description Roads 1 to this, each driven by every strategy */
+                /** @description Braking pitches the body: Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes. By default as the interpretation has it. */
+                braking_moment?: ("on" | "off") | null;
+                /** @description The first road's seed; the others follow it */
+                first_seed?: number;
+                /** @description Actuator force limit: The paper gives none. By default as the interpretation has it. */
+                force_limit?: ("5" | "2.5" | "10" | "20") | null;
+                /** @description A named set of readings; single ones beside it override it */
+                interpretation?: "default" | "favourable";
+                /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. By default as the interpretation has it. */
+                lqr_preview?: ("none" | "wheelbase" | "lookahead") | null;
+                /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. By default as the interpretation has it. */
+                preview?: ("none" | "wheelbase" | "lookahead") | null;
+                /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. By default as the interpretation has it. */
+                road_end?: ("150" | "110") | null;
+                /** @description Control interval: The paper does not give it. By default as the interpretation has it. */
+                sample_time?: ("10" | "5" | "20") | null;
+                /** @description How many roads every strategy drives */
                 seeds?: number;
-                /** @description Travel weight q4: Eq. 16 and the LQR's cost name three weights; a fourth, on travel, is ours. Without it an LQR uses far more travel than a car has. */
-                travel_weight?: "3" | "0";
-                /** @description Table 2's car: Its masses look like a whole car's, its stiffnesses like one wheel's. */
-                vehicle?: "printed" | "half";
+                /** @description Travel limit: Eq. 14 names a limit of the deflection, f_dmax; the paper gives no value. By default as the interpretation has it. */
+                travel_limit?: ("80" | "100") | null;
+                /** @description Travel weight q4: A weight on suspension travel is ours. Without it an LQR uses far more travel than a car has. By default as the interpretation has it. */
+                travel_weight?: ("3" | "0") | null;
+                /** @description Table 2's car: Its masses look like a whole car's, its stiffnesses like one wheel's. By default as the interpretation has it. */
+                vehicle?: ("printed" | "half") | null;
+                /** @description Where the RMS are taken: Section 4.1.1 takes the RMS on the graded road surface, section 4.2.2 over the full course. By default as the interpretation has it. */
+                window?: ("to_bump" | "class_b" | "full_course") | null;
             };
             header?: never;
             path?: never;

@@ -91,6 +91,7 @@ export type Link = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "vi
 export type Paper = Deep<Omit<Schemas["PaperAnswer"], "scenario">> & { readonly scenario: Scenario };
 export type PaperCell = Paper["cells"][number];
 export type PaperReading = Paper["readings"][number];
+export type PaperInterpretation = Paper["interpretations"][number];
 export type PaperTable = Paper["tables"][number];
 export type VerdictCounts = Paper["counts"];
 /** Those that are counted; a cell may be unavailable instead. */

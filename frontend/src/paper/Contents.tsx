@@ -35,6 +35,13 @@ export function Contents({ paper }: { readonly paper: Paper | undefined }) {
       {paper && (
         <div className={classes.count}>
           <b>{paper.reached}</b> of {paper.total} reached
+          {paper.interpretations
+            .filter(({ id }) => id !== paper.interpretation)
+            .map(({ id, title, reached, total }) => (
+              <span key={id} className={classes.missing}>
+                {title}: {reached} of {total}
+              </span>
+            ))}
           {paper.unavailable && <span className={classes.missing}>{paper.unavailable.cells} not available here</span>}
           <VerdictBar counts={paper.counts} />
         </div>

@@ -9,6 +9,8 @@ import { runKey } from "../state/queries";
 import { count } from "../units/format";
 import classes from "./paper.module.css";
 import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
+import type { Choices } from "./choices";
+import { Interpretations } from "./Interpretations";
 import { typeset } from "./numbers";
 import { cellId, isMissed, previewSentence, totalOf, uncertain } from "./verdicts";
 import type { Words } from "./words";
@@ -18,7 +20,12 @@ interface Props {
   readonly words: Words;
 }
 
-export function CountSection({ paper, words }: Props) {
+interface CountProps extends Props {
+  readonly choices: Choices;
+  readonly onChoose: (choices: Choices) => void;
+}
+
+export function CountSection({ paper, words, choices, onChoose }: CountProps) {
   const { without_preview: without } = paper;
   return (
     <>
@@ -51,9 +58,14 @@ export function CountSection({ paper, words }: Props) {
         </Text>
       )}
       <Text className={classes.claim}>{previewSentence(paper)}</Text>
+      <Interpretations {...{ paper, choices, onChoose }} />
+      <Text className={classes.agreement}>
+        Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that, “within ±10 points” counts the simulated
+        changes that lie so near to the printed one, “in our interval” those whose printed change lies in our 95&nbsp;% interval.
+      </Text>
       <Text className={classes.text}>
-        A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over {count(paper.seeds, "road")} of class B, the same
-        for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
+        A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over {count(paper.seeds, "road")} of class B (seeds {paper.first_seed} to{" "}
+        {paper.first_seed + paper.seeds - 1}), the same for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
         {uncertain(paper) > 0 && `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
         <Anchor href="#rules" size="sm">
           The rules

@@ -89,7 +89,7 @@ interface SectionsProps {
 
 function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
   const parts: Readonly<Record<SectionId, ReactNode>> = {
-    count: <CountSection paper={paper} words={words} />,
+    count: <CountSection {...{ paper, words, choices }} onChoose={choose} />,
     switches: (
       <>
         <Switches {...{ paper, choices, waiting }} onChoose={choose} />
@@ -125,7 +125,7 @@ function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
   const unknown = fault instanceof ApiProblem && fault.status === 422;
   return (
     <>
-      <Fault message={unknown ? "This address names a reading or a choice that this server does not know." : fault.message} onRetry={onRetry} />
+      <Fault message={unknown ? "This address names an interpretation, a reading or a choice that this server does not know." : fault.message} onRetry={onRetry} />
       {Object.keys(choices).length > 0 && (
         <Button size="xs" variant="default" className={classes.reset ?? ""} onClick={onReset}>
           Show it as Ridelab reads it

@@ -4,7 +4,7 @@ import { Button, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { Paper, PaperReading, ReadingEffects } from "../api/types";
 import { count } from "../units/format";
-import { withChoice, withoutChoices, type Choices } from "./choices";
+import { withSet, type Choices } from "./choices";
 import { typeset } from "./numbers";
 import tables from "./tables.module.css";
 import { effectsQuery } from "./queries";
@@ -58,7 +58,7 @@ export function SwitchEffects({ paper: { readings }, choices, onChoose }: Props)
             {data.rows.map((row) => {
               const reading = readings.find(({ id }) => id === row.reading);
               if (!reading) return null;
-              return <EffectRow key={`${row.reading} ${row.choice}`} row={row} reading={reading} onTry={() => onChoose(withChoice(withoutChoices(choices, readings), reading, row.choice))} />;
+              return <EffectRow key={`${row.reading} ${row.choice}`} row={row} reading={reading} onTry={() => onChoose({ ...withSet(choices, readings, "default"), [reading.id]: row.choice })} />;
             })}
           </tbody>
         </table>

@@ -3,9 +3,9 @@
 import { Button, SegmentedControl, Text } from "@mantine/core";
 import { IconRestore } from "../icons";
 import { useId } from "react";
-import type { Paper, PaperReading } from "../api/types";
+import type { Paper, PaperInterpretation, PaperReading } from "../api/types";
 import { count } from "../units/format";
-import { changedReadings, withChoice, withoutChoices, type Choices } from "./choices";
+import { setOf, standardOf, withChoice, withoutChoices, type Choices } from "./choices";
 import { Inline } from "./Inline";
 import { typeset } from "./numbers";
 import classes from "./switches.module.css";
@@ -21,8 +21,9 @@ interface Props {
 
 export function Switches({ paper, choices, waiting, onChoose }: Props) {
   // The address is ahead of the answer: a switch stands where it was put.
-  const readings = paper.readings.map((reading) => ({ ...reading, chosen: chosenOf(reading, choices) }));
-  const changed = changedReadings(readings);
+  const set = setOf(choices, paper.interpretations);
+  const readings = paper.readings.map((reading) => ({ ...reading, chosen: chosenOf(reading, choices, set) }));
+  const changed = readings.filter((reading) => reading.chosen !== standardOf(reading, set));
   return (
     <>
       <div className={classes.state} role="status">
@@ -39,34 +40,49 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
           disabled={changed.length === 0}
           onClick={() => onChoose(withoutChoices(choices, readings))}
         >
-          {changed.length === 0 ? "All as Ridelab reads it" : `Reset ${count(changed.length, "switch", "switches")}`}
+          {changed.length === 0 ? `All as in the ${set?.title.toLowerCase() ?? "named"} set` : `Reset ${count(changed.length, "switch", "switches")}`}
         </Button>
       </div>
       <div className={classes.grid}>
         {readings.map((reading) => (
-          <Switch key={reading.id} reading={reading} onChange={(choice) => onChoose(withChoice(choices, reading, choice))} />
+          <Switch
+            key={reading.id}
+            {...{ reading, set }}
+            onChange={(choice) => onChoose(withChoice(choices, reading.id, choice, standardOf(reading, set)))}
+          />
         ))}
       </div>
     </>
   );
 }
 
-function chosenOf({ id, choices: offered, chosen }: PaperReading, choices: Choices): string {
-  const wanted = choices[id] ?? offered.find(({ default: standard }) => standard)?.id;
+function chosenOf({ id, choices: offered, chosen }: PaperReading, choices: Choices, set: PaperInterpretation | undefined): string {
+  const wanted = choices[id] ?? set?.choices[id];
   return offered.find((choice) => choice.id === wanted)?.id ?? chosen;
 }
 
-function Switch({ reading, onChange }: { readonly reading: PaperReading; readonly onChange: (choice: string) => void }) {
+interface SwitchProps {
+  readonly reading: PaperReading;
+  readonly set: PaperInterpretation | undefined;
+  readonly onChange: (choice: string) => void;
+}
+
+function Switch({ reading, set, onChange }: SwitchProps) {
   const id = useId();
-  const standard = reading.choices.find((choice) => choice.default);
-  const isChanged = standard?.id !== reading.chosen;
+  const standard = reading.choices.find((choice) => choice.id === standardOf(reading, set));
+  const chosen = reading.choices.find((choice) => choice.id === reading.chosen);
+  const isChanged = standard !== chosen;
   return (
     <div className={classes.switch} data-changed={isChanged || undefined} data-reading={reading.id}>
       <div className={classes.head}>
         <h3 id={id} className={classes.title}>
           {typeset(reading.title)}
         </h3>
-        {isChanged && standard && <span className={classes.changed}>Ridelab’s: {typeset(standard.label)}</span>}
+        {isChanged && standard && (
+          <span className={classes.changed}>
+            {set?.title}: {typeset(standard.label)}
+          </span>
+        )}
       </div>
       <p className={classes.description}>
         <Inline text={reading.description} />
@@ -79,6 +95,9 @@ function Switch({ reading, onChange }: { readonly reading: PaperReading; readonl
         data={reading.choices.map((choice) => ({ value: choice.id, label: typeset(choice.label) }))}
         onChange={onChange}
       />
+      {chosen && <p className={classes.source}>{sourceOf(chosen.source)}</p>}
     </div>
   );
 }
+
+const sourceOf = (source: string) => (source === "ours" ? "Ours: the paper does not give it." : `${typeset(source)}.`);

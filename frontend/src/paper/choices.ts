@@ -1,9 +1,9 @@
 /** Which readings are chosen. The address carries them, so that a page of them can be shared. */
 
 import { useEffect, useState } from "react";
-import type { PaperReading } from "../api/types";
+import type { PaperInterpretation, PaperReading } from "../api/types";
 
-/** Reading → choice; what is left out is as Ridelab reads it. `seeds` may stand there too. */
+/** Reading → choice; what is left out is as in the named set under `interpretation`, which is `default` where it is left out. `seeds` may stand there too. */
 export type Choices = Readonly<Record<string, string>>;
 
 export const NONE_CHOSEN: Choices = {};
@@ -15,21 +15,31 @@ export function formatChoices(choices: Choices): string {
   return text === "" ? "" : `?${text}`;
 }
 
-/** The choices with one made anew: the default leaves no trace. */
-export function withChoice(choices: Choices, { id, choices: offered }: PaperReading, choice: string): Choices {
-  const others = Object.fromEntries(Object.entries(choices).filter(([name]) => name !== id));
-  const isDefault = offered.some((each) => each.id === choice && each.default);
-  return isDefault ? others : { ...others, [id]: choice };
+const DEFAULT = "default";
+
+/** The named set that all switches stand at which are not turned by themselves. */
+export const setOf = (choices: Choices, interpretations: readonly PaperInterpretation[]) =>
+  interpretations.find(({ id }) => id === (choices.interpretation ?? DEFAULT));
+
+/** Where a reading stands in a named set. */
+export const standardOf = ({ id, chosen }: Pick<PaperReading, "id" | "chosen">, set: PaperInterpretation | undefined) => set?.choices[id] ?? chosen;
+
+/** The choices with one made anew: that of the named set leaves no trace. */
+export function withChoice(choices: Choices, id: string, choice: string, standard: string): Choices {
+  const others = without(choices, (name) => name === id);
+  return choice === standard ? others : { ...others, [id]: choice };
 }
 
-/** Every reading as Ridelab has it; the rest of the address stays. */
-export function withoutChoices(choices: Choices, readings: readonly PaperReading[]): Choices {
-  return Object.fromEntries(Object.entries(choices).filter(([name]) => !readings.some(({ id }) => id === name)));
+/** Every reading as its named set has it; the rest of the address stays. */
+export const withoutChoices = (choices: Choices, readings: readonly PaperReading[]) => without(choices, (name) => readings.some(({ id }) => id === name));
+
+/** Every reading as that named set has it. */
+export function withSet(choices: Choices, readings: readonly PaperReading[], name: string): Choices {
+  const others = without(withoutChoices(choices, readings), (key) => key === "interpretation");
+  return name === DEFAULT ? others : { ...others, interpretation: name };
 }
 
-/** The readings that are not Ridelab's. */
-export const changedReadings = (readings: readonly PaperReading[]) =>
-  readings.filter(({ chosen, choices }) => choices.some((choice) => choice.id === chosen && !choice.default));
+const without = (choices: Choices, left: (name: string) => boolean): Choices => Object.fromEntries(Object.entries(choices).filter(([name]) => !left(name)));
 
 export function useChoices() {
   const [choices, setChoices] = useState(() => readChoices(window.location.search));

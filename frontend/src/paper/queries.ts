@@ -8,8 +8,8 @@ const FOR_EVER = { staleTime: Infinity, gcTime: 30 * 60_000 } as const;
 /** Rows that are still being computed are asked for again after this [ms]. */
 const AGAIN_AFTER = 1_000;
 
-/** Only the number of roads concerns what the switches do not. */
-export const roadsOf = ({ seeds }: Choices): Choices => (seeds === undefined ? {} : { seeds });
+/** Only the roads concern what the switches do not. */
+export const roadsOf = ({ seeds, first_seed }: Choices): Choices => ({ ...(seeds !== undefined && { seeds }), ...(first_seed !== undefined && { first_seed }) });
 
 export const paperQuery = (choices: Choices) =>
   queryOptions({

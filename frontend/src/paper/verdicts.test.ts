@@ -28,6 +28,12 @@ function paper(chosen: string, reached: number, without: number): Paper {
   return {
     core_version: "1",
     seeds: 20,
+    first_seed: 1,
+    interpretation: null,
+    interpretations: [],
+    simulated: { reached: 0, total: 40 },
+    ecu: { reached: 0, total: 8 },
+    agreement: { cells: 40, within: 0, in_interval: 0 },
     reached,
     total: 48,
     counts: { reached, smaller: 48 - reached, contradicts: 0 },
@@ -42,8 +48,8 @@ function paper(chosen: string, reached: number, without: number): Paper {
         description: "",
         chosen,
         choices: [
-          { id: "lookahead", label: "Road ahead", default: true },
-          { id: "none", label: "None", default: false },
+          { id: "lookahead", label: "Road ahead", default: true, source: "ours" },
+          { id: "none", label: "None", default: false, source: "ours" },
         ],
       },
     ],
