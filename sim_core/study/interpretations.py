@@ -30,9 +30,8 @@ DEFAULT = Interpretation(
 FAVOURABLE = Interpretation(
     id="favourable",
     title="Favourable",
-    description="The readings that favour the paper: no braking moment (Eq. 7 as printed) and RMS over the full course "
-    "(section 4.2.2); force limit, control interval and travel limit, which the paper does not give, leave the "
-    "controllers room.",
+    description="No braking moment (Eq. 7 as printed) and RMS over the full course (section 4.2.2); a control interval "
+    "and limits, all ours, that leave the controllers room.",
     otherwise={
         "window": "full_course",
         "braking_moment": "off",

@@ -117,11 +117,45 @@ def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -
     expect(paper.get_by_role("radio", name="None").first).to_be_checked()
     paper.go_back()
     expect(paper.get_by_test_id("count")).to_contain_text(f"{before['reached']} of")
-    expect(paper.get_by_role("button", name="All as Ridelab reads it")).to_be_disabled()
+    expect(paper.get_by_role("button", name="All as in the default set")).to_be_disabled()
     # The table of what each switch does sets one, from wherever the others stand.
     paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click()
     expect(paper.get_by_test_id("count")).to_contain_text(count)
     paper.get_by_role("button", name="Reset 1 switch").click()
+    expect(paper).to_have_url(re.compile(r"/paper$"))
+
+
+def test_both_named_sets_stand_side_by_side_and_each_can_be_shown(paper: Page) -> None:
+    api = answer(paper)
+    table = paper.get_by_test_id("interpretations")
+    for item in api["interpretations"]:
+        row = table.locator(f"tr[data-interpretation={item['id']}]")
+        parts = (item, item["simulated"], item["ecu"])
+        near = (item["agreement"]["within"], item["agreement"]["in_interval"])
+        expected = [
+            *(f"{part['reached']} of {part['total']}" for part in parts),
+            *(f"{number} of 40" for number in near),
+        ]
+        assert row.locator("td").all_inner_texts()[:5] == expected
+    expect(table.locator("tr[data-interpretation=default]")).to_have_attribute("aria-current", "true")
+    favourable = answer(paper, "?interpretation=favourable")
+    table.get_by_role("button", name="Show Favourable").click()
+    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable$"))
+    settled(paper)
+    expect(paper.get_by_test_id("count")).to_contain_text(
+        f"{favourable['reached']} of {favourable['total']} cells reached"
+    )
+    expect(paper.get_by_role("navigation", name="On this page")).to_contain_text(f"Default: {api['reached']} of")
+    # Its switches stand as the set has them; one turned by itself stands beside the set in the address.
+    assert paper.get_by_role("radiogroup", name="Actuator force limit").get_by_role("radio", name="20 kN").is_checked()
+    choose(paper, "Where the RMS are taken", "0 to 100 m")
+    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable&window=to_bump$"))
+    settled(paper)
+    expect(paper.locator("[data-reading=window]")).to_contain_text("Favourable: 0 to 110 m")
+    expect(paper.locator("[data-reading=window]")).to_contain_text("Section 4.1.1")
+    paper.get_by_role("button", name="Reset 1 switch").click()
+    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable$"))
+    table.get_by_role("button", name="Show Default").click()
     expect(paper).to_have_url(re.compile(r"/paper$"))
 
 

@@ -20,7 +20,7 @@ interface Share {
 export function Interpretations({ paper, choices, onChoose }: Props) {
   return (
     <div className={classes.scroll} tabIndex={0} role="region" aria-label="Both interpretations">
-      <table className={`${classes.table ?? ""} ${classes.effects ?? ""}`} data-testid="interpretations">
+      <table className={`${classes.table ?? ""} ${classes.effects ?? ""} ${classes.sets ?? ""}`} data-testid="interpretations">
         <thead>
           <tr>
             <th scope="col">Interpretation</th>

@@ -100,4 +100,4 @@ function Switch({ reading, set, onChange }: SwitchProps) {
   );
 }
 
-const sourceOf = (source: string) => (source === "ours" ? "Ours: the paper does not give it." : `${typeset(source)}.`);
+const sourceOf = (source: string) => (source === "ours" ? "Ours." : `${typeset(source)}.`);
