@@ -1,10 +1,12 @@
-"""The only catalogue of signals, windows, events and comfort figures: key, label, unit.
+"""The only catalogue of signals, windows, statistics, stages and metrics: key, label, unit.
 
 Everything that shows a number (tables, plots, CSV headers, API documentation) reads it from here.
 Units are SI; a view may show others, and then converts itself.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,8 +97,10 @@ METRIC_SIGNALS = (
     "rear_force",
 )
 
-# The four the paper's tables compare.
+# The four the paper's tables compare, and what of them: RMS on the rough road (Tables 4, 7, 9), peaks on the bump
+# (Tables 5, 8, 10).
 PAPER_SIGNALS = METRIC_SIGNALS[:4]
+PAPER_VIEWS = (("rough_road", "rms"), ("bump", "peak"))
 
 WINDOWS = _catalogue(
     Quantity(key="rough_road", label="Rough road", unit="1", description="front axle from x = 0 to the bump"),
@@ -234,6 +238,74 @@ RUN_FIGURES = _catalogue(
         unit="km/h",
         description="when the front axle reaches the bump",
     ),
+)
+
+_FLAGS = ("target_reached", "bump_complete")  # the events that are true or false
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Metric:
+    """One number of a strategy's result, or something true or false.
+
+    Attributes:
+        key: Its flat name, as the columns of tables have it: `bump.body_acceleration.peak`.
+        label: In words.
+        unit: SI unit, `1` for none.
+        path: Where it stands in a result's summary.
+        flag: Whether it is true or false.
+    """
+
+    key: str
+    label: str
+    unit: str
+    path: tuple[str, ...]
+    flag: bool = False
+
+    def of(self, summary: Mapping[str, Any]) -> Any:
+        """Its value in a result's summary; None where that has none."""
+        value: Any = summary
+        for name in self.path:
+            value = value.get(name) if isinstance(value, Mapping) else None
+        return value
+
+
+def metric_key(window: str, signal: str, statistic: str) -> str:
+    """The flat name of one signal's statistic in one window."""
+    return f"{window}.{signal}.{statistic}"
+
+
+def _metrics() -> dict[str, Metric]:
+    signals = [
+        Metric(
+            key=metric_key(window.key, signal, statistic.key),
+            label=f"{SIGNALS[signal].label}, {'RMS' if statistic.key == 'rms' else statistic.label.lower()}, "
+            f"{window.label.lower()}",
+            unit=SIGNALS[signal].unit,
+            path=("metrics", window.key, signal, statistic.key),
+        )
+        for window in WINDOWS.values()
+        for signal in METRIC_SIGNALS
+        for statistic in STATISTICS.values()
+    ]
+    others = [
+        Metric(
+            key=".".join((*part, item.key)),
+            label=item.label,
+            unit=item.unit,
+            path=(*part, item.key),
+            flag=item.key in _FLAGS,
+        )
+        for part, items in ((("comfort",), COMFORT), (("events",), EVENTS), ((), RUN_FIGURES))
+        for item in items.values()
+    ]
+    return {metric.key: metric for metric in (*signals, *others)}
+
+
+# Every number of a result by its flat name: the columns of tables, the figures of summaries, objectives and limits.
+METRICS = _metrics()
+NUMBERS = tuple(key for key, metric in METRICS.items() if not metric.flag)
+PAPER_METRICS = tuple(
+    metric_key(window, signal, statistic) for window, statistic in PAPER_VIEWS for signal in PAPER_SIGNALS
 )
 
 # Lines a plot draws beside the curves; values come with each result as `reference`.

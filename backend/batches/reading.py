@@ -10,13 +10,12 @@ import orjson
 
 from backend.batches import robustness, summary
 from backend.batches.plan import scenario_at
-from backend.batches.table import FIGURES, FLAGS, at
 from backend.compute import Workers
 from backend.store import StoredBatch
 from backend.store.batches import BatchRow
+from sim_core.catalogue import METRICS
 from sim_core.result import FloatArray
 
-NUMBERS = [key for key in FIGURES if key not in FLAGS]  # what a distribution can be made of
 POINTS_A_CALL = 500  # whose stability one task of a worker reckons; each takes about a millisecond
 
 
@@ -45,7 +44,7 @@ async def summarised(
         "points": batch.total // len(batch.strategies),
         "baseline": baseline,
         "quantiles": list(summary.QUANTILES),
-        "units": {key: FIGURES[key][1] for key in figures},
+        "units": {key: METRICS[key].unit for key in figures},
         "strategies": await workers.call(summary.summarise, study, baseline),
     }
 
@@ -74,7 +73,7 @@ class _Gathered:
                 self._reasons[row.strategy][row.reason or found.get("reason") or "unknown"] += 1
             if row.status == "ok":
                 for key in self._figures:
-                    value = at(found, FIGURES[key][0])
+                    value = METRICS[key].of(found)
                     self._values[key][point, index] = np.nan if value is None else value
 
     def ran(self) -> list[int]:
@@ -100,8 +99,6 @@ class _Gathered:
             fields={name: [change.get(name) for change in changes] for name in fields},
             read={name: robustness.read(name, fields, scenario) for name in names},
             damping=np.where(self._status == "ok", damping, np.nan),
-            nominal={
-                name: {key: at(found, FIGURES[key][0]) for key in self._figures} for name, found in summaries.items()
-            },
+            nominal={name: {key: METRICS[key].of(found) for key in self._figures} for name, found in summaries.items()},
             nominal_damping=nominal_damping,
         )

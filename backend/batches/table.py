@@ -10,35 +10,23 @@ from pyarrow import csv, parquet
 
 from backend.store import StoredBatch
 from backend.store.batches import BatchRow
-from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.catalogue import METRICS
 from sim_core.scenario import dotted
 
 Format = Literal["json", "csv", "parquet"]
 Pages = AsyncIterator[list[BatchRow]]
 
 FIXED = ("run", "strategy", "status", "reason", "core_version")
-FIGURES: dict[str, tuple[tuple[str, ...], str]] = {
-    **{
-        f"{window}.{signal}.{statistic}": (("metrics", window, signal, statistic), SIGNALS[signal].unit)
-        for window in WINDOWS
-        for signal in METRIC_SIGNALS
-        for statistic in STATISTICS
-    },
-    **{f"comfort.{key}": (("comfort", key), item.unit) for key, item in COMFORT.items()},
-    **{f"events.{key}": (("events", key), item.unit) for key, item in EVENTS.items()},
-    **{key: ((key,), item.unit) for key, item in RUN_FIGURES.items()},
-}
-FLAGS = {key for key in FIGURES if key.startswith("events.") and key.endswith(("target_reached", "bump_complete"))}
 
 
 def units(batch: StoredBatch) -> dict[str, str]:
     """The unit of each column that has one."""
     named = {name: dotted.fields()[name].unit for name in batch.fields if name in dotted.fields()}
-    return named | {key: unit for key, (_, unit) in FIGURES.items()}
+    return named | {key: metric.unit for key, metric in METRICS.items()}
 
 
 def columns(rows: Sequence[BatchRow], names: Iterable[str], figures: Iterable[str]) -> dict[str, list[Any]]:
-    """Some rows column by column: the fixed ones, the swept fields `names`, and `figures` (keys of `FIGURES`)."""
+    """Some rows column by column: the fixed ones, the swept fields `names`, and `figures` (keys of `METRICS`)."""
     changes = [orjson.loads(row.changes) for row in rows]
     found = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
     table: dict[str, list[Any]] = {
@@ -50,8 +38,7 @@ def columns(rows: Sequence[BatchRow], names: Iterable[str], figures: Iterable[st
     }
     table |= {name: [change.get(name) for change in changes] for name in names}
     for key in figures:
-        path, _ = FIGURES[key]
-        table[key] = [at(summary, path) for summary in found]
+        table[key] = [METRICS[key].of(summary) for summary in found]
     return table
 
 
@@ -132,17 +119,9 @@ def _reason(row: BatchRow, summary: Mapping[str, Any]) -> str | None:
     return row.reason if row.reason is not None else summary.get("reason")
 
 
-def at(summary: Mapping[str, Any], path: Sequence[str]) -> Any:
-    """What a summary has at that path of `FIGURES`; None where it has nothing there."""
-    found: Any = summary
-    for step in path:
-        found = found.get(step) if isinstance(found, Mapping) else None
-    return found
-
-
 def _schema(batch: StoredBatch) -> pa.Schema:
     types = {"run": pa.int64(), **{name: _field_type(name) for name in batch.fields}}
-    types |= {key: pa.bool_() if key in FLAGS else pa.float64() for key in FIGURES}
+    types |= {key: pa.bool_() if metric.flag else pa.float64() for key, metric in METRICS.items()}
     known = units(batch)
     fields = [
         pa.field(
@@ -150,7 +129,7 @@ def _schema(batch: StoredBatch) -> pa.Schema:
             types.get(name, pa.string()),
             metadata={"key": name, **({"unit": known[name]} if name in known else {})},
         )
-        for name in (*FIXED, *batch.fields, *FIGURES, "batch")
+        for name in (*FIXED, *batch.fields, *METRICS, "batch")
     ]
     provenance = {
         "ridelab.batch": batch.id,
@@ -167,7 +146,7 @@ def _field_type(name: str) -> pa.DataType:
 
 
 def _page(batch: StoredBatch, rows: Sequence[BatchRow], schema: pa.Schema) -> pa.Table:
-    table = columns(rows, batch.fields, FIGURES)
+    table = columns(rows, batch.fields, METRICS)
     table["batch"] = [batch.id] * len(rows)
     arrays = []
     for field, values in zip(schema, table.values(), strict=True):

@@ -8,24 +8,11 @@ from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName
-from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, STATISTICS, WINDOWS
+from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.strategies import STRATEGIES
 
 SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"
-COLUMNS = frozenset(
-    [
-        *(
-            f"{window}.{signal}.{statistic}"
-            for window in WINDOWS
-            for signal in METRIC_SIGNALS
-            for statistic in STATISTICS
-        ),
-        *(f"comfort.{key}" for key in COMFORT),
-        *(f"events.{key}" for key in EVENTS),
-        *RUN_FIGURES,
-    ]
-)
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Names = Annotated[list[StrategyName], Field(max_length=len(STRATEGIES))]
@@ -39,7 +26,7 @@ def _ascending(ends: tuple[float, float]) -> tuple[float, float]:
 
 
 def _known_column(name: str) -> str:
-    if name not in COLUMNS:
+    if name not in METRICS:
         raise PydanticCustomError(
             "unknown_column",
             "Unknown figure; there are window.signal.statistic with {windows}, {signals} and {statistics}, "

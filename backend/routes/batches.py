@@ -8,15 +8,14 @@ from fastapi.responses import StreamingResponse
 
 from backend.batches import models as models_batches
 from backend.batches import robustness
-from backend.batches.reading import NUMBERS
 from backend.batches.service import Batches
-from backend.batches.table import FIGURES
 from backend.models import Problem
 from backend.problems import ProblemError
 from backend.routes import router
 from backend.routes.deps import IMMUTABLE, Client, json_answer
 from backend.routes.runs import MEDIA_TYPES
 from backend.store.batches import FINAL
+from sim_core.catalogue import METRICS, NUMBERS
 
 EVENT = {  # each one of the stream
     "type": "object",
@@ -140,7 +139,7 @@ async def get_batch_table(
     figures: Annotated[str, Query(description="Keys with commas, such as bump.body_acceleration.peak")] = "",
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
-    answer: dict[str, Any] = await service.table(batch_id, _figures(figures, FIGURES))
+    answer: dict[str, Any] = await service.table(batch_id, _figures(figures, METRICS))
     return json_answer(answer)
 
 

@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from backend.batches.table import FIGURES
 from backend.store import StoredTuning
 from backend.store.tunings import StoredTrial
 from backend.tuner import front
-from backend.tuner.objectives import figure_label, objective_label, objective_unit
+from backend.tuner.objectives import objective_label, objective_unit
 from backend.tuner.space import first_weights
+from sim_core.catalogue import METRICS
 
 
 def summary(tuning: StoredTuning) -> dict[str, Any]:
@@ -25,7 +25,7 @@ def summary(tuning: StoredTuning) -> dict[str, Any]:
             {**each, "label": objective_label(each), "unit": objective_unit(each)} for each in request["objectives"]
         ],
         "limits": [
-            {**each, "label": figure_label(each["figure"]), "unit": FIGURES[each["figure"]][1]}
+            {**each, "label": METRICS[each["figure"]].label, "unit": METRICS[each["figure"]].unit}
             for each in request["limits"]
         ],
         "search": request["search"],

@@ -6,19 +6,17 @@ from typing import Any
 
 import orjson
 
-from backend.batches.table import FIGURES, at
 from backend.store.batches import BatchRow
 from backend.store.tunings import StoredTrial
 from backend.tuner.objectives import (
-    PAPER_FIGURES,
     Summary,
-    figure_label,
     needs_passive,
     objective_label,
     objective_unit,
     objective_value,
 )
 from backend.tuner.space import Weights
+from sim_core.catalogue import METRICS, PAPER_METRICS
 
 Measured = Mapping[str, float]  # of one run: a value for each key of `Aims.figures`
 
@@ -58,8 +56,8 @@ class Aims:
             for index, each in enumerate(self.objectives)
         ]
         named = [(f"limits.{index}", limit["figure"]) for index, limit in enumerate(self.limits)]
-        named += [(key, key) for key in PAPER_FIGURES]
-        return found + [{"key": key, "label": figure_label(name), "unit": FIGURES[name][1]} for key, name in named]
+        named += [(key, key) for key in PAPER_METRICS]
+        return found + [{"key": key, "label": METRICS[name].label, "unit": METRICS[name].unit} for key, name in named]
 
     def measured(self, row: BatchRow, passive: Summary) -> Measured | Failure:
         """One run's values.
@@ -80,7 +78,7 @@ class Aims:
         }
         named = [(f"limits.{index}", limit["figure"]) for index, limit in enumerate(self.limits)]
         return found | {
-            key: float(at(summary, FIGURES[name][0])) for key, name in [*named, *((key, key) for key in PAPER_FIGURES)]
+            key: float(METRICS[name].of(summary)) for key, name in [*named, *((key, key) for key in PAPER_METRICS)]
         }
 
     def trial(self, number: int, generation: int, weights: Weights, roads: Roads) -> StoredTrial:

@@ -6,17 +6,15 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.batches.table import FIGURES, FLAGS
 from backend.models import Answer, RequestModel
 from backend.store.tunings import State
 from backend.tuner.space import LARGEST, STRATEGIES, default_search, searchable
-from sim_core.catalogue import WINDOWS
+from sim_core.catalogue import NUMBERS, WINDOWS
 from sim_core.scenario import Scenario
 
 MOST_TRIALS = 5000
 MOST_POPULATION = 256
 MOST_SEEDS = 64
-NUMBERS = [key for key in FIGURES if key not in FLAGS]
 NORMALISED_WINDOW = {"paper": "whole", "peaks": "bump"}  # where a request names none
 
 
@@ -47,7 +45,7 @@ def _known_weights(search: Any) -> Any:
 
 
 WEIGHTS = list(dict.fromkeys(name for strategy in STRATEGIES for name in searchable(strategy)))
-Figure = Annotated[str, AfterValidator(_known_figure), Field(json_schema_extra={"enum": NUMBERS})]
+Figure = Annotated[str, AfterValidator(_known_figure), Field(json_schema_extra={"enum": list(NUMBERS)})]
 Coefficient = Annotated[float, Field(ge=0, le=1000)]
 End = Annotated[float, Field(gt=0, le=LARGEST)]
 Range = Annotated[tuple[End, End], Field(strict=False), AfterValidator(_increasing)]

@@ -6,16 +6,10 @@ An objective as it is stored is `{"kind", "q", "window", "figure"}`, a limit `{"
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from backend.batches.table import FIGURES, at
-from sim_core.catalogue import COMFORT, EVENTS, PAPER_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
+from sim_core.catalogue import METRICS, SIGNALS, WINDOWS
 
 Summary = Mapping[str, Any]  # of one run, as it is stored
 
-# The paper's eight: RMS on the rough road (Tables 4, 7, 9) and peaks on the bump (Tables 5, 8, 10).
-PAPER_FIGURES = (
-    *(f"rough_road.{signal}.rms" for signal in PAPER_SIGNALS),
-    *(f"bump.{signal}.peak" for signal in PAPER_SIGNALS),
-)
 _STATISTIC = {"paper": "rms", "peaks": "peak"}
 # The terms of Eq. 16 with the signals that make each: its one F is the load of both tyres.
 _TERMS = (("body_acceleration",), ("pitch_acceleration",), ("front_tyre_load", "rear_tyre_load"))
@@ -37,7 +31,7 @@ def objective_value(objective: Mapping[str, Any], run: Summary, passive: Summary
         UndefinedObjectiveError: The passive car's figure is zero.
     """
     if objective["kind"] == "figure":
-        return float(at(run, FIGURES[objective["figure"]][0]))
+        return float(METRICS[objective["figure"]].of(run))
     return _normalised(objective["q"], run, passive, objective["window"], _STATISTIC[objective["kind"]])
 
 
@@ -49,7 +43,7 @@ def needs_passive(objectives: Sequence[Mapping[str, Any]]) -> bool:
 def objective_label(objective: Mapping[str, Any]) -> str:
     """What to call it."""
     if objective["kind"] == "figure":
-        return figure_label(objective["figure"])
+        return METRICS[objective["figure"]].label
     name = {"paper": "Eq. 16", "peaks": "Eq. 16 with peaks"}[objective["kind"]]
     q = "" if tuple(objective["q"]) == (1, 1, 1) else f", q = {', '.join(f'{each:g}' for each in objective['q'])}"
     return f"{name}, {WINDOWS[objective['window']].label.lower()}{q}"
@@ -57,18 +51,7 @@ def objective_label(objective: Mapping[str, Any]) -> str:
 
 def objective_unit(objective: Mapping[str, Any]) -> str:
     """Its unit; `1` for none."""
-    return FIGURES[objective["figure"]][1] if objective["kind"] == "figure" else "1"
-
-
-def figure_label(key: str) -> str:
-    """What to call a column of a batch's table."""
-    first, *rest = key.split(".")
-    if first in WINDOWS:
-        signal, statistic = rest
-        how = "RMS" if statistic == "rms" else STATISTICS[statistic].label.lower()
-        return f"{SIGNALS[signal].label}, {how}, {WINDOWS[first].label.lower()}"
-    known = {"comfort": COMFORT, "events": EVENTS}.get(first, RUN_FIGURES)
-    return known[key.rpartition(".")[2]].label
+    return METRICS[objective["figure"]].unit if objective["kind"] == "figure" else "1"
 
 
 def _normalised(q: Sequence[float], run: Summary, passive: Summary, window: str, statistic: str) -> float:

@@ -1,5 +1,6 @@
 """Which controller a strategy has, made from the scenario."""
 
+from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller, PassiveController
 from sim_core.control.cost import CostTerms
 from sim_core.control.lqr import LqrController, feedforward, regulator
@@ -45,7 +46,7 @@ def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[s
         force_change_weight=mpc.force_change_weight,
     )
     designs = {}
-    for stage in ("cruise", "brake", "bump"):
+    for stage in STAGES:
         weights = coordinated_weights(scenario, strategy, stage)
         designs[stage] = design(_terms(scenario, motion, weights, mpc.deflection_weight), horizon)
     return designs

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core import catalogue
 from sim_core.car.half_car import STATES
 from sim_core.result import FloatArray
 
@@ -40,7 +41,7 @@ PREVIEW: tuple[Channel, ...] = (
     Channel(key="rear_road_velocity", label="Road velocity ahead, rear axle", unit="m/s", reach=4.0),
     Channel(key="braking_deceleration", label="Braking deceleration ahead", unit="m/s^2", reach=10.0),
 )
-STAGES = ("cruise", "brake", "bump")  # by the number that stands for each
+STAGES = tuple(catalogue.STAGES)  # by the number that stands for each
 
 
 def highest_code(bits: int) -> int:

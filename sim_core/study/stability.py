@@ -8,6 +8,7 @@ oscillation, so no single figure of a run shows it reliably, and the modes do.
 import numpy as np
 
 from sim_core.car.plant import plant
+from sim_core.catalogue import STAGES
 from sim_core.closed_loop import closed_loop_matrix
 from sim_core.control.making import make_controller
 from sim_core.drive.sampling import fine_step, sample_road
@@ -17,7 +18,6 @@ from sim_core.result import FloatArray
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy, strategy_named
 
-STAGES = ("cruise", "brake", "bump")
 JUDGED = {
     SuspensionPolicy.PASSIVE,
     SuspensionPolicy.LQR,
@@ -58,7 +58,8 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed))
     controller = make_controller(believed, chosen, motion, road_input)
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
-    apart = {coordinated_weights(believed, chosen, stage): stage for stage in STAGES} if actuated else {(): STAGES[0]}
+    stages = STAGES if actuated else ("cruise",)
+    apart = {coordinated_weights(believed, chosen, stage): stage for stage in stages}
     return min(damping(closed_loop_matrix(car, controller.law(stage)), step) for stage in apart.values())
 
 

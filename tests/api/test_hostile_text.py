@@ -14,7 +14,7 @@ import pytest
 from backend.batches import table as batch_table
 from backend.security import CONTENT_SECURITY_POLICY, HEADERS
 from backend.settings import Settings
-from sim_core.catalogue import SIGNALS
+from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.api.test_batches import wait_for
 
@@ -232,7 +232,7 @@ def test_no_cell_of_a_table_is_a_formula(client: httpx.Client, run: dict[str, An
 
 
 def test_no_name_of_ours_is_a_formula_or_a_script() -> None:
-    for name in (*STRATEGIES, *SIGNALS, *batch_table.FIGURES, *batch_table.FIXED):
+    for name in (*STRATEGIES, *SIGNALS, *METRICS, *batch_table.FIXED):
         assert re.fullmatch(r"[a-z][a-z0-9_.]*", name), name
 
 
