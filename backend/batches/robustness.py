@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.catalogue import PAPER_METRICS
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
 
@@ -12,8 +12,7 @@ SAMPLES = 200
 BASELINE = "lv"
 STRATEGIES = ("lv", "lqr", "suspension_only", "passive")
 FIGURES = (
-    *(f"rough_road.{signal}.rms" for signal in PAPER_SIGNALS),
-    *(f"bump.{signal}.peak" for signal in PAPER_SIGNALS),
+    *PAPER_METRICS,
     "events.travel_exceeded_mm",
     "events.airborne_ms",
 )
