@@ -150,7 +150,7 @@ class Admission:
         if cost > self._max_request_cost:
             message = (
                 f"The estimated cost of {cost:.3g} s of computing is over the limit of {self._max_request_cost:g} s "
-                "a request; a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
+                "a request; fewer or shorter roads, a higher speed, a longer sample time or shorter horizons cost less"
             )
             raise ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/scenario", "message": message}])
 

@@ -81,6 +81,11 @@ class Workers:
         await self._warm.wait()
 
     @property
+    def count(self) -> int:
+        """How many processes there are to be."""
+        return self._count
+
+    @property
     def ready(self) -> bool:
         """Whether a warm worker is there, busy or idle."""
         return any(slot.active for slot in self._slots)

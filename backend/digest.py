@@ -41,10 +41,20 @@ def derived_key(name: str, parameters: Mapping[str, Any]) -> str:
     return _hash({**_program(STRATEGIES), "derived": name, "parameters": dict(parameters)})
 
 
-def run_id(scenario: Scenario, strategies: Iterable[str]) -> str:
-    """Id of a run: the whole scenario, the set of strategies and the program that computes them."""
+def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseline: str | None = None) -> str:
+    """Id of a run: the whole scenario, the set of strategies and the program that computes them.
+
+    Args:
+        scenario: What to drive, on the first road.
+        strategies: Ids.
+        roads: How many roads; a run of one has the id it had before there were several.
+        baseline: Which strategy the changes over several roads refer to.
+    """
     names = sorted(set(strategies))
-    return _hash({**_program(names), "scenario": scenario.model_dump(mode="json"), "strategies": names})[:RUN_ID_LENGTH]
+    content: dict[str, Any] = {**_program(names), "scenario": scenario.model_dump(mode="json"), "strategies": names}
+    if roads > 1:
+        content |= {"roads": roads, "baseline": baseline}
+    return _hash(content)[:RUN_ID_LENGTH]
 
 
 def _program(strategies: Iterable[str]) -> dict[str, str]:

@@ -6,12 +6,15 @@ against its model); requests are, strictly.
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, field_validator
+from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
+from sim_core.scenario.parts import MAX_SEED
 from sim_core.strategies import STRATEGIES
+from sim_core.study.roads import MAX_ROADS
 
 DEFAULT_POINTS = 800
 MAX_POINTS = 100_000
@@ -49,21 +52,50 @@ SignalName = Annotated[str, AfterValidator(_known_signal), Field(json_schema_ext
 Points = Annotated[int, Field(ge=2, le=MAX_POINTS, description="About how many samples; peaks survive.")]
 
 
-class RunRequest(RequestModel):
-    """What to run; an omitted part of the scenario takes the paper's default."""
+_EXAMPLE: JsonDict = {"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "lqr", "passive"]}
 
-    model_config = ConfigDict(
-        json_schema_extra={
-            "examples": [{"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "lqr", "passive"]}]
-        }
-    )
+
+class StrategiesRequest(RequestModel):
+    """Strategies over a scenario; an omitted part of it takes the paper's default."""
 
     scenario: Scenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
 
 
-class LiveRequest(RunRequest):
+class RunRequest(StrategiesRequest):
+    """What to run, on how many roads."""
+
+    model_config = ConfigDict(json_schema_extra={"examples": [_EXAMPLE, {**_EXAMPLE, "roads": 10, "baseline": "lqr"}]})
+
+    roads: int = Field(1, ge=1, le=MAX_ROADS, description="Seeds road.seed, road.seed + 1, …; each strategy drives all")
+    baseline: StrategyName | None = Field(
+        None,
+        description="What the changes over several roads refer to, one of the strategies; null is passive, or the "
+        "first strategy where passive does not run",
+    )
+
+    @field_validator("roads")
+    @classmethod
+    def _seeds_exist(cls, roads: int, info: ValidationInfo) -> int:
+        scenario = info.data.get("scenario")
+        if scenario is not None and scenario.road.seed + roads - 1 > MAX_SEED:
+            raise PydanticCustomError("no_seed", "The last road's seed would be over {most}", {"most": MAX_SEED})
+        return roads
+
+    @field_validator("baseline")
+    @classmethod
+    def _baseline_runs(cls, baseline: str | None, info: ValidationInfo) -> str | None:
+        names = info.data.get("strategies")
+        if baseline is not None and names is not None and baseline not in names:
+            message = "One of the strategies that run: {names}"
+            raise PydanticCustomError("baseline_not_run", message, {"names": ", ".join(names)})
+        return baseline
+
+
+class LiveRequest(StrategiesRequest):
     """What to run while somebody drags: nothing is stored, the time histories come along."""
+
+    model_config = ConfigDict(json_schema_extra={"examples": [_EXAMPLE]})
 
     points: Points = DEFAULT_POINTS
     signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
@@ -95,18 +127,67 @@ class Stage(Answer):
     end_position: float = Field(description="[m]")
 
 
-class StrategyResult(Answer):
-    """One strategy's figures over the scenario."""
+class _Drive(Answer):
+    """What a strategy's result has beside its metrics; of several roads, the first one's."""
 
     status: Literal["ok"]
     compute_ms: float = Field(description="The worker's own time [ms]; work shared between strategies counts once")
-    metrics: dict[str, WindowMetrics] = _keys(WINDOWS, "By window (catalogue: windows)")
-    comfort: dict[str, float] = _keys(COMFORT, "Catalogue: comfort")
     events: dict[str, bool | float | None] = _keys(EVENTS, "Catalogue: events")
     reference: dict[str, float | None] = _keys(REFERENCES, "Lines a plot draws; catalogue: references")
     stages: list[Stage]
-    travel_time: float = Field(description="[s]")
-    arrival_speed_kmh: float = Field(description="[km/h]")
+    travel_time: float = Field(description="[s]; the same on every road")
+    arrival_speed_kmh: float = Field(description="[km/h]; the same on every road")
+
+
+class StrategyResult(_Drive):
+    """One strategy's figures over the scenario."""
+
+    metrics: dict[str, WindowMetrics] = _keys(WINDOWS, "By window (catalogue: windows)")
+    comfort: dict[str, float] = _keys(COMFORT, "Catalogue: comfort")
+
+
+class Interval(Answer):
+    """A mean over roads, or a change of means [%], with its 95 % interval (Student's t)."""
+
+    mean: float
+    low: float
+    high: float
+
+
+class RoadsStatistics(Answer):
+    """One signal in one window, over several roads."""
+
+    rms: Interval
+    peak: Interval
+
+
+class Changes(Answer):
+    """One signal in one window: paired change of the mean against the baseline's [%]; null where that is zero."""
+
+    rms: Interval | None
+    peak: Interval | None
+
+
+WindowRoads = Annotated[
+    dict[str, RoadsStatistics], _keys(METRIC_SIGNALS, "By signal (catalogue: metric_signals), SI units")
+]
+WindowChanges = Annotated[dict[str, Changes], _keys(METRIC_SIGNALS, "By signal (catalogue: metric_signals), in %")]
+
+
+class RoadsResult(_Drive):
+    """One strategy's figures over several roads."""
+
+    metrics: dict[str, WindowRoads] = _keys(WINDOWS, "By window (catalogue: windows)")
+    comfort: dict[str, Interval] = _keys(COMFORT, "Catalogue: comfort")
+
+
+class StrategyChanges(Answer):
+    """One strategy's paired changes over several roads, by window (catalogue: windows), and of its comfort."""
+
+    rough_road: WindowChanges
+    bump: WindowChanges
+    whole: WindowChanges
+    comfort: dict[str, Interval | None] = _keys(COMFORT, "Catalogue: comfort; in %")
 
 
 class StrategyFailure(Answer):
@@ -123,6 +204,12 @@ class CachedResult(StrategyResult):
     cached: bool = Field(
         description="Taken from store or memory, or from an equal request under way: not computed for this one"
     )
+
+
+class CachedRoadsResult(RoadsResult):
+    """The same, with where it came from."""
+
+    cached: bool = Field(description="No road was computed for this request")
 
 
 class CachedFailure(StrategyFailure):
@@ -165,6 +252,31 @@ class CreatedRun(RunBase):
 
     id: str
     strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = _keys(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+class RoadsRunBase(RunBase):
+    """What every form of a run over several roads has."""
+
+    id: str
+    roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
+    baseline: str
+    changes: dict[str, StrategyChanges] = _keys(STRATEGY_IDS, "By strategy; not of the baseline, nor of failures")
+
+
+class RoadsRun(RoadsRunBase):
+    """A stored run over several roads; it never changes."""
+
+    strategies: dict[str, Annotated[RoadsResult | StrategyFailure, Field(discriminator="status")]] = _keys(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+class CreatedRoadsRun(RoadsRunBase):
+    """A run over several roads as the request that made it sees it."""
+
+    strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = _keys(
         STRATEGY_IDS, "By strategy"
     )
 

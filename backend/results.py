@@ -43,23 +43,57 @@ class Results:
 
         Without them the store may have it; with them only memory or a worker.
         """
-        keys = {name: digest.result_key(scenario, name) for name in names}
-        found: dict[str, Found] = {}
+        (found,) = await self.on_roads([scenario], names, client, points=points)
+        return found
+
+    async def on_roads(
+        self, roads: Sequence[Scenario], names: Sequence[str], client: str, *, points: int | None
+    ) -> list[dict[str, Found]]:
+        """The same on each of several roads, which differ in their seed alone; idle workers share them."""
+        keys = [{name: digest.result_key(road, name) for name in names} for road in roads]
+        kept: Mapping[str, StoredResult] = {}
         if points is None:
-            unknown = [key for key in keys.values() if self._memory.get(key, None) is None]
+            unknown = [key for each in keys for key in each.values() if self._memory.get(key, None) is None]
             kept = await self._store.call(self._store.runs.load_results, unknown) if unknown else {}
-            found = {name: _from_store(kept[key]) for name, key in keys.items() if key in kept}
+        found = [self._known(each, kept, points) for each in keys]
+        missing = [
+            {name: key for name, key in each.items() if name not in known}
+            for each, known in zip(keys, found, strict=True)
+        ]
+        costly = [name for each in missing for name in each]
+        CACHE.labels("hit").inc(sum(map(len, found)))
+        CACHE.labels("miss").inc(len(costly))
+        if costly:
+            with self._admission.computing(client, roads[0], costly):
+                made = await self._compute_roads(roads, missing, points)
+            found = [known | new for known, new in zip(found, made, strict=True)]
+        return [{name: each[name] for name in names} for each in found]
+
+    def _known(self, keys: Mapping[str, str], kept: Mapping[str, StoredResult], points: int | None) -> dict[str, Found]:
+        """What of one road the store has, or memory."""
+        found = {name: _from_store(kept[key]) for name, key in keys.items() if key in kept}
         for name, key in keys.items():
             remembered = self._memory.get(key, points)
             if remembered is not None and name not in found:
                 found[name] = Found(outcome=remembered, cached=True)
-        missing = {name: key for name, key in keys.items() if name not in found}
-        CACHE.labels("hit").inc(len(found))
-        CACHE.labels("miss").inc(len(missing))
-        if missing:
-            with self._admission.computing(client, scenario, missing):
-                found |= await self._compute(scenario, missing, points)
-        return {name: found[name] for name in names}
+        return found
+
+    async def _compute_roads(
+        self, roads: Sequence[Scenario], missing: Sequence[Mapping[str, str]], points: int | None
+    ) -> list[dict[str, Found]]:
+        """At most as many roads at once as there are workers, so that other requests come in between."""
+        places = asyncio.Semaphore(self._workers.count)
+
+        async def one(road: Scenario, names: Mapping[str, str]) -> dict[str, Found]:
+            async with places:
+                return await self._compute(road, names, points) if names else {}
+
+        tasks = [asyncio.create_task(one(road, names)) for road, names in zip(roads, missing, strict=True)]
+        try:
+            return await asyncio.gather(*tasks)
+        finally:
+            for task in tasks:
+                task.cancel()
 
     async def _compute(self, scenario: Scenario, missing: Mapping[str, str], points: int | None) -> dict[str, Found]:
         """Join what is under way already; the rest goes to one worker, so that shared work is done once."""

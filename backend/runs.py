@@ -15,6 +15,7 @@ from backend.reports import run as run_report
 from backend.reports.making import made
 from backend.reports.page import Report
 from backend.results import Results
+from backend.run_answers import default_baseline, entry_answer, run_answer
 from backend.store import Store, StoredBatch, StoredResult, StoredRun
 from backend.telemetry import CACHE
 from backend.worker import Outcome
@@ -22,6 +23,7 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import STRATEGIES
+from sim_core.study.roads import seeded
 
 FIGURE_POINTS = 2000
 
@@ -43,18 +45,35 @@ class Runs:
             return False
         return True
 
-    async def create(self, scenario: Scenario, strategies: Iterable[str], client: str) -> dict[str, Any]:
-        """The run of that scenario, computed where it was not stored, as `CreatedRun`."""
+    async def create(
+        self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
+    ) -> dict[str, Any]:
+        """The run of that scenario, computed where it was not stored, as `CreatedRun` or `CreatedRoadsRun`.
+
+        Args:
+            scenario: What to drive, on the first road.
+            strategies: Ids.
+            client: Who asks.
+            roads: How many roads; their seeds follow the scenario's.
+            baseline: Which strategy the changes over several roads refer to; None is passive, or the first where
+                passive does not run.
+        """
         names = ordered(strategies)
-        self._admission.check(scenario, names)
-        run_id = digest.run_id(scenario, names)
+        self._admission.check(scenario, names * roads)
+        against = None if roads == 1 else baseline or default_baseline(names)
+        run_id = digest.run_id(scenario, names, roads, against)
         stored = await self._store.call(self._store.runs.load, run_id)
         if stored is not None:
-            CACHE.labels("hit").inc(len(names))
+            CACHE.labels("hit").inc(len(names) * roads)
             return run_answer(stored, cached=dict.fromkeys(names, True))
-        found = await self._results.get(scenario, names, client, points=None)
-        outcomes = [_to_store(scenario, name, found[name].outcome) for name in names]
-        if not all(found[name].outcome.lasting for name in names):  # asked again, it is tried again
+        driven = seeded(scenario, roads)
+        found = await self._results.on_roads(driven, names, client, points=None)
+        outcomes = [
+            _to_store(road, name, each[name].outcome)
+            for road, each in zip(driven, found, strict=True)
+            for name in names
+        ]
+        if not all(item.outcome.lasting for each in found for item in each.values()):  # asked again, it is tried again
             run_id = digest.passing_run_id()
         saved = await self._store.call(
             self._store.runs.save,
@@ -63,11 +82,13 @@ class Runs:
             schema_version=SCHEMA_VERSION,
             scenario=scenario.model_dump(mode="json"),
             outcomes=outcomes,
+            roads=roads,
+            baseline=against,
         )
-        return run_answer(saved, cached={name: found[name].cached for name in names})
+        return run_answer(saved, cached={name: all(each[name].cached for each in found) for name in names})
 
     async def get(self, run_id: str) -> dict[str, Any]:
-        """The stored run, as `Run`.
+        """The stored run, as `Run` or `RoadsRun`.
 
         Raises:
             ProblemError: 404.
@@ -161,7 +182,7 @@ class Runs:
         Args:
             run_id: The run.
             client: Who asks.
-            baseline: Whose figures the changes refer to; None is passive, or the first where the run has it not.
+            baseline: Whose figures the changes refer to; None is the run's own, or passive, or the first.
             axis: `position` or `time`, for x of the figures.
             compressed: Whether whoever asked takes gzip.
 
@@ -169,7 +190,7 @@ class Runs:
             ProblemError: 404, 422, 429 or 503.
         """
         stored = await self._stored(run_id)
-        names = [item.strategy for item in stored.results]
+        names = list(stored.by_strategy)
         if baseline is not None and baseline not in names:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
             raise ProblemError(422, message, errors=[{"parameter": "baseline", "pointer": "", "message": message}])
@@ -182,10 +203,11 @@ class Runs:
             if error.status_code != 410:
                 raise
             gone = True
+        against = baseline or stored.baseline or default_baseline(names)
         facts = run_report.RunFacts(
-            answer=run_answer(stored),
+            answer=run_answer(stored, baseline=against),
             created_at=stored.created_at,
-            baseline=baseline or ("passive" if "passive" in names else names[0]),
+            baseline=against,
             outcomes=outcomes,
             axis=axis,
             gone=gone,
@@ -210,7 +232,7 @@ class Runs:
                 points=FIGURE_POINTS,
                 series=arrays[item.strategy],
             )
-            for item in stored.results
+            for item in stored.first_road
             if item.strategy in arrays
         }
 
@@ -223,10 +245,12 @@ class Runs:
     async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of those strategies whose time histories are there just as they were, or can be made so.
 
+        Of a run over several roads they are the first road's.
+
         Raises:
             ProblemError: 410, another core version computed the run and nothing is pinned.
         """
-        keys = {item.strategy: item.key for item in stored.results if item.status == "ok"}
+        keys = {item.strategy: item.key for item in stored.first_road if item.status == "ok"}
         if stored.core_version == CORE_VERSION:
             return keys
         pinned = await self._store.call(self._store.links.pinned, keys.values())
@@ -252,25 +276,6 @@ def ordered(strategies: Iterable[str]) -> list[str]:
     return [name for name in STRATEGIES if name in asked]
 
 
-def entry_answer(outcome: Outcome | StoredResult, *, cached: bool | None = None) -> dict[str, Any]:
-    """One strategy's part of an answer; `cached` only where the answer has it."""
-    told = {} if cached is None else {"cached": cached}
-    return {"status": outcome.status, **told, "compute_ms": outcome.compute_ms, **outcome.summary}
-
-
-def run_answer(stored: StoredRun, *, cached: Mapping[str, bool] | None = None) -> dict[str, Any]:
-    """`Run`, or `CreatedRun` where it is known what was cached."""
-    return {
-        "id": stored.id,
-        "core_version": stored.core_version,
-        "scenario": stored.scenario,
-        "strategies": {
-            item.strategy: entry_answer(item, cached=None if cached is None else cached[item.strategy])
-            for item in stored.results
-        },
-    }
-
-
 def todays(stored: StoredRun | StoredBatch) -> dict[str, Any]:
     """The scenario of what is stored as today's schema has it.
 
@@ -287,7 +292,7 @@ def _breaks(stored: StoredRun) -> dict[str, list[float]]:
     """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
     return {
         item.strategy: [span["start_time"] for span in item.summary["stages"][1:]]
-        for item in stored.results
+        for item in stored.first_road
         if item.status == "ok"
     }
 

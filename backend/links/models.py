@@ -7,7 +7,7 @@ from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
-from backend.models import Answer, RequestModel, Run, StrategyName
+from backend.models import Answer, RequestModel, RoadsRun, Run, StrategyName
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.strategies import STRATEGIES
@@ -105,6 +105,6 @@ class Link(Answer):
     schema_version: int = Field(description="Which the scenario was stored under; `scenario` is today's")
     scenario: Scenario
     view: LinkView = Field(description="As it was sent")
-    run: Run | None
+    run: Run | RoadsRun | None
     batch: Batch | None
     series_pinned: bool

@@ -28,7 +28,7 @@ def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetim
     """Of a link to a run.
 
     Args:
-        run: As `Run`, its scenario today's.
+        run: As `Run` or `RoadsRun`, its scenario today's.
         view: As `LinkView`: what it shows and compares is what is told.
         computed_at: When it was computed.
     """
@@ -51,6 +51,7 @@ def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetim
         description="; ".join(
             [
                 *([f"{who}: {facts}{where}"] if facts else []),
+                *([f"mean of {run['roads']} roads"] if "roads" in run else []),
                 *_drive(run["scenario"]),
                 _stamp(run["core_version"], computed_at),
             ]
@@ -131,6 +132,8 @@ def _told(entry: Mapping[str, Any], against: Mapping[str, Any] | None, window: s
 def _peak(entry: Mapping[str, Any], window: str, signal: str) -> float | None:
     """From a summary that an older core may have written with other names."""
     value = entry.get("metrics", {}).get(window, {}).get(signal, {}).get("peak")
+    if isinstance(value, Mapping):
+        value = value["mean"]
     return value if isinstance(value, int | float) else None
 
 

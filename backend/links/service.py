@@ -15,7 +15,8 @@ from backend.links import preview
 from backend.links.models import SLUG_PATTERN
 from backend.links.preview import Preview
 from backend.problems import ProblemError
-from backend.runs import run_answer, todays
+from backend.run_answers import run_answer
+from backend.runs import todays
 from backend.store import Store, StoredBatch, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -144,8 +145,8 @@ def url(slug: str) -> str:
 
 
 def _histories(stored: StoredRun) -> dict[str, str]:
-    """Result keys of the strategies that have time histories."""
-    return {item.strategy: item.key for item in stored.results if item.status == "ok"}
+    """Result keys of the strategies that have time histories; of several roads the first is shown."""
+    return {item.strategy: item.key for item in stored.first_road if item.status == "ok"}
 
 
 def _opened_batch(stored: StoredBatch) -> dict[str, Any]:

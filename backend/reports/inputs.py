@@ -43,15 +43,16 @@ def parts(scenario: Mapping[str, Any]) -> list[Part]:
     return found
 
 
-def command(scenario: Mapping[str, Any], strategies: list[str]) -> str:
-    """The command line that runs it again."""
+def command(scenario: Mapping[str, Any], strategies: list[str], roads: int = 1, baseline: str | None = None) -> str:
+    """The command line that runs it again, over several roads with that baseline."""
     changes = [
         f"--set {field.name}={_typed(_at(scenario, field.name))}"
         for part in parts(scenario)
         for field in part.fields
         if field.paper is not None
     ]
-    return " ".join(["ridelab run", *changes, f"--strategy {','.join(strategies)}"])
+    over = [f"--roads {roads} --baseline {baseline}"] if roads > 1 else []
+    return " ".join(["ridelab run", *changes, f"--strategy {','.join(strategies)}", *over])
 
 
 def _collect(

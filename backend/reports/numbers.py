@@ -50,10 +50,12 @@ def with_unit(text: str, unit: str) -> str:
     return f"{text}\u00a0{shown}" if shown else text
 
 
-def percent(change: float) -> str:
-    """`−43.7 %`: a sign always, one decimal up to 100 %, none beyond."""
+def percent(change: float, half: float = 0.0) -> str:
+    """`−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−43.7 ± 2.1 %`."""
     if not isfinite(change):
         return NO_VALUE
+    if half:
+        return f"{percent(change).removesuffix(f'{_THIN}%')} ± {half:.{1 if half < 99.95 else 0}f}{_THIN}%"
     size = abs(change)
     if size < SAME:
         return f"±0.0{_THIN}%"

@@ -35,7 +35,7 @@ class RunFacts:
     """What a report is made of.
 
     Attributes:
-        answer: The run as `Run`.
+        answer: The run as `Run`, or as `RoadsRun` with changes against `baseline`.
         created_at: When it was stored, UTC.
         baseline: Whose figures the changes refer to.
         outcomes: By strategy, with the time histories there are.
@@ -62,6 +62,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     ran = {name: entry for name, entry in entries.items() if entry["status"] == "ok"}
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
+    roads, changes = facts.answer.get("roads", 1), facts.answer.get("changes", {})
     values = {
         "run_id": facts.answer["id"],
         "core_version": facts.answer["core_version"],
@@ -70,14 +71,19 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "strategies": [key_of(name) for name in entries],
         "baseline": label(facts.baseline),
         "drive": drive(facts.answer["scenario"]),
+        "roads": roads,
+        "seed": facts.answer["scenario"]["road"]["seed"],
         "parts": inputs.parts(facts.answer["scenario"]),
-        "command": inputs.command(facts.answer["scenario"], list(entries)),
+        "command": inputs.command(facts.answer["scenario"], list(entries), roads, facts.baseline),
         "doubts": [(label(name), found) for name, entry in entries.items() if (found := doubts(entry))],
         "comparisons": [
-            comparison(ran, facts.baseline, PAPER_SIGNALS, "RMS on the rough road and peak on the bump"),
-            comparison(ran, facts.baseline, METRIC_SIGNALS[len(PAPER_SIGNALS) :], "Suspension travel and forces"),
+            comparison(ran, changes, facts.baseline, signals, caption_text)
+            for signals, caption_text in (
+                (PAPER_SIGNALS, "RMS on the rough road and peak on the bump"),
+                (METRIC_SIGNALS[len(PAPER_SIGNALS) :], "Suspension travel and forces"),
+            )
         ],
-        "whole": whole(ran, facts.baseline),
+        "whole": whole(ran, changes, facts.baseline),
         "gone": facts.gone,
         "figures": [caption(name, figure) for name, figure in with_data.items()],
         "without_history": [label(name) for name in ran if with_data and name not in facts.outcomes],
@@ -102,8 +108,18 @@ def drive(scenario: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def comparison(ran: Mapping[str, Any], baseline: str, signals: Sequence[str], caption_text: str) -> dict[str, Any]:
-    """RMS on the rough road and peak on the bump side by side: a row for each strategy."""
+def comparison(
+    ran: Mapping[str, Any], changes: Mapping[str, Any], baseline: str, signals: Sequence[str], caption_text: str
+) -> dict[str, Any]:
+    """RMS on the rough road and peak on the bump side by side: a row for each strategy.
+
+    Args:
+        ran: By strategy its entry.
+        changes: By strategy its paired changes over several roads [%]; empty for a run of one.
+        baseline: Whose figures the changes refer to.
+        signals: Which.
+        caption_text: The table's title.
+    """
     shown = {signal: _shown_unit(signal) for signal in signals}
     return {
         "caption": caption_text,
@@ -116,8 +132,14 @@ def comparison(ran: Mapping[str, Any], baseline: str, signals: Sequence[str], ca
                 "cells": [
                     _cell(
                         f"{window}.{signal}.{statistic}",
-                        _metric(entry, window, signal, statistic),
-                        None if name == baseline else _metric(ran.get(baseline), window, signal, statistic),
+                        _metric(entry["metrics"], window, signal, statistic),
+                        _change(
+                            _metric(entry["metrics"], window, signal, statistic),
+                            _metric(ran[baseline]["metrics"], window, signal, statistic),
+                            _metric(changes.get(name, {}), window, signal, statistic),
+                        )
+                        if name != baseline and baseline in ran
+                        else None,
                         scale,
                     )
                     for window, statistic in VIEWS
@@ -129,19 +151,26 @@ def comparison(ran: Mapping[str, Any], baseline: str, signals: Sequence[str], ca
     }
 
 
-def whole(ran: Mapping[str, Any], baseline: str) -> dict[str, Any]:
-    """Comfort, time and events: a row for each figure, a column for each strategy."""
+def whole(ran: Mapping[str, Any], changes: Mapping[str, Any], baseline: str) -> dict[str, Any]:
+    """Comfort, time and events: a row for each figure, a column for each strategy; arguments as for `comparison`."""
     listed = [*_listed("comfort", COMFORT.values()), *_listed(None, RUN_FIGURES.values())]
     listed += _listed("events", EVENTS.values())
     rows = []
     for place, quantity in listed:
         values = {name: _whole_figure(entry, place, quantity.key) for name, entry in ran.items()}
-        judged = quantity.key in JUDGED
+        judged = quantity.key in JUDGED and baseline in ran
         rows.append(
             {
                 "quantity": quantity,
                 "cells": [
-                    _cell(quantity.key, value, values.get(baseline) if judged and name != baseline else None, None)
+                    _cell(
+                        quantity.key,
+                        value,
+                        _change(value, values[baseline], changes.get(name, {}).get(place, {}).get(quantity.key))
+                        if judged and name != baseline
+                        else None,
+                        None,
+                    )
                     for name, value in values.items()
                 ],
             }
@@ -149,26 +178,39 @@ def whole(ran: Mapping[str, Any], baseline: str) -> dict[str, Any]:
     return {"columns": [key_of(name) for name in ran], "rows": rows}
 
 
-def _cell(name: str, value: Any, base: Any, scale: float | None) -> dict[str, Any]:
+def _cell(name: str, value: Any, change: tuple[float, float] | None, scale: float | None) -> dict[str, Any]:
     """One value, and its change where there is something to compare it with.
 
     Args:
         name: What it is.
-        value: In SI.
-        base: What it is compared with; None for nothing.
+        value: In SI; of several roads the mean and its interval.
+        change: See `_change`.
         scale: From SI to the unit shown; None for a value that may be a count, true or false.
     """
+    value, half = _estimate(value)
     number = isinstance(value, int | float) and not isinstance(value, bool)
-    change = None
-    if number and isinstance(base, int | float) and abs(base) > NOTHING:
-        change = 100 * (value - base) / abs(base)
+    shown = told(value) if scale is None else significant(value * scale) if number else NO_VALUE
+    percentage, doubt = change or (0.0, 0.0)
     return {
         "name": name,
         "raw": value,
-        "shown": told(value) if scale is None else significant(value * scale) if number else NO_VALUE,
-        "change": None if change is None else percent(change),
-        "verdict": "" if change is None or abs(change) < SAME else "better" if change < 0 else "worse",
+        "shown": f"{shown} ± {significant(half * (scale or 1), 2)}" if half > NOTHING else shown,
+        "change": None if change is None else percent(percentage, doubt),
+        "verdict": "" if abs(percentage) < max(SAME, doubt) else "better" if percentage < 0 else "worse",
     }
+
+
+def _change(value: Any, base: Any, paired: Any) -> tuple[float, float] | None:
+    """Change [%] and half the width of its interval: as paired over several roads, or from two plain values."""
+    if isinstance(paired, Mapping):
+        return _estimate(paired)
+    plain = all(isinstance(each, int | float) and not isinstance(each, bool) for each in (value, base))
+    return (100 * (value - base) / abs(base), 0.0) if plain and abs(base) > NOTHING else None
+
+
+def _estimate(value: Any) -> tuple[Any, float]:
+    """A value and half the width of its interval; a plain value has none."""
+    return (value["mean"], value["high"] - value["mean"]) if isinstance(value, Mapping) else (value, 0.0)
 
 
 def _shown_unit(signal: str) -> tuple[str, float]:
@@ -177,11 +219,9 @@ def _shown_unit(signal: str) -> tuple[str, float]:
     return next(panels, (pretty_unit(SIGNALS[signal].unit), 1.0))
 
 
-def _metric(entry: Mapping[str, Any] | None, window: str, signal: str, statistic: str) -> Any:
+def _metric(by_window: Mapping[str, Any], window: str, signal: str, statistic: str) -> Any:
     """From a summary that an older core may have written with other names; None where it has it not."""
-    if entry is None:
-        return None
-    return entry["metrics"].get(window, {}).get(signal, {}).get(statistic)
+    return by_window.get(window, {}).get(signal, {}).get(statistic)
 
 
 def _listed(place: str | None, quantities: Iterable[Quantity]) -> list[tuple[str | None, Quantity]]:

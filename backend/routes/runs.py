@@ -34,10 +34,11 @@ MEDIA_TYPES = {
 }
 
 
-@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun)
+@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun | models.CreatedRoadsRun)
 async def create_run(body: models.RunRequest, service: RunsService, client: Client) -> Response:
-    """Run what is not stored yet; the answer comes after the commit."""
-    return json_answer(await service.create(body.scenario, body.strategies, client))
+    """Run what is not stored yet, on one road or several; the answer comes after the commit."""
+    work = service.create(body.scenario, body.strategies, client, roads=body.roads, baseline=body.baseline)
+    return json_answer(await work)
 
 
 @computing.post("/live", operation_id="live", response_model=models.LiveRun)
@@ -48,7 +49,10 @@ async def live(body: models.LiveRequest, request: Request, service: RunsService,
 
 
 @runs.get(
-    "/runs/{id}", operation_id="getRun", response_model=models.Run, responses={304: {"description": "Not changed"}}
+    "/runs/{id}",
+    operation_id="getRun",
+    response_model=models.Run | models.RoadsRun,
+    responses={304: {"description": "Not changed"}},
 )
 async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:
     """A stored run; it never changes."""

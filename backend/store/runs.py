@@ -25,7 +25,13 @@ class StoredResult:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StoredRun:
-    """A run and its results in the order they are shown; immutable once stored."""
+    """A run and its results in the order they are shown; immutable once stored.
+
+    Attributes:
+        results: Of the first road, then those of every further one in the same order.
+        roads: How many there are.
+        baseline: The strategy that changes refer to; None for a run of one road.
+    """
 
     id: str
     core_version: str
@@ -33,6 +39,19 @@ class StoredRun:
     scenario: dict[str, Any]
     results: tuple[StoredResult, ...]
     created_at: datetime
+    roads: int = 1
+    baseline: str | None = None
+
+    @property
+    def first_road(self) -> tuple[StoredResult, ...]:
+        """Each strategy's result on the first road."""
+        return self.results[: len(self.results) // self.roads]
+
+    @property
+    def by_strategy(self) -> dict[str, tuple[StoredResult, ...]]:
+        """Each strategy's results, road after road."""
+        count = len(self.first_road)
+        return {item.strategy: self.results[index::count] for index, item in enumerate(self.first_road)}
 
 
 class RunStore:
@@ -65,8 +84,12 @@ class RunStore:
         schema_version: int,
         scenario: Mapping[str, Any],
         outcomes: Sequence[StoredResult],
+        roads: int = 1,
+        baseline: str | None = None,
     ) -> StoredRun:
         """Commit a run and what is not yet stored of its results; returns it as it stands in the database.
+
+        `outcomes`, `roads` and `baseline` as in `StoredRun`.
 
         Where another process stored the same run first, that one stays: content-addressed results never change.
         """
@@ -83,6 +106,8 @@ class RunStore:
                         "schema_version": schema_version,
                         "scenario": orjson.dumps(scenario).decode(),
                         "created_at": now,
+                        "roads": roads,
+                        "baseline": baseline,
                     }
                 ],
             )
@@ -114,6 +139,8 @@ def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
         scenario=orjson.loads(head.scenario),
         results=tuple(_result(row) for row in members),
         created_at=utc(head.created_at),
+        roads=head.roads,
+        baseline=head.baseline,
     )
 
 

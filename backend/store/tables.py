@@ -44,8 +44,11 @@ runs = Table(
     Column("schema_version", Integer, nullable=False),
     Column("scenario", Text, nullable=False),
     Column("created_at", DateTime(timezone=True), nullable=False),
+    Column("roads", Integer, nullable=False, server_default="1"),
+    Column("baseline", String(64), nullable=True),
 )
 
+# Road after road, on each the strategies in the order they are shown.
 run_results = Table(
     "run_results",
     metadata,

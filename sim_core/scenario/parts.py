@@ -15,6 +15,7 @@ from sim_core.scenario.imperfections import Actuator, Hil, Mismatch
 from sim_core.scenario.vehicle import Vehicle
 
 SCHEMA_VERSION = 1
+MAX_SEED = 2**32 - 1  # of a road
 
 
 BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid"]
@@ -48,7 +49,7 @@ class Road(Part):
         ge=0,
         le=0.262144,
     )
-    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=2**32 - 1)
+    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=MAX_SEED)
     length: float = quantity(
         150,
         "m",

@@ -72,7 +72,7 @@ def test_head_is_get_without_the_body(client: httpx.Client, path: str) -> None:
 def test_what_goes_wrong_inside_tells_nothing_of_the_inside(
     service: Any, monkeypatch: pytest.MonkeyPatch, error: Exception, status: int, kind: str | None, retry: bool
 ) -> None:
-    async def fail(*_: Any) -> None:
+    async def fail(*_: Any, **__: Any) -> None:
         raise error
 
     monkeypatch.setattr(service.app.state.runs, "create", fail)

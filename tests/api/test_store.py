@@ -20,7 +20,7 @@ from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 import backend.migrations
 from backend.store import Store, StoredLink, StoredResult, StoredRun
 from backend.store.database import wal_is_safe
-from backend.store.tables import metadata, results
+from backend.store.tables import metadata, results, run_results, runs
 from tests.servers.postgres import Postgres
 
 OpenStore = Callable[[], Store]
@@ -99,10 +99,26 @@ def test_migrations_are_one_line_from_the_first_version() -> None:
 
 def test_a_database_of_the_first_version_keeps_its_rows(open_store: OpenStore, open_at: Callable[[str], Store]) -> None:
     first = open_at("0001")
-    saved = save(first, "old", "b", "a")
+    head = {"core_version": "1", "created_at": datetime(2026, 1, 2, tzinfo=UTC)}
+    row = {"strategy": "lv", "status": "ok", "summary": '{"a":[1.5]}', "compute_ms": 2.0}
+    with first.engine.begin() as connection:  # its own columns, which are fewer than the code's
+        for key in "ba":
+            connection.execute(results.insert(), {"key": key, **row, **head})
+        connection.execute(runs.insert(), {"id": "old", "schema_version": 1, "scenario": "{}", **head})
+        for position, key in enumerate("ba"):
+            connection.execute(run_results.insert(), {"run_id": "old", "position": position, "result_key": key})
     now = open_store()
     now.migrate()
-    assert now.runs.load("old") == saved
+    assert now.runs.load("old") == StoredRun(
+        id="old",
+        core_version="1",
+        schema_version=1,
+        scenario={},
+        results=tuple(outcomes("b", "a")),
+        created_at=datetime(2026, 1, 2, tzinfo=UTC),
+        roads=1,
+        baseline=None,
+    )
     assert set(metadata.tables) <= set(inspect(now.engine).get_table_names())
 
 
@@ -133,6 +149,17 @@ def test_migrating_again_and_from_many_processes_changes_nothing(open_store: Ope
     for store in stores:
         store.migrate()
         assert store.runs.load("run") == saved
+
+
+def test_a_run_over_several_roads_keeps_them_in_order(store: Store) -> None:
+    items = [replace(item, strategy=name) for item, name in zip(outcomes(*"abcdef"), ["lv", "lqr"] * 3, strict=True)]
+    head = {"core_version": "1", "schema_version": 1, "scenario": {}}
+    saved = store.runs.save(run_id="three", **head, outcomes=items, roads=3, baseline="lqr")
+    assert store.runs.load("three") == saved
+    assert (saved.roads, saved.baseline) == (3, "lqr")
+    assert [item.key for item in saved.first_road] == ["a", "b"]
+    by_strategy = {name: [item.key for item in road] for name, road in saved.by_strategy.items()}
+    assert by_strategy == {"lv": ["a", "c", "e"], "lqr": ["b", "d", "f"]}
 
 
 def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:

@@ -213,7 +213,7 @@ def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Clien
 def test_what_goes_wrong_is_logged_under_its_requests_name(
     service: Any, logged: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def fail(*_: Any) -> None:
+    async def fail(*_: Any, **__: Any) -> None:
         raise RuntimeError("for the log alone")
 
     monkeypatch.setattr(service.app.state.runs, "create", fail)

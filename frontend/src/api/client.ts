@@ -3,6 +3,7 @@
 import { connection } from "./connection";
 import { decodeSeries } from "./decode";
 import { ApiProblem, Unreachable, isAbort, isTransient, readProblem } from "./problem";
+import { readRun } from "./roads";
 import type {
   Attribution,
   Batch,
@@ -15,6 +16,7 @@ import type {
   FigureTemplate,
   JsonObject,
   Link,
+  LinkAnswer,
   LiveAnswer,
   NewLink,
   Paper,
@@ -23,7 +25,8 @@ import type {
   RealtimeReport,
   ReadingEffects,
   RobustnessDefaults,
-  Run,
+  RoadsAnswer,
+  RunAnswer,
   Scenario,
   SeriesByStrategy,
   SharedView,
@@ -37,6 +40,12 @@ import type {
 } from "./types";
 
 const BASE = "/api/v1";
+
+/** Over how many roads, and which strategy the changes refer to. */
+export interface RoadsWish {
+  readonly roads: number;
+  readonly baseline?: StrategyId;
+}
 
 /** An answer that is not a refusal. */
 async function send(path: string, init: RequestInit): Promise<Response> {
@@ -153,9 +162,9 @@ export const api = {
   figures: async (signal?: AbortSignal) =>
     (await get<{ readonly figures: Readonly<Record<string, FigureTemplate>> }>("/figures", signal)).figures,
 
-  createRun: (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal) =>
-    post<Run>("/runs", { scenario, strategies }, { signal }),
-  run: (id: string, signal?: AbortSignal) => get<Run>(`/runs/${encodeURIComponent(id)}`, signal),
+  createRun: async (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal, over: RoadsWish | null = null) =>
+    readRun(await post<RunAnswer | RoadsAnswer>("/runs", { scenario, strategies, ...over }, { signal })),
+  run: async (id: string, signal?: AbortSignal) => readRun(await get<RunAnswer | RoadsAnswer>(`/runs/${encodeURIComponent(id)}`, signal)),
 
   estimate: (wish: SweepWish, signal?: AbortSignal) => post<Estimate>("/batches", { ...wish, dry_run: true }, { signal }),
   createBatch: (wish: SweepWish, key: string) => post<Batch>("/batches", wish, { headers: { "idempotency-key": key } }),
@@ -186,7 +195,10 @@ export const api = {
 
   shareBatch: (batchId: string, view: SharedView) => post<NewLink>("/links", { batch_id: batchId, view }),
   share: (runId: string, view: SharedView) => post<NewLink>("/links", { run_id: runId, view }),
-  link: (slug: string, signal?: AbortSignal) => get<Link>(`/links/${encodeURIComponent(slug)}`, signal),
+  link: async (slug: string, signal?: AbortSignal): Promise<Link> => {
+    const link = await get<LinkAnswer>(`/links/${encodeURIComponent(slug)}`, signal);
+    return { ...link, run: link.run && readRun(link.run) };
+  },
 
   paper: (choices: Readonly<Record<string, string>>, signal?: AbortSignal) => get<Paper>(`/paper${asQuery(choices)}`, signal),
   paperReadings: (roads: Readonly<Record<string, string>>, signal?: AbortSignal) => get<ReadingEffects>(`/paper/readings${asQuery(roads)}`, signal),

@@ -458,7 +458,7 @@ export interface paths {
         put?: never;
         /**
          * Create Run
-         * @description Run what is not stored yet; the answer comes after the commit.
+         * @description Run what is not stored yet, on one road or several; the answer comes after the commit.
          */
         post: operations["createRun"];
         delete?: never;
@@ -1326,7 +1326,7 @@ export interface components {
         CachedResult: {
             /**
              * Arrival Speed Kmh
-             * @description [km/h]
+             * @description [km/h]; the same on every road
              */
             arrival_speed_kmh: number;
             /**
@@ -1378,7 +1378,70 @@ export interface components {
             status: "ok";
             /**
              * Travel Time
-             * @description [s]
+             * @description [s]; the same on every road
+             */
+            travel_time: number;
+        };
+        /**
+         * CachedRoadsResult
+         * @description The same, with where it came from.
+         */
+        CachedRoadsResult: {
+            /**
+             * Arrival Speed Kmh
+             * @description [km/h]; the same on every road
+             */
+            arrival_speed_kmh: number;
+            /**
+             * Cached
+             * @description No road was computed for this request
+             */
+            cached: boolean;
+            /**
+             * Comfort
+             * @description Catalogue: comfort
+             */
+            comfort: {
+                [key: string]: components["schemas"]["Interval"];
+            };
+            /**
+             * Compute Ms
+             * @description The worker's own time [ms]; work shared between strategies counts once
+             */
+            compute_ms: number;
+            /**
+             * Events
+             * @description Catalogue: events
+             */
+            events: {
+                [key: string]: boolean | number | null;
+            };
+            /**
+             * Metrics
+             * @description By window (catalogue: windows)
+             */
+            metrics: {
+                [key: string]: {
+                    [key: string]: components["schemas"]["RoadsStatistics"];
+                };
+            };
+            /**
+             * Reference
+             * @description Lines a plot draws; catalogue: references
+             */
+            reference: {
+                [key: string]: number | null;
+            };
+            /** Stages */
+            stages: components["schemas"]["Stage"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "ok";
+            /**
+             * Travel Time
+             * @description [s]; the same on every road
              */
             travel_time: number;
         };
@@ -1481,6 +1544,14 @@ export interface components {
             statistic: string;
             /** Window */
             window: string;
+        };
+        /**
+         * Changes
+         * @description One signal in one window: paired change of the mean against the baseline's [%]; null where that is zero.
+         */
+        Changes: {
+            peak: components["schemas"]["Interval"] | null;
+            rms: components["schemas"]["Interval"] | null;
         };
         /**
          * Column
@@ -1903,6 +1974,38 @@ export interface components {
             url: string;
         };
         /**
+         * CreatedRoadsRun
+         * @description A run over several roads as the request that made it sees it.
+         */
+        CreatedRoadsRun: {
+            /** Baseline */
+            baseline: string;
+            /**
+             * Changes
+             * @description By strategy; not of the baseline, nor of failures
+             */
+            changes: {
+                [key: string]: components["schemas"]["StrategyChanges"];
+            };
+            /** Core Version */
+            core_version: string;
+            /** Id */
+            id: string;
+            /**
+             * Roads
+             * @description Seeds road.seed, road.seed + 1, …; time histories and events are the first's
+             */
+            roads: number;
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Strategies
+             * @description By strategy
+             */
+            strategies: {
+                [key: string]: components["schemas"]["CachedRoadsResult"] | components["schemas"]["CachedFailure"];
+            };
+        };
+        /**
          * CreatedRun
          * @description A run as the request that made it sees it.
          */
@@ -2168,6 +2271,18 @@ export interface components {
             total: number;
         };
         /**
+         * Interval
+         * @description A mean over roads, or a change of means [%], with its 95 % interval (Student's t).
+         */
+        Interval: {
+            /** High */
+            high: number;
+            /** Low */
+            low: number;
+            /** Mean */
+            mean: number;
+        };
+        /**
          * Judgement
          * @description Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable.
          */
@@ -2271,7 +2386,8 @@ export interface components {
              * @enum {string}
              */
             kind: "run" | "batch";
-            run: components["schemas"]["Run"] | null;
+            /** Run */
+            run: components["schemas"]["Run"] | components["schemas"]["RoadsRun"] | null;
             scenario: components["schemas"]["Scenario"];
             /**
              * Schema Version
@@ -2508,7 +2624,7 @@ export interface components {
         LiveResult: {
             /**
              * Arrival Speed Kmh
-             * @description [km/h]
+             * @description [km/h]; the same on every road
              */
             arrival_speed_kmh: number;
             /**
@@ -2567,7 +2683,7 @@ export interface components {
             status: "ok";
             /**
              * Travel Time
-             * @description [s]
+             * @description [s]; the same on every road
              */
             travel_time: number;
         };
@@ -3227,6 +3343,104 @@ export interface components {
             seed: number;
         };
         /**
+         * RoadsResult
+         * @description One strategy's figures over several roads.
+         */
+        RoadsResult: {
+            /**
+             * Arrival Speed Kmh
+             * @description [km/h]; the same on every road
+             */
+            arrival_speed_kmh: number;
+            /**
+             * Comfort
+             * @description Catalogue: comfort
+             */
+            comfort: {
+                [key: string]: components["schemas"]["Interval"];
+            };
+            /**
+             * Compute Ms
+             * @description The worker's own time [ms]; work shared between strategies counts once
+             */
+            compute_ms: number;
+            /**
+             * Events
+             * @description Catalogue: events
+             */
+            events: {
+                [key: string]: boolean | number | null;
+            };
+            /**
+             * Metrics
+             * @description By window (catalogue: windows)
+             */
+            metrics: {
+                [key: string]: {
+                    [key: string]: components["schemas"]["RoadsStatistics"];
+                };
+            };
+            /**
+             * Reference
+             * @description Lines a plot draws; catalogue: references
+             */
+            reference: {
+                [key: string]: number | null;
+            };
+            /** Stages */
+            stages: components["schemas"]["Stage"][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            status: "ok";
+            /**
+             * Travel Time
+             * @description [s]; the same on every road
+             */
+            travel_time: number;
+        };
+        /**
+         * RoadsRun
+         * @description A stored run over several roads; it never changes.
+         */
+        RoadsRun: {
+            /** Baseline */
+            baseline: string;
+            /**
+             * Changes
+             * @description By strategy; not of the baseline, nor of failures
+             */
+            changes: {
+                [key: string]: components["schemas"]["StrategyChanges"];
+            };
+            /** Core Version */
+            core_version: string;
+            /** Id */
+            id: string;
+            /**
+             * Roads
+             * @description Seeds road.seed, road.seed + 1, …; time histories and events are the first's
+             */
+            roads: number;
+            scenario: components["schemas"]["Scenario"];
+            /**
+             * Strategies
+             * @description By strategy
+             */
+            strategies: {
+                [key: string]: components["schemas"]["RoadsResult"] | components["schemas"]["StrategyFailure"];
+            };
+        };
+        /**
+         * RoadsStatistics
+         * @description One signal in one window, over several roads.
+         */
+        RoadsStatistics: {
+            peak: components["schemas"]["Interval"];
+            rms: components["schemas"]["Interval"];
+        };
+        /**
          * RoadWeights
          * @description Single suspension control's weights per road (Table 3).
          */
@@ -3296,8 +3510,24 @@ export interface components {
         };
         /**
          * RunRequest
-         * @description What to run; an omitted part of the scenario takes the paper's default.
+         * @description What to run, on how many roads.
          * @example {
+         *       "scenario": {
+         *         "road": {
+         *           "bump": {
+         *             "height": 0.12
+         *           }
+         *         }
+         *       },
+         *       "strategies": [
+         *         "lv",
+         *         "lqr",
+         *         "passive"
+         *       ]
+         *     }
+         * @example {
+         *       "baseline": "lqr",
+         *       "roads": 10,
          *       "scenario": {
          *         "road": {
          *           "bump": {
@@ -3313,6 +3543,17 @@ export interface components {
          *     }
          */
         RunRequest: {
+            /**
+             * Baseline
+             * @description What the changes over several roads refer to, one of the strategies; null is passive, or the first strategy where passive does not run
+             */
+            baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+            /**
+             * Roads
+             * @description Seeds road.seed, road.seed + 1, …; each strategy drives all
+             * @default 1
+             */
+            roads: number;
             /**
              * @default {
              *       "vehicle": {
@@ -3845,6 +4086,40 @@ export interface components {
             reads: string[];
         };
         /**
+         * StrategyChanges
+         * @description One strategy's paired changes over several roads, by window (catalogue: windows), and of its comfort.
+         */
+        StrategyChanges: {
+            /**
+             * Bump
+             * @description By signal (catalogue: metric_signals), in %
+             */
+            bump: {
+                [key: string]: components["schemas"]["Changes"];
+            };
+            /**
+             * Comfort
+             * @description Catalogue: comfort; in %
+             */
+            comfort: {
+                [key: string]: components["schemas"]["Interval"] | null;
+            };
+            /**
+             * Rough Road
+             * @description By signal (catalogue: metric_signals), in %
+             */
+            rough_road: {
+                [key: string]: components["schemas"]["Changes"];
+            };
+            /**
+             * Whole
+             * @description By signal (catalogue: metric_signals), in %
+             */
+            whole: {
+                [key: string]: components["schemas"]["Changes"];
+            };
+        };
+        /**
          * StrategyFailure
          * @description A strategy the core refuses for this scenario, and why.
          */
@@ -3866,7 +4141,7 @@ export interface components {
         StrategyResult: {
             /**
              * Arrival Speed Kmh
-             * @description [km/h]
+             * @description [km/h]; the same on every road
              */
             arrival_speed_kmh: number;
             /**
@@ -3913,7 +4188,7 @@ export interface components {
             status: "ok";
             /**
              * Travel Time
-             * @description [s]
+             * @description [s]; the same on every road
              */
             travel_time: number;
         };
@@ -6313,7 +6588,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["CreatedRun"];
+                    "application/json": components["schemas"]["CreatedRun"] | components["schemas"]["CreatedRoadsRun"];
                 };
             };
             /** @description Bad Request */
@@ -6408,7 +6683,7 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    "application/json": components["schemas"]["Run"];
+                    "application/json": components["schemas"]["Run"] | components["schemas"]["RoadsRun"];
                 };
             };
             /** @description Not changed */

@@ -38,9 +38,34 @@ interface RunBase {
   readonly scenario: Scenario;
 }
 
-export interface Run extends RunBase {
+/** A run of one road, as the service answers it. */
+export interface RunAnswer extends RunBase {
   readonly id: string;
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
+}
+
+/** A mean over roads, or a change of means in percent, with its 95 % interval. */
+export type Interval = Deep<Schemas["Interval"]>;
+type RoadsSummary = Deep<Schemas["RoadsResult"]> & { readonly cached?: boolean };
+
+/** A run over several roads, as the service answers it. */
+export interface RoadsAnswer extends RunBase, Pick<OverRoads, "roads" | "baseline" | "changes"> {
+  readonly id: string;
+  readonly strategies: Readonly<Record<StrategyId, RoadsSummary | Failure>>;
+}
+
+/** What several roads say of a run. */
+export interface OverRoads {
+  readonly roads: number;
+  readonly baseline: StrategyId;
+  /** Paired, against the baseline. */
+  readonly changes: Readonly<Record<StrategyId, Deep<Schemas["StrategyChanges"]>>>;
+  readonly estimates: Readonly<Record<StrategyId, Pick<RoadsSummary, "metrics" | "comfort">>>;
+}
+
+/** A run as the page has it: over several roads its numbers are the means. */
+export interface Run extends RunAnswer {
+  readonly over: OverRoads | null;
 }
 
 export interface LiveAnswer extends RunBase {
@@ -80,12 +105,13 @@ export type RealtimeReport = Deep<Schemas["RealtimeReport"]>;
 /** Times with their histogram. */
 export type Times = RealtimeReport["wake_up"];
 
-export type Link = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "view">> & {
+export type LinkAnswer = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "view">> & {
   readonly view: SharedView;
   readonly scenario: Scenario;
-  readonly run: Run | null;
+  readonly run: RunAnswer | RoadsAnswer | null;
   readonly batch: Batch | null;
 };
+export type Link = Omit<LinkAnswer, "run"> & { readonly run: Run | null };
 
 /** The paper, checked. */
 export type Paper = Deep<Omit<Schemas["PaperAnswer"], "scenario">> & { readonly scenario: Scenario };

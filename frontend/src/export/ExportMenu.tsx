@@ -52,7 +52,8 @@ export function ExportMenu() {
   const copyAs = (write: (wanted: Wanted) => string) => {
     if (!form) return;
     const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
-    copy(write({ origin: window.location.origin, form, scenario, strategies: chosen }));
+    const over = shown?.over && chosen.includes(shown.over.baseline) ? { roads: shown.over.roads, baseline: shown.over.baseline } : null;
+    copy(write({ origin: window.location.origin, form, scenario, strategies: chosen, over }));
   };
 
   return (

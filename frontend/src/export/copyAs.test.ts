@@ -6,7 +6,8 @@ import { asCommand, asCurl, asPython, changedPart } from "./copyAs";
 
 const PAPER = standardScenario(FORM);
 const CHANGED = setAt(setAt(setAt(PAPER, "/road/bump/height", -0.06), "/mpc/weights/1", 3), "/mpc/lag", 20);
-const wanted = (scenario = CHANGED) => ({ origin: "http://h:8000", form: FORM, scenario, strategies: ["lv", "lqr"] });
+const wanted = (scenario = CHANGED) => ({ origin: "http://h:8000", form: FORM, scenario, strategies: ["lv", "lqr"], over: null });
+const OVER = { roads: 10, baseline: "lqr" };
 
 describe("what is written out", () => {
   it("is what differs from the paper, weights whole", () => {
@@ -32,6 +33,13 @@ it("the command line sets field by field", () => {
     "ridelab run --set road.bump.height=-0.06 --set mpc.lag=20 --set mpc.weights.1=3 --strategy lv,lqr --server http://h:8000",
   );
   expect(asCommand(wanted(PAPER))).toBe("ridelab run --strategy lv,lqr --server http://h:8000");
+});
+
+it("several roads and their baseline are written out", () => {
+  const several = { ...wanted(PAPER), over: OVER };
+  expect(asCurl(several)).toContain(`"strategies":["lv","lqr"],"roads":10,"baseline":"lqr"}`);
+  expect(asCommand(several)).toContain("--strategy lv,lqr --roads 10 --baseline lqr");
+  expect(asPython(several)).toContain(`ridelab.run(scenario, ["lv", "lqr"], roads=10, baseline="lqr")`);
 });
 
 describe("Python", () => {

@@ -12,6 +12,8 @@ export interface Wanted {
   readonly form: Group;
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
+  /** Over how many roads and against which strategy; `null` for one road. */
+  readonly over: { readonly roads: number; readonly baseline: StrategyId } | null;
 }
 
 /** The part of a scenario that is not the paper's; weights come whole. */
@@ -28,18 +30,19 @@ const quoted = (text: string) => `'${text.replace(/'/g, `'\\''`)}'`;
 
 const word = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : quoted(text));
 
-export function asCurl({ origin, form, scenario, strategies }: Wanted): string {
-  const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies });
+export function asCurl({ origin, form, scenario, strategies, over }: Wanted): string {
+  const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies, ...over });
   return `curl -sS ${word(`${origin}/api/v1/runs`)} -H 'content-type: application/json' -d ${quoted(body)}`;
 }
 
-export function asCommand({ origin, form, scenario, strategies }: Wanted): string {
+export function asCommand({ origin, form, scenario, strategies, over }: Wanted): string {
   const changes = sweepFields(form).flatMap(({ name, leaf }) => {
     const value = getAt(scenario, leaf.pointer);
     if (value === undefined || !isChanged(scenario, leaf)) return [];
     return [`--set ${word(`${name}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
   });
-  return ["ridelab run", ...changes, `--strategy ${word(strategies.join(","))}`, `--server ${word(origin)}`].join(" ");
+  const roads = over ? [`--roads ${over.roads} --baseline ${word(over.baseline)}`] : [];
+  return ["ridelab run", ...changes, `--strategy ${word(strategies.join(","))}`, ...roads, `--server ${word(origin)}`].join(" ");
 }
 
 const INDENT = "    ";
@@ -57,13 +60,14 @@ function literal(value: JsonValue, depth = 1): string {
   return `{\n${members.map((member) => `${pad}${member},\n`).join("")}${INDENT.repeat(depth - 1)}}`;
 }
 
-export function asPython({ origin, form, scenario, strategies }: Wanted): string {
+export function asPython({ origin, form, scenario, strategies, over }: Wanted): string {
+  const roads = over ? `, roads=${over.roads}, baseline=${JSON.stringify(over.baseline)}` : "";
   return [
     "from backend.client import Ridelab",
     "",
     `scenario = ${literal(changedPart(scenario, form))}`,
     `with Ridelab(${JSON.stringify(origin)}) as ridelab:`,
-    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")})`,
+    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${roads})`,
     "",
   ].join("\n");
 }

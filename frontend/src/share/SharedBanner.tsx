@@ -30,7 +30,11 @@ export function SharedBanner(props: Props) {
 
 function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
   const { lab } = useDesk();
-  const again = useMutation({ mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies)), networkMode: "always" });
+  const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
+  const again = useMutation({
+    mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),
+    networkMode: "always",
+  });
   const same = link.core_version === link.current_core_version;
   return (
     <>

@@ -22,7 +22,7 @@ const summary = (peak: number, reached: boolean, weighted = 1): Summary => ({
   comfort: { weighted_rms: weighted },
   events: { target_reached: reached },
 });
-const run = (strategies: Run["strategies"]): Run => ({ id: "x", core_version: "1", scenario: {}, strategies });
+const run = (strategies: Run["strategies"]): Run => ({ id: "x", core_version: "1", scenario: {}, strategies, over: null });
 
 describe("the same scenario computed twice", () => {
   it("has no differences where all is equal", () => {

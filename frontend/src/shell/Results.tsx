@@ -8,6 +8,7 @@ import type { Scene } from "../state/scene";
 import { Tables } from "../tables/Tables";
 import { CouldNotLoad, Loading, NoHistories, NotFound, NothingChosen } from "./Blank";
 import classes from "./shell.module.css";
+import { RoadsNote } from "./RoadsNote";
 import { StageLegend } from "./StageLegend";
 
 interface Props {
@@ -37,6 +38,7 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
       data-source={scene.shown.source}
       data-run={scene.shown.runId ?? undefined}
     >
+      <RoadsNote scene={scene} />
       <Tables scene={scene} catalogue={catalogue} figures={figures} />
       {missing === null ? (
         <>

@@ -9,6 +9,7 @@ import { useDesk, useLab, useView } from "../state/context";
 import type { Scene } from "../state/scene";
 import { StrategyKey } from "../tables/StrategyKey";
 import { bumpRange } from "./bumpRange";
+import { RoadsSelect } from "./RoadsSelect";
 import classes from "./shell.module.css";
 import bar from "./toolbar.module.css";
 
@@ -53,6 +54,7 @@ export function Toolbar({ strategies, scene }: Props) {
       <StrategyChips strategies={strategies} />
       <span className={classes.grow} />
       <div className={bar.tools}>
+        <RoadsSelect />
         <SegmentedControl
           size="xs"
           aria-label="Plots over"

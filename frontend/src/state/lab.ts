@@ -8,12 +8,13 @@ import { placeErrors, type PlacedErrors } from "../editor/errors";
 import { sameValue } from "../editor/path";
 import type { Group } from "../editor/schema";
 import { cursor } from "./cursor";
+import { historiesOf } from "./histories";
 import { begin, record, redo, undo, type History } from "./history";
 import type { Lab, LabState } from "./labState";
 import { createLatest } from "./latest";
-import { linkQuery, runKey, seriesQuery, OVERVIEW_POINTS } from "./queries";
+import { linkQuery, runKey } from "./queries";
 import type { Router } from "./router";
-import { fromLive, fromRun, type Histories } from "./shown";
+import { fromLive, fromRun } from "./shown";
 import { axisKey } from "./scene";
 import { readSharedView } from "./sharing";
 import { createStore } from "./store";
@@ -37,12 +38,6 @@ const hasErrors = ({ fields, general }: PlacedErrors) => general.length > 0 || O
 
 const OPENING_STRATEGIES: readonly StrategyId[] = ["lv", "lqr", "passive"];
 
-/** What is final about missing time histories is told in their place; anything else may still pass. */
-function withoutSeries(error: unknown): Histories {
-  if (error instanceof ApiProblem && !isTransient(error)) return { series: {}, missing: error.message };
-  throw error;
-}
-
 export function createLab(router: Router, queries: QueryClient): Lab {
   const store = createStore<LabState>({
     history: null,
@@ -50,6 +45,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     rejected: {},
     refused: NO_ERRORS,
     strategies: OPENING_STRATEGIES,
+    roads: 1,
     shown: null,
     shared: null,
     busy: false,
@@ -103,27 +99,22 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       });
   };
 
-  const historiesOf = async (run: Run): Promise<Histories> => {
-    // One that could not be computed takes nothing from the others.
-    const ids = Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : []));
-    if (ids.length === 0) return { series: {}, missing: "None of its strategies could be computed." };
-    return queries.query(seriesQuery(run.id, ids, OVERVIEW_POINTS)).then((series) => ({ series, missing: null }), withoutSeries);
-  };
-
   // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
   // shares or goes back to an address that is not of what is shown.
 
   const submit = (mode: "push" | "replace") => {
-    const { history, strategies } = store.get();
+    const { history, strategies, roads } = store.get();
     if (strategies.length === 0) return;
+    const { baseline } = router.get().view;
+    const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
     exclusively({
       work: async (signal, isCurrent) => {
         const asked = performance.now();
-        const run = await api.createRun(history?.present ?? {}, strategies, signal);
+        const run = await api.createRun(history?.present ?? {}, strategies, signal, over);
         if (!isCurrent()) return;
         queries.setQueryData(runKey(run.id), run);
         if (history === null) patch({ history: begin(run.scenario) });
-        const histories = await historiesOf(run);
+        const histories = await historiesOf(run, queries);
         if (!isCurrent()) return;
         const chosen = store.get().strategies;
         const hidden = Object.keys(run.strategies).filter((strategy) => !chosen.includes(strategy));
@@ -142,11 +133,13 @@ export function createLab(router: Router, queries: QueryClient): Lab {
         const run = known ?? (await api.run(id, signal));
         if (!isCurrent()) return;
         queries.setQueryData(runKey(id), run);
-        const histories = await historiesOf(run);
+        const histories = await historiesOf(run, queries);
         if (!isCurrent()) return;
         const { history } = store.get();
         router.arrive();
+        if (run.over) router.setView({ baseline: run.over.baseline });
         patch({
+          roads: run.over?.roads ?? 1,
           history: history ? record(history, run.scenario) : begin(run.scenario),
           strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
           rejected: {},
@@ -167,14 +160,14 @@ export function createLab(router: Router, queries: QueryClient): Lab {
         const link = await queries.query(linkQuery(slug));
         if (signal.aborted || !isCurrent()) return;
         if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
-        const histories = link.run && (await historiesOf(link.run));
+        const histories = link.run && (await historiesOf(link.run, queries));
         if (!isCurrent()) return;
         const { view, strategies, at } = readSharedView(link);
         router.arrive();
         router.setView(view);
         cursor.set(at);
         const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - asked, true) : null;
-        patch({ shared: link, history: begin(link.scenario), strategies, rejected: {}, drag: null, shown });
+        patch({ shared: link, history: begin(link.scenario), strategies, roads: link.run?.over?.roads ?? 1, rejected: {}, drag: null, shown });
       },
       again: () => openLink(slug),
       giveUp: leaveLink,
@@ -244,7 +237,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       patch({ stale: true });
     },
     openPaper: () => {
-      patch({ history: null, rejected: {}, strategies: OPENING_STRATEGIES, shown: null, shared: null });
+      patch({ history: null, rejected: {}, strategies: OPENING_STRATEGIES, roads: 1, shown: null, shared: null });
       submit("push");
     },
     openCopy: () => {
@@ -286,6 +279,16 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       if (shared || (known && history && shown && sameValue(shown.scenario, history.present))) {
         router.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
       } else submit("push");
+    },
+    setRoads: (roads) => {
+      if (store.get().shared) return;
+      patch({ roads });
+      submit("push");
+    },
+    setBaseline: (baseline) => {
+      const { shown, shared } = store.get();
+      router.setView({ baseline });
+      if (!shared && shown?.over && shown.over.baseline !== baseline) submit("push");
     },
     resume: () => unfinished?.(),
   };

@@ -25,6 +25,8 @@ export interface LabState {
   readonly rejected: Readonly<Record<Pointer, Rejected>>;
   readonly refused: PlacedErrors;
   readonly strategies: readonly StrategyId[];
+  /** How many roads an exact run drives. */
+  readonly roads: number;
   readonly shown: Shown | null;
   /** The link this page shows: while there is one, nothing can be edited. */
   readonly shared: Link | null;
@@ -50,6 +52,9 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly undo: () => void;
   readonly redo: () => void;
   readonly setStrategies: (strategies: readonly StrategyId[]) => void;
+  readonly setRoads: (roads: number) => void;
+  /** Compares with that strategy; over several roads its paired changes are asked for. */
+  readonly setBaseline: (strategy: StrategyId) => void;
   /** Asks again for what could not be had; does nothing where nothing is missing. */
   readonly resume: () => void;
 }

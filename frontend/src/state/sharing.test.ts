@@ -5,7 +5,7 @@ import type { Scene } from "./scene";
 import { readSharedView, viewToShare } from "./sharing";
 
 const summary = {} as Summary;
-const run = { id: "x", core_version: "1", scenario: {}, strategies: { lv: summary, lqr: summary, passive: summary } };
+const run = { id: "x", core_version: "1", scenario: {}, strategies: { lv: summary, lqr: summary, passive: summary }, over: null };
 const read = (view: Link["view"]) => readSharedView({ view, run });
 
 describe("a link's view", () => {

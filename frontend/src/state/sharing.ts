@@ -22,7 +22,7 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
   return {
     view: {
       axis: view.axis ?? "distance",
-      baseline: view.baseline ?? "passive",
+      baseline: view.baseline ?? run?.over?.baseline ?? "passive",
       hidden: computed.filter((id) => !strategies.includes(id)),
       zoom: low !== undefined && high !== undefined && low < high ? [low, high] : null,
     },

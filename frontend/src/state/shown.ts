@@ -1,7 +1,7 @@
 /** What the plots and tables show: one complete answer, exact or live. */
 
 import { decodeSeries } from "../api/decode";
-import type { Failure, LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import type { Failure, LiveAnswer, OverRoads, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
 
 export interface Timing {
   readonly cached: number;
@@ -26,6 +26,8 @@ export interface Shown {
   readonly scenario: Scenario;
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly failed: readonly Failed[];
+  /** What several roads say: then the summaries are means, and curves and events are the first road's. */
+  readonly over: OverRoads | null;
   readonly series: SeriesByStrategy;
   /** Why there are no time histories; `null` where there are. */
   readonly missing: string | null;
@@ -60,6 +62,7 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
     coreVersion: run.core_version,
     scenario: run.scenario,
     ...split(run.strategies),
+    over: run.over,
     series,
     missing,
     timing: timing(run.strategies, roundTripMs, opened),
@@ -78,6 +81,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
     scenario: answer.scenario,
     summaries,
     failed,
+    over: null,
     series: Object.fromEntries(decoded),
     missing: null,
     timing: timing(answer.strategies, roundTripMs, false),

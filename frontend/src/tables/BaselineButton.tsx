@@ -13,7 +13,7 @@ interface Props {
 }
 
 export function BaselineButton({ strategy, isBaseline, upright = false }: Props) {
-  const { router } = useDesk();
+  const { lab } = useDesk();
   return (
     <button
       type="button"
@@ -21,7 +21,7 @@ export function BaselineButton({ strategy, isBaseline, upright = false }: Props)
       data-upright={upright || undefined}
       aria-pressed={isBaseline}
       title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
-      onClick={() => router.setView({ baseline: strategy.id })}
+      onClick={() => lab.setBaseline(strategy.id)}
     >
       <StrategyKey strategy={strategy} />
       <span>

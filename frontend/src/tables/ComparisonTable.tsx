@@ -2,11 +2,13 @@
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
-import { formatResult, prettyUnit } from "../units/format";
+import { prettyUnit } from "../units/format";
 import { BaselineButton } from "./BaselineButton";
 import { ChangeMark } from "./ChangeMark";
 import { DoubtMarks } from "./DoubtMarks";
 import { doubtsOf } from "./doubts";
+import { Estimated } from "./Estimated";
+import { toldOf, type Told } from "./overRoads";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 
@@ -18,7 +20,7 @@ export interface ComparisonProps {
 }
 
 export interface WindowView {
-  readonly window: string;
+  readonly window: "rough_road" | "bump";
   readonly statistic: "rms" | "peak";
 }
 
@@ -81,6 +83,7 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
                     name={`${window}.${signal}.${statistic}`}
                     value={scene.summaries[strategy.id]?.metrics[window]?.[signal]?.[statistic]}
                     baseline={scene.baseline === null ? null : scene.summaries[scene.baseline]?.metrics[window]?.[signal]?.[statistic]}
+                    told={toldOf(scene, strategy.id, { window, signal, statistic })}
                     isBaseline={strategy.id === scene.baseline}
                     scale={shownUnit(signal, figures, catalogue).scale}
                   />
@@ -99,15 +102,16 @@ interface CellProps {
   readonly first: boolean;
   readonly value: number | null | undefined;
   readonly baseline: number | null | undefined;
+  readonly told: Told;
   readonly isBaseline: boolean;
   readonly scale: number;
 }
 
-function Cell({ name, first, value, baseline, isBaseline, scale }: CellProps) {
+function Cell({ name, first, value, baseline, told, isBaseline, scale }: CellProps) {
   return (
     <td className={classes.cell} data-first={first || undefined} data-cell={name} data-value={value ?? ""}>
-      <span className={classes.value}>{typeof value === "number" ? formatResult(value * scale) : "–"}</span>
-      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} />}
+      <Estimated value={value} interval={told.interval} scale={scale} />
+      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} paired={told.change} />}
     </td>
   );
 }

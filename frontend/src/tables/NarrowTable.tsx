@@ -1,12 +1,14 @@
 /** The comparison where there is little width: a row per signal, a column per strategy. */
 
 import type { Quantity, SignalKey } from "../api/types";
-import { formatResult, prettyUnit } from "../units/format";
+import { prettyUnit } from "../units/format";
 import { BaselineButton } from "./BaselineButton";
 import { ChangeMark } from "./ChangeMark";
 import type { ComparisonProps, WindowView } from "./ComparisonTable";
 import { DoubtMarks } from "./DoubtMarks";
 import { doubtsOf } from "./doubts";
+import { Estimated } from "./Estimated";
+import { toldOf } from "./overRoads";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 
@@ -43,13 +45,14 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
                 </th>
                 {scene.strategies.map(({ id }) => {
                   const value = valueOf(id, signal);
+                  const told = toldOf(scene, id, { window, signal, statistic });
                   return (
                     <td key={id} className={classes.cell} data-baseline={id === scene.baseline || undefined} data-value={value ?? ""}>
-                      <span className={classes.value}>{typeof value === "number" ? formatResult(value * scale) : "–"}</span>
+                      <Estimated value={value} interval={told.interval} scale={scale} />
                       {id === scene.baseline ? (
                         <span className={classes.change}>&nbsp;</span>
                       ) : (
-                        <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} />
+                        <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={told.change} />
                       )}
                     </td>
                   );

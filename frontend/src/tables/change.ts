@@ -1,5 +1,6 @@
 /** Change against a baseline, and what it means. */
 
+import type { Interval } from "../api/types";
 import { isNothing } from "../units/format";
 
 export type Verdict = "better" | "worse" | "same" | "none";
@@ -7,6 +8,8 @@ export type Verdict = "better" | "worse" | "same" | "none";
 export interface Change {
   /** In percent, negative is lower; `null` where there is nothing to compare with. */
   readonly percent: number | null;
+  /** Half the width of its interval; 0 where it has none. */
+  readonly half: number;
   readonly verdict: Verdict;
 }
 
@@ -15,15 +18,22 @@ const NOTHING = 0.05;
 
 /** Every compared figure is one where lower is better. A change against a zero baseline does not exist. */
 export function changeAgainst(value: number | null | undefined, baseline: number | null | undefined): Change {
-  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) return { percent: null, verdict: "none" };
+  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) return { percent: null, half: 0, verdict: "none" };
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;
-  if (Math.abs(percent) < NOTHING) return { percent: 0, verdict: "same" };
-  return { percent, verdict: percent < 0 ? "better" : "worse" };
+  if (Math.abs(percent) < NOTHING) return { percent: 0, half: 0, verdict: "same" };
+  return { percent, half: 0, verdict: percent < 0 ? "better" : "worse" };
 }
 
-/** `−43.7 %`: a sign always, one decimal up to 100 %, none beyond. */
-export function formatPercent(percent: number): string {
-  const size = Math.abs(percent);
-  const digits = size < 99.95 ? size.toFixed(1) : size < 9999.5 ? size.toFixed(0) : ">9999";
-  return `${percent < 0 ? "−" : percent > 0 ? "+" : "±"}${digits}\u2009%`;
+/** A change over several roads; one whose interval holds zero is none that these roads resolve. */
+export function pairedChange({ mean, low, high }: Interval): Change {
+  const open = Math.abs(mean) < NOTHING || (low <= 0 && high >= 0);
+  return { percent: mean, half: high - mean, verdict: open ? "same" : mean < 0 ? "better" : "worse" };
+}
+
+const digitsOf = (size: number) => (size < 99.95 ? size.toFixed(1) : size < 9999.5 ? size.toFixed(0) : ">9999");
+
+/** `−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−43.7 ± 2.1 %`. */
+export function formatPercent(percent: number, half = 0): string {
+  const sign = percent < 0 ? "−" : percent > 0 ? "+" : "±";
+  return `${sign}${digitsOf(Math.abs(percent))}${half > 0 ? ` ± ${digitsOf(half)}` : ""}\u2009%`;
 }

@@ -1,0 +1,83 @@
+"""What is answered of a stored run: each strategy's result, over several roads with mean, interval and change."""
+
+from collections.abc import Mapping, Sequence
+from math import isfinite
+from typing import Any
+
+from backend.store import StoredResult, StoredRun
+from backend.worker import Outcome
+from sim_core.study.intervals import Interval
+from sim_core.study.roads import Comparison, Numbers, compare
+
+
+def run_answer(
+    stored: StoredRun, *, cached: Mapping[str, bool] | None = None, baseline: str | None = None
+) -> dict[str, Any]:
+    """`Run` or `RoadsRun`; `CreatedRun` or `CreatedRoadsRun` where it is known what was cached.
+
+    Args:
+        stored: The run.
+        cached: By strategy whether it was.
+        baseline: What the changes over several roads refer to; None is the run's own.
+    """
+    head = {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
+    told = {name: {} if cached is None else {"cached": cached[name]} for name in stored.by_strategy}
+    if stored.roads == 1:
+        return {**head, "strategies": {item.strategy: _entry(item, told[item.strategy]) for item in stored.results}}
+    against = baseline or stored.baseline or ""
+    ran = {name: items for name, items in stored.by_strategy.items() if all(item.status == "ok" for item in items)}
+    found = compare({name: [_numbers(item.summary) for item in items] for name, items in ran.items()}, against)
+    return {
+        **head,
+        "roads": stored.roads,
+        "baseline": against,
+        "changes": {name: _plain(change) for name, change in found.changes.items()},
+        "strategies": {
+            name: _entry_over_roads(items, told[name], found, stored.scenario["road"]["seed"])
+            for name, items in stored.by_strategy.items()
+        },
+    }
+
+
+def entry_answer(outcome: Outcome, *, cached: bool) -> dict[str, Any]:
+    """One strategy's part of a run that is not stored."""
+    return _entry(outcome, {"cached": cached})
+
+
+def default_baseline(strategies: Sequence[str]) -> str:
+    """What changes refer to where nobody says: passive, or the first strategy where it does not run."""
+    return "passive" if "passive" in strategies else strategies[0]
+
+
+def _entry(item: Outcome | StoredResult, told: Mapping[str, bool]) -> dict[str, Any]:
+    return {"status": item.status, **told, "compute_ms": item.compute_ms, **item.summary}
+
+
+def _entry_over_roads(
+    items: Sequence[StoredResult], told: Mapping[str, bool], found: Comparison, first_seed: int
+) -> dict[str, Any]:
+    """The first road's entry with the means of all, or why one of them failed."""
+    head = {**_entry(items[0], told), "compute_ms": round(sum(item.compute_ms for item in items), 2)}
+    failures = [(seed, item) for seed, item in enumerate(items, first_seed) if item.status != "ok"]
+    if failures:
+        seed, failure = failures[0]
+        reason = f"Road seed {seed}: {failure.summary['reason']}"
+        return {"status": failure.status, **told, "compute_ms": head["compute_ms"], "reason": reason}
+    means = _plain(found.means[items[0].strategy])
+    return {**head, "comfort": means.pop("comfort"), "metrics": means}
+
+
+def _numbers(summary: Mapping[str, Any]) -> Numbers:
+    """What differs from road to road and has a mean: by window the metrics, and comfort beside them."""
+    return {**summary["metrics"], "comfort": summary["comfort"]}
+
+
+def _plain(numbers: Numbers) -> dict[str, Any]:
+    """Intervals as JSON; null where there is none."""
+    return {key: _interval(value) if isinstance(value, Interval) else _plain(value) for key, value in numbers.items()}
+
+
+def _interval(interval: Interval) -> dict[str, float] | None:
+    if not isfinite(interval.value):
+        return None
+    return {"mean": interval.value, "low": interval.low, "high": interval.high}

@@ -1,0 +1,18 @@
+/** Says over how many roads the numbers are, and which road the curves are of. */
+
+import { Text } from "@mantine/core";
+import type { Scene } from "../state/scene";
+import { getAt } from "../editor/path";
+import classes from "./shell.module.css";
+
+export function RoadsNote({ scene: { shown, baseline } }: { readonly scene: Scene }) {
+  const { over, scenario } = shown;
+  if (over === null) return null;
+  const seed = getAt(scenario, "/road/seed");
+  return (
+    <Text size="sm" className={classes.roadsNote ?? ""} data-testid="roads">
+      Mean of {over.roads} roads with its 95 % interval{over.baseline === baseline ? "; changes are paired, those whose interval holds zero have no arrow" : ""}. Curves and
+      events: road seed {typeof seed === "number" ? seed : "?"}.
+    </Text>
+  );
+}

@@ -1,0 +1,25 @@
+/** Over how many roads the exact run goes. */
+
+import { NativeSelect, Tooltip } from "@mantine/core";
+import { useDesk, useLab, useReadOnly } from "../state/context";
+
+const CHOICES = [1, 5, 10, 20];
+
+export function RoadsSelect() {
+  const { lab } = useDesk();
+  const roads = useLab((state) => state.roads);
+  const readOnly = useReadOnly();
+  const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);
+  return (
+    <Tooltip label="One road’s peaks are partly luck: several give a mean with its interval" multiline w={240} openDelay={500}>
+      <NativeSelect
+        size="xs"
+        aria-label="Roads"
+        disabled={readOnly}
+        value={String(roads)}
+        data={choices.map((count) => ({ value: String(count), label: count === 1 ? "1 road" : `${count} roads` }))}
+        onChange={(event) => lab.setRoads(Number(event.currentTarget.value))}
+      />
+    </Tooltip>
+  );
+}

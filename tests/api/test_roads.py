@@ -1,0 +1,224 @@
+"""Runs over several roads: means, intervals and paired changes; everything else of a run works on them."""
+
+import itertools
+from statistics import fmean
+from typing import Any
+
+import pytest
+
+from backend import digest
+from backend.models import CreatedRoadsRun, CreatedRun, RoadsRun, Run
+from backend.worker import Outcome
+from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
+from sim_core.scenario import Scenario
+from sim_core.study.intervals import change_with_interval, mean_with_interval
+from tests.html import check, read
+
+SEED = 41
+
+
+@pytest.fixture(scope="module")
+def scenario(road: dict[str, Any]) -> dict[str, Any]:
+    return {"road": {**road, "seed": SEED}}
+
+
+def post(service: Any, **body: Any) -> Any:
+    return service.client.post("/api/v1/runs", json=body)
+
+
+@pytest.fixture(scope="module")
+def three(service: Any, scenario: dict[str, Any]) -> dict[str, Any]:
+    """Three roads of two strategies."""
+    response = post(service, scenario=scenario, strategies=["passive", "lqr"], roads=3)
+    assert response.status_code == 200, response.text
+    answer: dict[str, Any] = response.json()
+    return answer
+
+
+def triple(interval: Any) -> dict[str, float]:
+    return {"mean": interval.value, "low": interval.low, "high": interval.high}
+
+
+def test_it_has_every_field_and_says_what_it_is(three: dict[str, Any]) -> None:
+    assert (three["roads"], three["baseline"]) == (3, "passive")
+    assert len(three["id"]) == 22
+    assert three["scenario"]["road"]["seed"] == SEED
+    assert list(three["strategies"]) == ["lqr", "passive"]
+    assert set(three["changes"]) == {"lqr"}
+    assert set(three["changes"]["lqr"]) == {*WINDOWS, "comfort"}
+    CreatedRoadsRun.model_validate(three)
+
+
+def test_its_figures_are_those_of_the_three_single_runs(
+    service: Any, three: dict[str, Any], scenario: dict[str, Any]
+) -> None:
+    singles = [
+        post(service, scenario={"road": {**scenario["road"], "seed": SEED + i}}, strategies=["lqr", "passive"]).json()
+        for i in range(3)
+    ]
+    for single in singles:
+        CreatedRun.model_validate(single)
+        assert all(entry["cached"] for entry in single["strategies"].values()), "the same results, by content"
+    for name in ("lqr", "passive"):
+        entry, alone = three["strategies"][name], [single["strategies"][name] for single in singles]
+        for window, signal, statistic in itertools.product(WINDOWS, METRIC_SIGNALS, STATISTICS):
+            values = [each["metrics"][window][signal][statistic] for each in alone]
+            base = [single["strategies"]["passive"]["metrics"][window][signal][statistic] for single in singles]
+            found = entry["metrics"][window][signal][statistic]
+            assert found == pytest.approx(triple(mean_with_interval(values)), rel=1e-12)
+            assert found["mean"] == pytest.approx(fmean(values), rel=1e-12)
+            if name == "lqr":
+                change = three["changes"]["lqr"][window][signal][statistic]
+                expected = triple(change_with_interval(values, base)) if any(base) else None
+                assert change == (None if expected is None else pytest.approx(expected, rel=1e-9))
+        for key in COMFORT:
+            values = [each["comfort"][key] for each in alone]
+            assert entry["comfort"][key] == pytest.approx(triple(mean_with_interval(values)), rel=1e-12)
+        for key in ("events", "reference", "stages", "travel_time", "arrival_speed_kmh"):
+            assert entry[key] == alone[0][key], "the first road's"
+        assert len({each["travel_time"] for each in alone}) == 1, "which is that of every road"
+        assert entry["compute_ms"] == pytest.approx(sum(each["compute_ms"] for each in alone))
+
+
+def test_asked_again_it_is_stored_under_the_same_id(
+    service: Any, three: dict[str, Any], scenario: dict[str, Any]
+) -> None:
+    again = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=3, baseline="passive").json()
+    assert again["id"] == three["id"]
+    assert all(entry["cached"] for entry in again["strategies"].values())
+    assert again["changes"] == three["changes"]
+    stored = service.client.get(f"/api/v1/runs/{three['id']}").json()
+    RoadsRun.model_validate(stored)
+    assert {**stored, "strategies": None} == {**three, "strategies": None}
+
+
+def test_one_road_is_the_run_it_always_was(service: Any, scenario: dict[str, Any]) -> None:
+    plain = post(service, scenario=scenario, strategies=["lqr", "passive"]).json()
+    one = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=1, baseline="lqr").json()
+    assert one == {**plain, "strategies": one["strategies"]}
+    Run.model_validate(service.client.get(f"/api/v1/runs/{plain['id']}").json())
+
+
+def test_ids_given_out_before_there_were_roads_stay() -> None:
+    """The content of an id, written out as it was."""
+    scenario, names = Scenario(), ["lqr", "passive"]
+    content = {"core": digest.CORE_VERSION, "scenario": scenario.model_dump(mode="json"), "strategies": names}
+    before = digest._hash(content)[: digest.RUN_ID_LENGTH]
+    assert digest.run_id(scenario, names) == digest.run_id(scenario, names, 1, None) == before
+    several = {digest.run_id(scenario, names, roads, baseline) for roads in (2, 3) for baseline in ("passive", "lqr")}
+    assert len({before, *several}) == 5
+
+
+def test_another_baseline_is_another_run_of_the_same_results(
+    service: Any, three: dict[str, Any], scenario: dict[str, Any]
+) -> None:
+    other = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=3, baseline="lqr").json()
+    assert other["id"] != three["id"]
+    assert other["baseline"] == "lqr"
+    assert set(other["changes"]) == {"passive"}
+    assert all(entry["cached"] for entry in other["strategies"].values())
+
+
+def test_without_passive_changes_are_against_the_first(service: Any, scenario: dict[str, Any]) -> None:
+    answer = post(service, scenario=scenario, strategies=["speed_only", "lqr"], roads=2).json()
+    assert answer["baseline"] == "lqr", "in the catalogue's order"
+
+
+def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
+    stored = service.client.get(f"/api/v1/runs/{three['id']}").json()
+    before = {name: entry["compute_ms"] for name, entry in stored["strategies"].items()}
+    four = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=4).json()
+    assert not any(entry["cached"] for entry in four["strategies"].values())
+    fourth = {"road": {**scenario["road"], "seed": SEED + 3}}
+    last = post(service, scenario=fourth, strategies=["lqr", "passive"]).json()["strategies"]
+    for name, entry in four["strategies"].items():
+        assert entry["compute_ms"] == pytest.approx(before[name] + last[name]["compute_ms"])
+
+
+@pytest.mark.parametrize(
+    ("more", "pointer", "says"),
+    [
+        ({"roads": 0}, "/roads", "greater"),
+        ({"roads": 51}, "/roads", "50"),
+        ({"roads": "3"}, "/roads", "integer"),
+        ({"roads": 2.5}, "/roads", "integer"),
+        ({"roads": None}, "/roads", "integer"),
+        ({"roads": 2, "baseline": "lv"}, "/baseline", "lqr, passive"),
+        ({"baseline": "lv"}, "/baseline", "lqr, passive"),
+        ({"roads": 2, "baseline": "rolling"}, "/baseline", "Unknown strategy"),
+        ({"roads": 2, "scenario": {"road": {"seed": 2**32 - 1}}}, "/roads", "seed"),
+    ],
+)
+def test_what_cannot_be_is_refused_where_it_stands(service: Any, more: dict[str, Any], pointer: str, says: str) -> None:
+    response = post(service, **{"strategies": ["lqr", "passive"], **more})
+    assert response.status_code == 422
+    (error,) = response.json()["errors"]
+    assert error["pointer"] == pointer
+    assert says in error["message"]
+
+
+def test_the_cost_is_that_of_all_roads(service: Any) -> None:
+    body = {"scenario": {"road": {"length": 300}}, "strategies": ["lv_hil"]}
+    response = post(service, **body, roads=50)
+    assert response.status_code == 422
+    assert response.json()["type"].endswith("cost-limit")
+    assert "fewer" in response.json()["detail"]
+
+
+def test_live_has_no_roads(service: Any) -> None:
+    assert service.live(["passive"], roads=2).status_code == 422
+
+
+def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(
+    service: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workers = service.app.state.workers
+    original = workers.call
+
+    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None) -> Any:
+        outcomes = await original(function, scenario, names, points)
+        if scenario.road.seed == 72:
+            outcomes["lqr"] = Outcome(status="failed", summary={"reason": "no controller"}, compute_ms=1.0)
+        return outcomes
+
+    monkeypatch.setattr(workers, "call", refused)
+    scenario = {"road": {"length": 131.7, "seed": 71}}
+    answer = post(service, scenario=scenario, strategies=["lqr", "passive"], roads=3, baseline="lqr").json()
+    CreatedRoadsRun.model_validate(answer)
+    assert answer["strategies"]["lqr"]["reason"] == "Road seed 72: no controller"
+    assert answer["strategies"]["passive"]["status"] == "ok"
+    assert answer["changes"] == {}, "the baseline failed"
+
+
+def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> None:
+    made = service.client.post("/api/v1/links", json={"run_id": three["id"]}).json()
+    link = service.client.get(f"/api/v1/links/{made['slug']}").json()
+    assert made["series_pinned"] is True
+    assert link["run"]["changes"] == three["changes"]
+    change = three["changes"]["lqr"]["bump"]["body_acceleration"]["peak"]["mean"]
+    head = service.client.get(f"/s/{made['slug']}").text
+    assert f"{abs(round(change))} % {'less' if change < 0 else 'more'} peak body acceleration" in head
+    assert "mean of 3 roads" in head
+
+
+def test_figures_and_series_are_the_first_roads(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
+    single = post(service, scenario=scenario, strategies=["lqr", "passive"]).json()["id"]
+    for path in ("series?strategy=lqr,passive&points=50", "figures/body_acceleration"):
+        ours, its = (service.client.get(f"/api/v1/runs/{run}/{path}") for run in (three["id"], single))
+        assert ours.status_code == 200
+        assert ours.json() == its.json()
+
+
+@pytest.mark.parametrize("baseline", ["passive", "lqr"])
+def test_the_report_shows_all_roads_and_whose_curves(service: Any, three: dict[str, Any], baseline: str) -> None:
+    response = service.client.get(f"/api/v1/runs/{three['id']}/report.html?baseline={baseline}")
+    assert response.status_code == 200
+    page = read(response.text)
+    check(page)
+    assert f"seed {SEED}" in response.text
+    assert "3 roads" in response.text
+    (other,) = {"passive", "lqr"} - {baseline}
+    peak = three["strategies"][other]["metrics"]["bump"]["body_acceleration"]["peak"]
+    assert f'data-cell="bump.body_acceleration.peak" data-value="{peak["mean"]}"' in response.text
+    assert "±" in response.text
+    assert "--roads 3" in response.text

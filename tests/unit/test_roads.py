@@ -1,0 +1,79 @@
+"""Several roads: means, intervals and paired changes against known answers."""
+
+from math import isnan, sqrt
+from statistics import fmean, stdev
+
+import numpy as np
+import pytest
+
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+from sim_core.study.intervals import Interval
+from sim_core.study.roads import Numbers, compare, drive, seeded
+
+T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
+
+
+def numbers(value: float) -> Numbers:
+    return {"bump": {"body": {"rms": value, "peak": 2 * value}}, "comfort": {"dose": value**2}}
+
+
+def test_the_interval_of_a_known_sample() -> None:
+    """Mean 3, s² = 2.5: the half width is t·s/√5."""
+    found = compare({"lv": [numbers(value) for value in (1.0, 2.0, 3.0, 4.0, 5.0)]}, "lv")
+    half = T_4 * sqrt(2.5 / 5)
+    rms, peak = (found.means["lv"]["bump"]["body"][statistic] for statistic in ("rms", "peak"))
+    assert [rms.value, rms.low, rms.high] == pytest.approx([3, 3 - half, 3 + half], rel=1e-7)
+    assert [peak.value, peak.low, peak.high] == pytest.approx([6, 6 - 2 * half, 6 + 2 * half], rel=1e-7)
+    assert found.means["lv"]["comfort"]["dose"].value == 11
+    assert not found.changes, "nothing is compared with itself"
+
+
+def test_a_change_is_that_of_the_means_and_exact_where_pairs_keep_their_ratio() -> None:
+    base = [1.0, 2.0, 4.0, 9.0]
+    found = compare({"a": [numbers(0.6 * value) for value in base], "b": [numbers(value) for value in base]}, "b")
+    change = found.changes["a"]["bump"]["body"]["rms"]
+    assert [change.value, change.low, change.high] == pytest.approx([-40, -40, -40], abs=1e-9)
+    assert list(found.changes) == ["a"]
+
+
+def test_a_paired_change_is_narrower_than_that_of_different_roads() -> None:
+    """Both strategies feel the same roughness: paired, its luck cancels."""
+    luck = np.random.default_rng(7)
+    base = luck.normal(10, 2, size=20)
+    ours = 0.8 * base + luck.normal(0, 0.1, size=20)
+    found = compare({"a": [numbers(value) for value in ours], "b": [numbers(value) for value in base]}, "b")
+    paired = found.changes["a"]["bump"]["body"]["rms"]
+    ratio = fmean(ours) / fmean(base)
+    independent = 100 * ratio * sqrt(sum((stdev(v) / fmean(v)) ** 2 / len(v) for v in (ours, base)))
+    assert paired.value == pytest.approx(100 * (ratio - 1))
+    assert paired.high - paired.value < independent / 3
+
+
+def test_there_is_no_change_against_a_zero() -> None:
+    found = compare({"a": [numbers(1.0), numbers(2.0)], "b": [numbers(0.0), numbers(0.0)]}, "b")
+    assert isnan(found.changes["a"]["bump"]["body"]["rms"].value)
+    assert found.means["b"]["bump"]["body"]["rms"] == Interval(value=0, low=0, high=0)
+
+
+def test_a_missing_baseline_leaves_the_means() -> None:
+    found = compare({"a": [numbers(1.0), numbers(2.0)]}, "passive")
+    assert not found.changes
+    assert found.means["a"]["bump"]["body"]["rms"].value == 1.5
+
+
+def test_strategies_need_the_same_roads() -> None:
+    with pytest.raises(ValueError, match="as many"):
+        compare({"a": [numbers(1.0)], "b": [numbers(1.0), numbers(2.0)]}, "b")
+
+
+def test_roads_follow_the_scenarios_seed_and_every_strategy_drives_them() -> None:
+    scenario = Scenario.model_validate({"road": {"seed": 5, "length": 120}})
+    roads = seeded(scenario, 3)
+    assert [road.road.seed for road in roads] == [5, 6, 7]
+    assert roads[0] == scenario
+    found = drive(scenario, ("lqr", "passive"), 3)
+    for name, results in found.items():
+        assert [result.metrics for result in results] == [simulate(road, name).metrics for road in roads]
+        assert len({result.travel_time for result in results}) == 1, "no road changes how long it takes"
+        assert len({result.metrics["bump"]["body_acceleration"]["peak"] for result in results}) == 3
