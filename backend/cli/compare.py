@@ -66,7 +66,8 @@ def _run(item: targets.Found, wanted: list[str], both: list[targets.Found], serv
     from sim_core.strategies import STRATEGIES
 
     others = [name for other in both for name in targets.strategies_of(other)]
-    return services.at().run(item.scenario, wanted or others or list(STRATEGIES))
+    roads = max((other.run.roads for other in both if other.run is not None), default=1)
+    return services.at().run(item.scenario, wanted or others or list(STRATEGIES), roads=roads)
 
 
 def _print_json(runs: list[RunResult], told: list[Difference]) -> None:
@@ -86,7 +87,8 @@ def _print(
     from sim_core.scenario import dotted
 
     for side, item, run in zip("AB", found, runs, strict=True):
-        typer.echo(f"{side}  {item.name} (core {run.core_version})")
+        over = f", mean of {run.roads} roads" if run.roads > 1 else ""
+        typer.echo(f"{side}  {item.name} (core {run.core_version}{over})")
     for name, one, other in inputs(runs[0].scenario, runs[1].scenario):
         unit = dotted.fields()[name].unit if name in dotted.fields() else "1"
         typer.echo(f"   {with_unit(name, unit)}: {shown(one)} -> {shown(other)}")

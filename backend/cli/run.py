@@ -15,6 +15,10 @@ def run(
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
     strategy: options.Strategies = None,
+    roads: Annotated[
+        int,
+        typer.Option(metavar="N", min=1, max=50, help="Drive N roads, seeds road.seed and on: mean and interval."),
+    ] = 1,
     baseline: Annotated[
         str | None,
         typer.Option(metavar="ID", help="Strategy the changes refer to [default: passive].", show_default=False),
@@ -25,7 +29,8 @@ def run(
 ) -> None:
     """Run strategies over one scenario and show how they compare.
 
-    All strategies unless --strategy names some. What is stored already is not computed again.
+    All strategies unless --strategy names some. What is stored already is not computed again. Over several roads every
+    figure is a mean with half its 95 % interval's width, every change that of the means, paired road by road.
     """
     from sim_core.strategies import STRATEGIES
 
@@ -36,7 +41,7 @@ def run(
         found = targets.find(scenario, services)
         wanted = fields.changed(found.scenario, changes or [])
         ridelab = services.at()
-        result = ridelab.run(wanted, names)
+        result = ridelab.run(wanted, names, roads=roads, baseline=baseline)
         if as_json:
             typer.echo(json.dumps(with_units(result), indent=1, ensure_ascii=False))
         else:
@@ -56,8 +61,11 @@ def _show(result: RunResult, name: str, changes: list[str], baseline: str | None
     from backend.cli import tables
 
     names = list(result.strategies)
-    against = baseline or ("passive" if "passive" in names else names[0])
+    against = baseline or result.baseline or ("passive" if "passive" in names else names[0])
     told = ", ".join([name, *changes])
+    if result.roads > 1:
+        seed = result.scenario["road"]["seed"]
+        told = f"{told}, {result.roads} roads (seeds {seed} to {seed + result.roads - 1})"
     typer.echo(f"Ridelab core {result.core_version}, {told}; changes against {tables.label(against)}")
     for line in tables.run_table(result, against):
         typer.echo(line)

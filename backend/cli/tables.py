@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence, Set
 from typing import Any
 
-from backend.client import Outcome, RunResult
+from backend.client import Interval, Outcome, RunResult
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -19,7 +19,7 @@ def run_table(run: RunResult, baseline: str) -> Iterator[str]:
         header = "".join(f"{f'{SIGNALS[s].label} [{SIGNALS[s].unit}]':>36}" for s in PAPER_SIGNALS)
         yield f"{'':26}{header}"
         for outcome in ran:
-            cells = "".join(_cell(outcome, base, f"{window}.{s}.{statistic}") for s in PAPER_SIGNALS)
+            cells = "".join(_cell(run, outcome, base, (window, s, statistic)) for s in PAPER_SIGNALS)
             yield f"{label(outcome.strategy):26}{cells}"
     yield f"\n{'':26}{'travel time':>14}{'at the bump':>14}{'airborne':>12}{'over travel':>14}{'QPs':>8}{'run':>12}"
     for outcome in ran:
@@ -66,9 +66,18 @@ def aligned(heads: Sequence[str], rows: Sequence[Sequence[str]], left: Set[int])
         yield "  ".join(cells).rstrip()
 
 
-def _cell(outcome: Outcome, base: Outcome | None, figure: str) -> str:
-    value = outcome.figures()[figure]
+def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, place: tuple[str, str, str]) -> str:
+    """A metric and its change; over several roads both with half their interval's width."""
+    window, signal, statistic = place
+    value = outcome.figures()[".".join(place)]
     assert isinstance(value, float | int)  # noqa: S101  # a metric
-    reference = base.figures()[figure] if base is not None and base is not outcome else None
+    told = f"{value:.4g}"
+    if run.roads > 1:
+        told = str(outcome.metrics[window][signal]["rms" if statistic == "rms" else "peak"])
+        change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
+        if isinstance(change, Interval):
+            told += f" ({change.mean:+.1f} ± {change.half:.1f} %)"
+        return f"{told:>36}"
+    reference = base.figures()[".".join(place)] if base is not None and base is not outcome else None
     against = f" ({100 * (value - reference) / reference:+.1f} %)" if reference else ""
-    return f"{f'{value:.4g}{against}':>36}"
+    return f"{told + against:>36}"

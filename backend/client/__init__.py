@@ -3,7 +3,7 @@
 It needs httpx alone; NumPy is imported when time histories are asked for. docs/api.md shows it at work.
 """
 
-from backend.client.answers import LinkedResult, Outcome, RunResult, Stage, Statistics
+from backend.client.answers import Interval, LinkedResult, Outcome, RunResult, Stage, Statistics
 from backend.client.batch import Batch
 from backend.client.errors import ErrorPlace, RidelabAPIError, RidelabClientError, RidelabConnectionError
 from backend.client.ridelab import Link, Ridelab
@@ -12,6 +12,7 @@ from backend.client.tuning import Tuning
 __all__ = [
     "Batch",
     "ErrorPlace",
+    "Interval",
     "Link",
     "LinkedResult",
     "Outcome",

@@ -9,13 +9,33 @@ from backend.client.batch import Batch
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES, SIGNALS, STATISTICS, WINDOWS
 
 Figure = float | bool | None
+_AVERAGED = {"metrics", "comfort"}
+_INTERVAL = {"mean", "low", "high"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Interval:
+    """A mean over roads, or a change of means [%], with its 95 % interval."""
+
+    mean: float
+    low: float
+    high: float
+
+    def __repr__(self) -> str:
+        """Such as `1.09 ± 0.16`."""
+        return f"{self.mean:.4g} ± {self.half:.2g}"
+
+    @property
+    def half(self) -> float:
+        """Half the interval's width."""
+        return self.high - self.mean
 
 
 class Statistics(TypedDict):
-    """One signal in one window, in the signal's unit."""
+    """One signal in one window, in the signal's unit; over several roads means with their intervals."""
 
-    rms: float
-    peak: float
+    rms: float | Interval
+    peak: float | Interval
 
 
 class Stage(TypedDict):
@@ -51,8 +71,8 @@ class Outcome:
         reason: Why not, where it failed.
         cached: Not computed for this request; None where the answer does not tell.
         compute_ms: The worker's own time [ms].
-        metrics: window -> signal -> statistic.
-        comfort: ISO 2631-1 and what stands beside it.
+        metrics: window -> signal -> statistic; an `Interval` each where the run is over several roads.
+        comfort: ISO 2631-1 and what stands beside it; likewise.
         events: Counts, times, true or false; None where it does not apply.
         reference: Lines a plot draws.
         stages: The driving stages in order.
@@ -66,7 +86,7 @@ class Outcome:
     reason: str | None = None
     cached: bool | None = None
     metrics: Mapping[str, Mapping[str, Statistics]] = field(default_factory=dict)
-    comfort: Mapping[str, float] = field(default_factory=dict)
+    comfort: Mapping[str, float | Interval] = field(default_factory=dict)
     events: Mapping[str, Figure] = field(default_factory=dict)
     reference: Mapping[str, float | None] = field(default_factory=dict)
     stages: list[Stage] = field(default_factory=list)
@@ -77,21 +97,35 @@ class Outcome:
     def of(cls, strategy: str, answer: Mapping[str, Any]) -> Self:
         """The outcome in a run's answer; what a newer service tells beside it is passed over."""
         known = {key: value for key, value in answer.items() if key in cls.__dataclass_fields__ and key != "strategy"}
-        return cls(strategy=strategy, **known)
+        return cls(strategy=strategy, **{**known, **{key: _read(known[key]) for key in _AVERAGED & known.keys()}})
 
     def figures(self) -> dict[str, Figure]:
-        """Every figure by its flat name, as the columns of a batch's table are named; empty where it failed."""
+        """Every figure by its flat name, as the columns of a batch's table are named; empty where it failed.
+
+        Over several roads they are the means.
+        """
         if self.status != "ok":
             return {}
         found: dict[str, Figure] = {
-            f"{window}.{signal}.{statistic}": value
+            f"{window}.{signal}.{statistic}": _mean(value)
             for window, signals in self.metrics.items()
             for signal, statistics in signals.items()
             for statistic, value in (("rms", statistics["rms"]), ("peak", statistics["peak"]))
         }
-        found |= {f"comfort.{key}": value for key, value in self.comfort.items()}
+        found |= {f"comfort.{key}": _mean(value) for key, value in self.comfort.items()}
         found |= {f"events.{key}": value for key, value in self.events.items()}
         return {**found, "travel_time": self.travel_time, "arrival_speed_kmh": self.arrival_speed_kmh}
+
+
+def _read(value: Any) -> Any:
+    """Numbers by name, in mappings of any depth, with an `Interval` for each `{"mean", "low", "high"}`."""
+    if not isinstance(value, Mapping):
+        return value
+    return Interval(**value) if value.keys() == _INTERVAL else {key: _read(item) for key, item in value.items()}
+
+
+def _mean(value: float | Interval) -> float:
+    return value.mean if isinstance(value, Interval) else value
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,6 +137,10 @@ class RunResult:
         core_version: What computed it.
         scenario: All of it, defaults included.
         strategies: Outcomes by strategy id, in the catalogue's order.
+        roads: How many roads every strategy drove; seeds `road.seed`, `road.seed` + 1, ...
+        baseline: What the changes refer to; None for a run of one road.
+        changes: strategy -> window (or `comfort`) -> signal -> statistic: paired change of the mean against the
+            baseline [%]; None against a zero. Empty for a run of one road.
         answer: The JSON as the service sent it.
     """
 
@@ -110,6 +148,9 @@ class RunResult:
     core_version: str
     scenario: dict[str, Any]
     strategies: dict[str, Outcome]
+    roads: int = 1
+    baseline: str | None = None
+    changes: Mapping[str, Any] = field(default_factory=dict, repr=False)
     answer: dict[str, Any] = field(repr=False)
 
     @classmethod
@@ -124,6 +165,9 @@ class RunResult:
             core_version=answer["core_version"],
             scenario=answer["scenario"],
             strategies={name: Outcome.of(name, entry) for name, entry in answer["strategies"].items()},
+            roads=answer.get("roads", 1),
+            baseline=answer.get("baseline"),
+            changes=_read(answer.get("changes", {})),
             answer=dict(answer),
         )
 

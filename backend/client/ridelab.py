@@ -94,18 +94,29 @@ class Ridelab:
         """
         return self._http.json("GET", f"{API}{path}")
 
-    def run(self, scenario: "Mapping[str, Any] | Scenario", strategies: Sequence[str]) -> RunResult:
+    def run(
+        self,
+        scenario: "Mapping[str, Any] | Scenario",
+        strategies: Sequence[str],
+        *,
+        roads: int = 1,
+        baseline: str | None = None,
+    ) -> RunResult:
         """Run what is not stored yet.
 
         Args:
             scenario: An omitted part takes the paper's value.
             strategies: Ids.
+            roads: How many roads every strategy drives, seeds `road.seed`, `road.seed` + 1, ...; metrics are then
+                `Interval`s, means with their 95 % interval.
+            baseline: The strategy that changes over several roads refer to; None is passive, or the first one where
+                passive does not run.
 
         Raises:
             RidelabAPIError: The service refused.
             RidelabConnectionError: No answer, or not Ridelab's.
         """
-        body = {"scenario": scenario, "strategies": list(strategies)}
+        body = {"scenario": scenario, "strategies": list(strategies), "roads": roads, "baseline": baseline}
         return self._run(self._http.json("POST", f"{API}/runs", body=body))
 
     def get_run(self, run_id: str) -> RunResult:

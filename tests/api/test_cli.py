@@ -44,6 +44,32 @@ def test_run_prints_the_cores_own_table(cli: Cli, scenario: Path, capfdbinary: p
     assert printed.startswith(f"Ridelab core {__version__}, {scenario}; changes against Passive")
 
 
+def test_run_over_several_roads_prints_means_intervals_and_paired_changes(
+    cli: Cli, scenario: Path, tmp_path: Path
+) -> None:
+    words = ("run", scenario, "--strategy", "lv,lqr,passive", "--roads", "3", "--baseline", "lqr")
+    printed = cli(*words)
+    assert printed.startswith(f"Ridelab core {__version__}, {scenario}, 3 roads (seeds 1 to 3); changes against LQR")
+    run = json.loads(cli(*words, "--json"))
+    assert (run["roads"], run["baseline"]) == (3, "lqr")
+    lv, change = (
+        where["lv"]["bump"]["body_acceleration"]["peak"]
+        for where in ({"lv": run["strategies"]["lv"]["metrics"]}, run["changes"])
+    )
+    half, doubt = lv["high"] - lv["mean"], change["high"] - change["mean"]
+    assert f"{lv['mean']:.4g} ± {half:.2g} ({change['mean']:+.1f} ± {doubt:.1f} %)" in printed
+    saved = tmp_path / "saved.json"
+    saved.write_text(json.dumps(run), encoding="utf-8")
+    again = cli("compare", saved, scenario)
+    assert "Equal within the tolerance: 210 figures" in again, "the other side drives as many roads"
+    assert "mean of 3 roads" in again
+    for wrong, says in (("0", "greater than or equal to 1"), ("51", "less than or equal to 50"), ("3.5", "integer")):
+        cli("run", "--roads", wrong, code=2)
+        assert says in cli.error
+    cli("run", "--strategy", "lv", "--roads", "2", "--baseline", "lqr", code=2)
+    assert cli.error.startswith("--baseline: one of the strategies that run")
+
+
 def test_a_run_can_be_named_in_every_way(cli: Cli, client: httpx.Client, scenario: Path, tmp_path: Path) -> None:
     address = cli("run", scenario, "--strategy", "lv,passive", "--set", "road.seed=3").splitlines()[-1]
     assert address.startswith(f"{client.base_url}/r/".replace("//r", "/r"))

@@ -14,7 +14,7 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
-from backend.client import Batch, Ridelab, RidelabAPIError, RidelabConnectionError, RunResult
+from backend.client import Batch, Interval, Ridelab, RidelabAPIError, RidelabConnectionError, RunResult
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
@@ -58,6 +58,31 @@ def test_a_run_is_what_the_core_computes(ridelab: Ridelab, shared: RunResult) ->
     again = ridelab.run(SHORT.model_dump(mode="json"), ["lv", "passive"])
     assert again["lv"].cached is True
     assert again.id == shared.id
+
+
+def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab) -> None:
+    run = ridelab.run(SHORT, ["lv", "lqr", "passive"], roads=3, baseline="lqr")
+    assert (run.roads, run.baseline) == (3, "lqr")
+    singles = [
+        ridelab.run(SHORT.model_copy(update={"road": SHORT.road.model_copy(update={"seed": seed})}), ["lv"])["lv"]
+        for seed in (1, 2, 3)
+    ]
+    name = "bump.body_acceleration.peak"
+    values = [outcome.figures()[name] for outcome in singles]
+    peak = run["lv"].metrics["bump"]["body_acceleration"]["peak"]
+    assert isinstance(peak, Interval)
+    assert peak.mean == pytest.approx(np.mean(values))
+    assert peak.low < peak.mean < peak.high
+    assert repr(peak) == f"{peak.mean:.4g} ± {peak.high - peak.mean:.2g}"
+    assert run["lv"].figures()[name] == peak.mean
+    assert isinstance(run["lv"].comfort["weighted_rms"], Interval)
+    assert set(run.changes) == {"lv", "passive"}
+    assert run.changes["lv"]["bump"]["body_acceleration"]["peak"].mean < 0
+    assert run.changes["lv"]["comfort"]["weighted_rms"].half > 0
+    assert ridelab.get_run(run.id).changes == run.changes
+    assert len(repr(run)) < 2 * len(repr(ridelab.run(SHORT, ["lv", "lqr", "passive"])))
+    with pytest.raises(RidelabAPIError, match="One of the strategies"):
+        ridelab.run(SHORT, ["lv"], roads=3, baseline="lqr")
 
 
 def test_units_are_those_of_the_services_catalogue(ridelab: Ridelab, shared: RunResult) -> None:
