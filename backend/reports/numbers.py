@@ -51,16 +51,23 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def percent(change: float, half: float = 0.0) -> str:
-    """`−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−43.7 ± 2.1 %`."""
+    """`−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−44 ± 2 %`."""
     if not isfinite(change):
         return NO_VALUE
+    size, sign = abs(change), "−" if change < 0 else "+"
     if half:
-        return f"{percent(change).removesuffix(f'{_THIN}%')} ± {half:.{1 if half < 99.95 else 0}f}{_THIN}%"
-    size = abs(change)
+        decimals = 1 if size < 99.95 and half < 0.95 else 0
+        return f"{sign}{size:.{decimals}f} ± {half:.{decimals}f}{_THIN}%"
     if size < SAME:
         return f"±0.0{_THIN}%"
     digits = f"{size:.1f}" if size < 99.95 else f"{size:.0f}" if size < 9999.5 else ">9999"
-    return f"{'−' if change < 0 else '+'}{digits}{_THIN}%"
+    return f"{sign}{digits}{_THIN}%"
+
+
+def plus_minus(shown: str, half: float) -> str:
+    """A shown result with half its interval's width: as many decimals, more only where it would be 0."""
+    text = f"{half:.{len(shown.partition('.')[2])}f}"
+    return f"{shown} ± {significant(half, 1) if float(text) == 0 or '×' in shown else text}"
 
 
 def told(value: Any) -> str:

@@ -10,7 +10,18 @@ from backend.reports import inputs
 from backend.reports.doubts import doubts
 from backend.reports.drawings import caption, framed
 from backend.reports.keys import key_of, label
-from backend.reports.numbers import NO_VALUE, NOTHING, SAME, exact, percent, pretty_unit, significant, told, with_unit
+from backend.reports.numbers import (
+    NO_VALUE,
+    NOTHING,
+    SAME,
+    exact,
+    percent,
+    plus_minus,
+    pretty_unit,
+    significant,
+    told,
+    with_unit,
+)
 from backend.reports.page import Report, render
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
@@ -194,7 +205,7 @@ def _cell(name: str, value: Any, change: tuple[float, float] | None, scale: floa
     return {
         "name": name,
         "raw": value,
-        "shown": f"{shown} ± {significant(half * (scale or 1), 2)}" if half > NOTHING else shown,
+        "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
         "change": None if change is None else percent(percentage, doubt),
         "verdict": "" if abs(percentage) < max(SAME, doubt) else "better" if percentage < 0 else "worse",
     }

@@ -138,7 +138,8 @@ def older_run(server: Server, run_id: str, *, factor: float, pinned: bool) -> st
     old_id = secrets.token_urlsafe(16)
     with sqlite3.connect(server.database, timeout=20) as connection:
         connection.execute(
-            "INSERT INTO runs SELECT ?, ?, schema_version, scenario, created_at FROM runs WHERE id = ?",
+            "INSERT INTO runs (id, core_version, schema_version, scenario, created_at)"
+            " SELECT ?, ?, schema_version, scenario, created_at FROM runs WHERE id = ?",
             [old_id, OLD_VERSION, run_id],
         )
         results = connection.execute(

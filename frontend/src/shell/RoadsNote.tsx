@@ -10,9 +10,9 @@ export function RoadsNote({ scene: { shown, baseline } }: { readonly scene: Scen
   if (over === null) return null;
   const seed = getAt(scenario, "/road/seed");
   return (
-    <Text size="sm" className={classes.roadsNote ?? ""} data-testid="roads">
-      Mean of {over.roads} roads with its 95 % interval{over.baseline === baseline ? "; changes are paired, those whose interval holds zero have no arrow" : ""}. Curves and
-      events: road seed {typeof seed === "number" ? seed : "?"}.
+    <Text size="xs" c="dimmed" className={classes.roadsNote ?? ""} data-testid="roads">
+      Mean of {over.roads} roads ± 95 % interval{over.baseline === baseline ? "; changes are paired, no arrow where the interval includes zero" : ""}. Curves and events: road seed{" "}
+      {typeof seed === "number" ? seed : "?"}.
     </Text>
   );
 }

@@ -1,7 +1,7 @@
 /** A result in its unit: plain, or the mean over several roads with half its 95 % interval's width. */
 
 import type { Interval } from "../api/types";
-import { formatResult, isNothing } from "../units/format";
+import { formatHalf, formatResult, isNothing, NO_VALUE } from "../units/format";
 import classes from "./tables.module.css";
 
 interface Props {
@@ -13,10 +13,11 @@ interface Props {
 
 export function Estimated({ value, interval, scale }: Props) {
   const half = interval ? (interval.high - interval.mean) * scale : 0;
+  const shown = typeof value === "number" ? formatResult(value * scale) : NO_VALUE;
   return (
     <span className={classes.value}>
-      {typeof value === "number" ? formatResult(value * scale) : "–"}
-      {!isNothing(half) && <span className={classes.half}> ± {formatResult(half, 2)}</span>}
+      {shown}
+      {!isNothing(half) && <span className={classes.half}>{`\u2009±\u2009${formatHalf(half, shown)}`}</span>}
     </span>
   );
 }

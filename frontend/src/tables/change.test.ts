@@ -24,6 +24,7 @@ describe("a change over several roads", () => {
     expect(pairedChange({ mean: -40, low: -43, high: -37 })).toEqual({ percent: -40, half: 3, verdict: "better" });
     expect(pairedChange({ mean: 4, low: 1, high: 7 }).verdict).toBe("worse");
     expect(pairedChange({ mean: -4, low: -9, high: 1 }).verdict).toBe("same");
-    expect(formatPercent(-40, 3)).toBe("−40.0 ± 3.0\u2009%");
+    expect(formatPercent(-40, 3)).toBe("−40\u2009±\u20093\u2009%");
+    expect(formatPercent(-93.11, 0.42)).toBe("−93.1\u2009±\u20090.4\u2009%");
   });
 });

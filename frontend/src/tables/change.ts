@@ -30,10 +30,11 @@ export function pairedChange({ mean, low, high }: Interval): Change {
   return { percent: mean, half: high - mean, verdict: open ? "same" : mean < 0 ? "better" : "worse" };
 }
 
-const digitsOf = (size: number) => (size < 99.95 ? size.toFixed(1) : size < 9999.5 ? size.toFixed(0) : ">9999");
-
-/** `−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−43.7 ± 2.1 %`. */
+/** `−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−44 ± 2 %`. */
 export function formatPercent(percent: number, half = 0): string {
   const sign = percent < 0 ? "−" : percent > 0 ? "+" : "±";
-  return `${sign}${digitsOf(Math.abs(percent))}${half > 0 ? ` ± ${digitsOf(half)}` : ""}\u2009%`;
+  const size = Math.abs(percent);
+  const decimals = size < 99.95 && half < 0.95 ? 1 : 0;
+  const digits = size < 9999.5 ? size.toFixed(decimals) : ">9999";
+  return `${sign}${digits}${half > 0 ? `\u2009±\u2009${half.toFixed(decimals)}` : ""}\u2009%`;
 }

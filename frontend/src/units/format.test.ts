@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { count, formatExact, formatFixed, formatInput, formatNumber, formatResult, parseInput, prettyUnit } from "./format";
+import { count, formatExact, formatHalf, formatFixed, formatInput, formatNumber, formatResult, parseInput, prettyUnit } from "./format";
 
 describe("numbers", () => {
   it("are shown with significant digits", () => {
@@ -42,4 +42,11 @@ describe("units", () => {
   it("are set with real exponents", () => {
     expect(["m^3", "kg·m^2", "1/N^2", "m/s^1.75", "1"].map(prettyUnit)).toEqual(["m³", "kg·m²", "1/N²", "m/s¹·⁷⁵", ""]);
   });
+});
+
+it("half an interval's width has the decimals of what it stands behind", () => {
+  expect(formatHalf(0.0066, "0.163")).toBe("0.007");
+  expect(formatHalf(0.29, "10.0")).toBe("0.3");
+  expect(formatHalf(75.2, "816")).toBe("75");
+  expect(formatHalf(0.004, "10.0")).toBe("0.004");
 });

@@ -44,6 +44,12 @@ export function formatResult(value: number, digits = 3): string {
   return isNothing(value) ? "0" : formatNumber(value, digits);
 }
 
+/** Half an interval's width, to stand behind `result`: as many decimals as that has, more only where it would be 0. */
+export function formatHalf(half: number, result: string): string {
+  const text = half.toFixed(/\.(\d+)$/.exec(result)?.[1]?.length ?? 0);
+  return Number(text) === 0 || result.includes("×") ? formatNumber(half, 1) : text;
+}
+
 /** A fixed number of decimals; what rounds to zero has no sign. */
 export function formatFixed(value: number, decimals: number): string {
   const text = value.toFixed(decimals);

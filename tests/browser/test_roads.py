@@ -1,0 +1,72 @@
+"""A run over several roads on the page: means, intervals, paired changes, and whose curves they are."""
+
+import re
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.server import Server
+
+PEAK = '[data-cell="bump.body_acceleration.peak"]'
+
+
+@pytest.fixture(scope="module")
+def run_id(server: Server) -> str:
+    body = {"scenario": {"road": {"seed": 7}}, "strategies": ["lv", "lqr", "passive"], "roads": 3, "baseline": "lqr"}
+    return str(server.post("/runs", body)["id"])
+
+
+def test_a_stored_run_opens_with_its_statistics(dashboard: Dashboard, server: Server, run_id: str) -> None:
+    dashboard.open(f"/r/{run_id}")
+    run = server.get(f"/runs/{run_id}")
+    note = dashboard.page.get_by_test_id("roads")
+    expect(note).to_contain_text("Mean of 3 roads")
+    expect(note).to_contain_text("road seed 7")
+    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
+    expect(dashboard.page.get_by_label("Roads")).to_have_value("3")
+    for strategy, entry in run["strategies"].items():
+        cell = dashboard.row(strategy).locator(PEAK)
+        interval = entry["metrics"]["bump"]["body_acceleration"]["peak"]
+        expect(cell).to_have_attribute("data-value", re.compile(re.escape(f"{interval['mean']:.6f}"[:6])))
+        expect(cell).to_contain_text(
+            f"±\u2009{interval['high'] - interval['mean']:.{3 if interval['mean'] < 1 else 2}f}"
+        )
+    change = run["changes"]["lv"]["bump"]["body_acceleration"]["peak"]
+    half = change["high"] - change["mean"]
+    expect(dashboard.row("lv").locator(PEAK)).to_contain_text(
+        f"−{abs(change['mean']):.0f}\u2009±\u2009{half:.0f}\u2009%"
+    )
+    dashboard.page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
+    expect(dashboard.page.locator('[data-cell="lv.weighted_rms"]')).to_contain_text("±")
+    dashboard.expect_no_wider(1440, 820, 400)
+    dashboard.expect_accessible()
+
+
+def test_another_baseline_is_asked_for_its_paired_changes(dashboard: Dashboard, run_id: str) -> None:
+    dashboard.open(f"/r/{run_id}")
+    dashboard.row("passive").get_by_role("button", name="Passive").click()
+    expect(dashboard.row("passive")).to_have_attribute("data-baseline", "true")
+    expect(dashboard.row("lv").locator(PEAK)).to_contain_text(re.compile(r"−[\d.]+\u2009±\u2009\d"))
+    expect(dashboard.row("lqr").locator(PEAK)).to_contain_text(re.compile(r"−[\d.]+\u2009±\u2009\d"))
+    assert run_id not in dashboard.page.url
+
+
+def test_the_number_of_roads_is_chosen_in_the_lab(dashboard: Dashboard) -> None:
+    dashboard.open()
+    note = dashboard.page.get_by_test_id("roads")
+    expect(note).to_have_count(0)
+    dashboard.page.get_by_label("Roads").select_option("5")
+    expect(note).to_contain_text("Mean of 5 roads")
+    dashboard.expect_curves()
+    dashboard.page.get_by_label("Roads").select_option("1")
+    expect(note).to_have_count(0)
+
+
+def test_a_shared_link_shows_the_same(dashboard: Dashboard, server: Server, run_id: str) -> None:
+    slug = server.post("/links", {"run_id": run_id})["slug"]
+    dashboard.open(f"/s/{slug}")
+    expect(dashboard.page.get_by_test_id("roads")).to_contain_text("Mean of 3 roads")
+    expect(dashboard.page.get_by_label("Roads")).to_be_disabled()
+    dashboard.page.get_by_role("button", name="Run again on this version").click()
+    expect(dashboard.page.get_by_text("No differences")).to_be_visible()
