@@ -15,8 +15,9 @@ from sim_core.scenario import Scenario, reference
 from sim_core.scenario.presets import PRESETS, preset
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
-from sim_core.study import errata
+from sim_core.study import causes, errata
 from sim_core.study.margins import change, margins, mean_metrics
+from sim_core.study.paper import SEEDS
 
 _COLUMNS = (("rough_road", "rms", "RMS on the rough road"), ("bump", "peak", "peak on the bump"))
 
@@ -38,12 +39,17 @@ def main(arguments: list[str] | None = None) -> int:
     check.add_argument("--preview", default="lookahead", choices=("lookahead", "wheelbase", "none"))
     commands.add_parser("fields", help="the scenario's reference page, docs/scenario.md")
     commands.add_parser("errata", help="the paper's errata, docs/errata.md")
+    why = commands.add_parser("causes", help="why printed changes do not come out, cell by cell")
+    why.add_argument("--seeds", type=int, default=SEEDS, help=f"roads 1 to this ({SEEDS})")
     chosen = parser.parse_args(arguments)
     try:
         if chosen.command == "margins":
             _print_margins(chosen.seeds, chosen.preview)
         elif chosen.command == "fields":
             print(reference.page(), end="")
+        elif chosen.command == "causes":
+            for line in causes.page(range(1, chosen.seeds + 1)):
+                print(line)
         elif chosen.command == "errata":
             print(errata.page(), end="")
         else:

@@ -166,7 +166,7 @@ class Mpc(Part):
         5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000
     )
     deflection_weight: float = quantity(
-        3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000
+        3, "1", "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.", soft=(0, 10), ge=0, le=1000
     )
     force_weight: float = quantity(
         1e-9,
@@ -192,7 +192,7 @@ class Lqr(Part):
 
     weights: Weights = weights((1, 1, 1), "Weights", "Equal, as in the paper.")
     deflection_weight: float = quantity(
-        3, "1", "Travel weight", "q4 (ours); 0 is the paper's literal cost.", soft=(0, 10), ge=0, le=1000
+        3, "1", "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.", soft=(0, 10), ge=0, le=1000
     )
     preview: Preview = Field(
         "none",

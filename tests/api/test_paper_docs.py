@@ -11,6 +11,10 @@ import pytest
 
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
+from sim_core.study import causes
+from sim_core.study.interpretations import INTERPRETATIONS
+from sim_core.study.paper import SEEDS, WINDOW
+from sim_core.study.readings import READINGS
 
 PAGE = Path(__file__).parents[2] / "docs" / "paper.md"
 SIGNAL_NAMES = {key: item.label for key, item in SIGNALS.items()}
@@ -22,6 +26,39 @@ def counts(answer: dict[str, Any]) -> Iterator[str]:
 
     yield f"With the road ahead known to the MPC: **{told(answer['reached'], answer['counts'])}**. Without preview: "
     yield f"**{told(answer['without_preview']['reached'], answer['without_preview']['counts'])}**."
+
+
+def sets(answer: dict[str, Any]) -> Iterator[str]:
+    yield "| roads | interpretation | reached | simulated | ECU, ±8 % | within ±10 points | printed in our interval |"
+    yield "|---|---|---:|---:|---:|---:|---:|"
+    yield from set_rows(answer)
+
+
+def set_rows(answer: dict[str, Any]) -> Iterator[str]:
+    roads = f"{answer['first_seed']}-{answer['first_seed'] + answer['seeds'] - 1}"
+    for item in answer["interpretations"]:
+        parts = (item, item["simulated"], item["ecu"])
+        counted = " | ".join(f"{part['reached']} of {part['total']}" for part in parts)
+        near = item["agreement"]
+        yield (
+            f"| {roads} | {item['id']} | {counted} | {near['within']} of {near['cells']} "
+            f"| {near['in_interval']} of {near['cells']} |"
+        )
+
+
+def windows(client: httpx.Client) -> Iterator[str]:
+    """Cells reached under each choice of the reading `window`, which changes no run."""
+    yield "| interpretation | `window=to_bump` | `window=class_b` | `window=full_course` |"
+    yield "|---|---:|---:|---:|"
+    for name in INTERPRETATIONS:
+        for without, label in (({}, name), ({"preview": "none"}, f"{name}, `preview=none`")):
+            found = []
+            for choice in READINGS[WINDOW].choices:
+                query = {"interpretation": name, "window": choice.id, **without}
+                answer = client.get("/api/v1/paper", params=query, timeout=120).json()
+                simulated, in_ecu = (answer[part]["reached"] for part in ("simulated", "ecu"))
+                found.append(f"{answer['reached']} ({simulated} + {in_ecu})")
+            yield f"| {label} | {' | '.join(found)} |"
 
 
 def verdicts(answer: dict[str, Any]) -> Iterator[str]:
@@ -78,11 +115,42 @@ def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
     answer = client.get("/api/v1/paper", timeout=120).json()
     page = PAGE.read_text(encoding="utf-8")
     blocks = {"counts": counts(answer), "verdicts": verdicts(answer)}
+    blocks["sets"] = sets(answer)
     blocks["sentences"] = (f"- {line}" for line in client.get("/api/v1/paper/attribution").json()["sentences"])
     if os.environ.get("UPDATE_DOCS"):  # what each switch does takes a minute or two: not in every run
         while not (found := client.get("/api/v1/paper/readings", timeout=120).json())["complete"]:
             pass
         blocks["readings"] = readings(answer, found["rows"])
+        fresh = client.get("/api/v1/paper", params={"first_seed": 21, "seeds": 40}, timeout=300).json()
+        blocks["fresh"] = sets(fresh)
+        blocks["windows"] = windows(client)
         PAGE.write_text(with_blocks(page, blocks), encoding="utf-8")
     else:
         assert with_blocks(page, blocks) == page
+
+
+@pytest.mark.usefixtures("reproduced")
+def test_the_readme_names_both_counts(client: httpx.Client) -> None:
+    answer = client.get("/api/v1/paper", timeout=120).json()
+    default, favourable = answer["interpretations"]
+    text = " ".join((PAGE.parents[1] / "README.md").read_text(encoding="utf-8").split())
+    (own, own_ecu), (other, other_ecu) = (
+        (item["simulated"]["reached"], item["ecu"]["reached"]) for item in (default, favourable)
+    )
+    for said in (
+        f"{default['reached']} are reached as Ridelab reads it, {own} of 40 simulated changes and {own_ecu} of 8 on",
+        f"{favourable['reached']} are reached by the favourable set of readings, {other} of 40 and {other_ecu} of 8",
+        f"lie {default['agreement']['within']} and {favourable['agreement']['within']} of the 40",
+        f"controller {answer['without_preview']['reached']} are reached",
+    ):
+        assert said in text
+    assert default["agreement"]["in_interval"] == favourable["agreement"]["in_interval"] == 0
+
+
+def test_the_page_shows_what_the_command_of_the_causes_prints() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    block = {"causes": causes.page(range(1, SEEDS + 1))}
+    if os.environ.get("UPDATE_DOCS"):
+        PAGE.write_text(with_blocks(page, block), encoding="utf-8")
+    else:
+        assert with_blocks(page, block) == page

@@ -11,10 +11,12 @@ from scipy import stats
 
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
-from sim_core.scenario import Scenario
+from sim_core.scenario import Road, Scenario, Vehicle
 from sim_core.scenario.dotted import field
+from sim_core.simulate import simulate
 from sim_core.study import paper
 from sim_core.study.attribution import FACTORS, VARIANTS, shares
+from sim_core.study.causes import CAUSES, changes, least_change
 from sim_core.study.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
 from sim_core.study.intervals import change_with_interval, mean_with_interval
 from sim_core.study.paper import FIGURES, Verdict, judge, scenario_for, verdict
@@ -203,6 +205,65 @@ def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
     # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
     found = paper.agreement(judged)
     assert (found.cells, found.within, found.in_interval) == (40, 6, 0)
+
+
+@pytest.mark.parametrize(
+    ("speed_only", "road", "least"),
+    [
+        (0.0, -20.0, -40.0),  # R = 0.8, S = 1: T = 0.6
+        (8.45, -20.995, -31.5),
+        (25.0, -25.0, -20.0),  # R = 0.75, S = 1.25: R/S = 0.6, T/S = 0.8
+        (8.45, 8.45, -100.0),  # no load transfer: nothing that LV could not take away
+    ],
+)
+def test_the_least_change_that_load_transfer_leaves(speed_only: float, road: float, least: float) -> None:
+    assert least_change(speed_only, road) == pytest.approx(least, abs=0.05)
+
+
+def test_load_transfer_bounds_the_front_tyre_under_every_controller() -> None:
+    """On a smooth road load transfer is all there is: no controller gets the front tyre 3 % below speed control."""
+    scenario = Scenario(road=Road(roughness=0))
+    rms = {
+        name: simulate(scenario, name).metrics["rough_road"]["front_tyre_load"]["rms"]
+        for name in ("speed_only", "lv", "lqr")
+    }
+    assert rms["speed_only"] > 200
+    for name in ("lv", "lqr"):
+        assert rms[name] == pytest.approx(rms["speed_only"], rel=0.03), name
+
+
+def test_a_load_transfer_needs_a_part_beside_the_road_s() -> None:
+    with pytest.raises(ValueError, match="at most"):
+        least_change(-10, -5)
+
+
+def test_every_cause_has_cells_and_changes_fields_that_exist() -> None:
+    for cause in CAUSES:
+        assert [cell.signal for cell in cause.cells] == list(cause.signals)
+        first, *others = cause.variations
+        assert (dict(first.changes), first.stretches) == ({}, None)
+        assert others
+        for variation in others:
+            for name, value in variation.changes.items():
+                field(name).checked(value)
+
+
+def test_a_cause_is_shown_by_runs_that_anyone_can_repeat() -> None:
+    """Table 4's front tyre without the braking moment, from two runs a road."""
+    cause, variation = CAUSES[0], CAUSES[0].variations[1]
+    assert variation.label == "`vehicle.cg_height=0`"
+    means = [
+        np.mean(
+            [
+                simulate(Scenario(road=Road(seed=seed), vehicle=Vehicle(cg_height=0)), name).metrics["rough_road"][
+                    "front_tyre_load"
+                ]["rms"]
+                for seed in (1, 2)
+            ]
+        )
+        for name in ("speed_only", "passive")
+    ]
+    assert changes(cause, variation, (1, 2)) == pytest.approx([100 * (means[0] / means[1] - 1)])
 
 
 def test_the_paper_s_strategies_are_among_the_combinations() -> None:
