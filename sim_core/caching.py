@@ -1,12 +1,14 @@
 """Results shared between runs, kept while they fit: caches bounded by the bytes of the arrays they hold."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import fields, is_dataclass
-from threading import RLock
-from typing import Any, ParamSpec, TypeVar
+from functools import wraps
+from threading import Lock
+from typing import ParamSpec, TypeVar
 
 import numpy as np
-from cachetools import LRUCache, cached
+from cachetools import LRUCache
 from cachetools.keys import hashkey
 
 P = ParamSpec("P")
@@ -28,9 +30,28 @@ def size(value: object) -> int:
 
 
 def cached_up_to(mebibytes: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
-    """Keep a pure function's latest results up to so many MiB; a larger one is not kept at all.
+    """Keep a pure function's latest results up to so many MiB, arguments counted; a larger one is not kept at all.
 
-    Arguments must be hashable; results are shared, so nobody may write into them.
+    An entry keeps its arguments alive, and their arrays with them, so they count as the result does. Arguments must be
+    hashable; results are shared, so nobody may write into them.
     """
-    cache: LRUCache[object, Any] = LRUCache(mebibytes * MEBIBYTE, getsizeof=lambda value: size(value) + _OVERHEAD)
-    return cached(cache, key=hashkey, lock=RLock())
+
+    def decorate(function: Callable[P, T]) -> Callable[P, T]:
+        entries: LRUCache[object, tuple[T, object]] = LRUCache(
+            mebibytes * MEBIBYTE, getsizeof=lambda entry: size(entry) + _OVERHEAD
+        )
+        lock = Lock()
+
+        @wraps(function)
+        def cached(*args: P.args, **kwargs: P.kwargs) -> T:
+            key = hashkey(*args, **kwargs)  # type: ignore[arg-type]  # whatever cannot be hashed fails here
+            with lock, suppress(KeyError):
+                return entries[key][0]
+            result = function(*args, **kwargs)
+            with lock, suppress(ValueError):  # larger than the whole cache
+                entries[key] = result, (args, tuple(kwargs.values()))
+            return result
+
+        return cached
+
+    return decorate

@@ -185,9 +185,9 @@ EVENTS = _catalogue(
         key="limited_steps",
         label="Steps with a limit active",
         unit="1",
-        description="control steps in which a force or travel limit shaped the command",
+        description="control steps, run-in included, in which a limit of force, travel or actuator shaped the command",
     ),
-    Quantity(key="qp_solves", label="QPs solved", unit="1"),
+    Quantity(key="qp_solves", label="QPs solved", unit="1", description="run-in included"),
     Quantity(
         key="qp_fallbacks",
         label="QP solver fallbacks",

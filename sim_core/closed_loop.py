@@ -12,7 +12,7 @@ import numpy as np
 
 from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.plant import Plant, plant
-from sim_core.control.controller import Controller, LinearLaw
+from sim_core.control.controller import BoolArray, Controller, LinearLaw
 from sim_core.control.making import make_controller
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive
@@ -82,13 +82,15 @@ class ClosedLoop:
             while k < last:
                 stop = min(k + block, last)
                 z = self._speculate(law, state, previous, feed[k - first : stop - first], k)
-                count = self._accepted(stage, z, k)
+                exact, free = self._limits_met(stage, z, k)
+                count = len(free) if free.all() else int(free.argmin())
                 states[k : k + count], commands[k : k + count] = z[:count, :n], z[1 : count + 1, n:]
                 state, previous = z[count, :n], z[count, n:]
                 k += count
                 block = min(2 * block, _LONGEST_BLOCK)
                 if k < stop:
-                    wanted = self._controller.step(k, stage, state[:STATES], previous)
+                    by_law = exact[count]  # then only the actuator's limits bind
+                    wanted = z[count + 1, n:] if by_law else self._controller.step(k, stage, state[:STATES], previous)
                     change = np.clip(wanted - previous, -self._most_change, self._most_change)
                     given = np.where(change == wanted - previous, wanted, previous + change)
                     previous = np.clip(given, -self._most_force, self._most_force)
@@ -107,17 +109,17 @@ class ClosedLoop:
         inputs[:, n:] = feed
         return _free_run(self._plant, law).run(np.concatenate([state, previous]), inputs)
 
-    def _accepted(self, stage: str, z: FloatArray, k: int) -> int:
-        """How many steps of a block speculated from step k on no limit would have changed."""
+    def _limits_met(self, stage: str, z: FloatArray, k: int) -> tuple[BoolArray, BoolArray]:
+        """In which steps of a block speculated from step k on the law is exact, and no limit at all binds (n,) each."""
         n = self._plant.size
         now, commands = z[:-1], z[1:, n:]
         measured = now if n == STATES else np.hstack([now[:, :STATES], now[:, n:]])
-        held = self._controller.holds(k, stage, measured, commands)
+        exact = free = self._controller.holds(k, stage, measured, commands)
         if np.isfinite(self._most_change):
-            held &= (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
+            free = free & (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
         if np.isfinite(self._most_force):
-            held &= (np.abs(commands) <= self._most_force).all(axis=1)
-        return len(held) if held.all() else int(held.argmin())
+            free = free & (np.abs(commands) <= self._most_force).all(axis=1)
+        return exact, free
 
 
 def drive_controller(

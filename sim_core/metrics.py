@@ -207,7 +207,7 @@ def _weights(segments: FloatArray) -> FloatArray:
 
 
 def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatArray:
-    """Largest magnitude of each signal in those blocks (10,)."""
+    """Largest magnitude of each signal in those blocks (signals,)."""
     found = np.zeros(len(table))
     for fine, commands in blocks:
         part = table[:, fine, commands]

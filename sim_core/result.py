@@ -68,14 +68,14 @@ class StrategyResult:
 
     Attributes:
         strategy: Strategy id.
-        metrics: window -> signal -> statistic -> value, SI units (signals.WINDOWS, METRIC_SIGNALS, STATISTICS).
-        comfort: signals.COMFORT key -> value.
-        events: signals.EVENTS key -> value (a count, a time, true/false or None).
-        reference: signals.REFERENCES key -> value, or None where it does not apply.
+        metrics: window -> signal -> statistic -> value, SI units (catalogue.WINDOWS, METRIC_SIGNALS, STATISTICS).
+        comfort: catalogue.COMFORT key -> value.
+        events: catalogue.EVENTS key -> value (a count, a time, true/false or None).
+        reference: catalogue.REFERENCES key -> value, or None where it does not apply.
         stages: The driving stages in order, without gaps.
         travel_time: Front axle from x = 0 to the road's end [s].
         arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
-        series: signals.SIGNALS key -> float64 array, all of one length, time ascending.
+        series: catalogue.SIGNALS key -> float64 array, all of one length, time ascending.
     """
 
     strategy: str

@@ -1,1 +1,1 @@
-"""The controllers behind one interface: passive, LQR, MPC; cost, quadratic programs, stability."""
+"""The controllers behind one interface: passive, LQR, MPC; cost, quadratic programs."""

@@ -12,6 +12,7 @@ from sim_core.errors import RidelabError
 from sim_core.result import FloatArray
 
 _DOUBLINGS = 60
+_SETTLED = 1e-9  # relative change of P in a last doubling that rounding may leave
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -46,6 +47,9 @@ def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: Float
 
     Chu, Fan, Lin and Wang 2004 (Int. J. Control 77): k passes cover 2^k steps. SciPy's solver reorders a Schur form,
     which fails for some ordinary cars with q4 = 0 (docs/decisions/0003-riccati-by-doubling.md).
+
+    Raises:
+        RidelabError: It did not settle.
     """
     into = np.linalg.solve(R, np.hstack([N.T, B.T]))
     n = len(A)
@@ -57,10 +61,12 @@ def riccati(A: FloatArray, B: FloatArray, Q: FloatArray, R: FloatArray, N: Float
         G = G + A @ solved[:, n:] @ A.T
         A = A @ solved[:, :n]
         G, grown = (G + G.T) / 2, (grown + grown.T) / 2
-        still = np.abs(grown - H).max() <= 1e-15 * np.abs(grown).max()
+        change = np.abs(grown - H).max() / np.abs(grown).max()
         H = grown
-        if still:
-            break
+        if change <= 1e-15:
+            return H
+    if not change <= _SETTLED:
+        raise RidelabError("No stabilising controller was found for these weights and this vehicle")
     return H
 
 

@@ -1,4 +1,4 @@
-"""Model predictive suspension control (Eq. 8-15 with the errata of docs/physics.md).
+"""Model predictive suspension control (Eq. 8-15 with the errata of docs/errata.md).
 
 Everything that does not depend on the state is reckoned once per design and kept: the QP's matrices, and the law
 that solves it wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import osqp
 
 SolverName = Literal["daqp", "osqp"]
-TOLERANCE = 1e-6  # of the residuals, relative to the problem's own numbers
+TOLERANCE = 1e-6  # of the residuals
 _NO_LIMIT = 1e30  # what both solvers take as infinity
 _OSQP_SETTINGS = {
     "eps_abs": 1e-6,
@@ -40,7 +40,9 @@ class QpShape:
 
 
 def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray) -> float:
-    """Largest violation of the KKT conditions at y, relative; NaN or infinity for an answer that is not finite.
+    """Largest violation of the KKT conditions at y: of limits in kN and cm, of the others relative.
+
+    NaN or infinity for an answer that is not finite.
 
     For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
     those of the box, then of A y <= b; positive at an upper limit, negative at a lower one. Each row of the gradient is

@@ -53,7 +53,7 @@ class SampledDrive:
         axles: The front and the rear.
         braking: Deceleration, held over a fine step (n,) [m/s^2].
         on_record: The fine samples on record, from x = 0 to the road's end.
-        series: The record's signals that no road changes (signals.SIGNALS).
+        series: The record's signals that no road changes (catalogue.SIGNALS).
     """
 
     time: FloatArray
@@ -85,7 +85,7 @@ class RoadInput:
         disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
             (steps, 3 · fine), fine step after fine step.
         kink_rise: How far each kink of the road lies above the line between its fine step's ends, by axle [m].
-        series: The record's signals that no suspension changes (signals.SIGNALS).
+        series: The record's signals that no suspension changes (catalogue.SIGNALS).
     """
 
     drive: SampledDrive
@@ -182,7 +182,7 @@ def sample_road(
 def _sampled(
     drive: Drive, length: float, wheelbase: float, step: float, fine: int, bump_kinks: tuple[float, ...]
 ) -> SampledDrive:
-    """The part of `track` that needs no height; length of the road and the bump's kinks in m."""
+    """The part of `sample_road` that needs no height; length of the road and the bump's kinks in m."""
     duration = drive.time_at(length)
     before = run_in_steps(drive.initial_speed, step)
     steps = before + int(duration / step + 1e-6) + 1  # the last one begins at the road's end or before it

@@ -48,7 +48,6 @@ class Drive:
     time: FloatArray
     position: FloatArray
     speed: FloatArray
-    acceleration: FloatArray
     pressure: FloatArray
     braking: FloatArray
 
@@ -76,7 +75,7 @@ class Drive:
         return _time_at(self, position)
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=64)
 def _time_at(drive: Drive, position: float) -> float:
     """The inverse of `Drive.at`, kept: every run over a drive asks for the same few places."""
     if position <= drive.position[0]:
@@ -122,7 +121,6 @@ def _constant(speed: float) -> Drive:
         time=two,
         position=two * speed,
         speed=np.full(2, speed),
-        acceleration=none,
         pressure=none,
         braking=none,
     )
@@ -156,7 +154,7 @@ def _planned(inputs: SpeedPlanInputs) -> Drive:
         reference = floor if coasting else target
         push = 0.0 if braking_wanted else _push(chain, v, reference)
         acceleration = push - chain.resistance(v) - chain.deceleration(pressure, v)
-        rows.append((x, v, acceleration, pressure, chain.deceleration(pressure, v)))
+        rows.append((x, v, pressure, chain.deceleration(pressure, v)))
         if x >= inputs.bump_end:
             break
         middle = v + h / 2 * acceleration
@@ -166,16 +164,15 @@ def _planned(inputs: SpeedPlanInputs) -> Drive:
         v += h * (push - chain.resistance(middle) - chain.deceleration(pressure_middle, middle))
         pressure = demand + (pressure - demand) * keep
     table = np.array(rows).T
-    table[3:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
+    table[2:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
     time = inputs.detection / inputs.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
     return Drive(
         initial_speed=inputs.initial_speed,
         time=time,
         position=table[0],
         speed=table[1],
-        acceleration=table[2],
-        pressure=table[3],
-        braking=table[4],
+        pressure=table[2],
+        braking=table[3],
     )
 
 

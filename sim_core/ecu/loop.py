@@ -19,7 +19,7 @@ from sim_core.ecu.interface import Ecu, Frame, LoopStatistics
 from sim_core.result import FloatArray
 from sim_core.scenario import Hil
 
-LONGEST_STEP = 1e-3  # the plant's, and the grain of the jitter [s]
+LONGEST_STEP = 1e-3  # the plant's; jitter comes in steps of the plant [s]
 _NOISE, _JITTER, _LOSS = 3, 4, 5  # generators of their own beside the road's and the preview's
 
 

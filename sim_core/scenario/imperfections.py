@@ -130,7 +130,7 @@ class Hil(Part):
         0,
         "s",
         "Jitter",
-        "A command takes effect up to so much later still, evenly spread, in whole milliseconds.",
+        "A command takes effect up to so much later still, evenly spread, in steps of 1 ms or a little less.",
         soft=(0, 0.01),
         ge=0,
         le=0.05,

@@ -111,9 +111,9 @@ class PaperCell:
 
     Attributes:
         table: Its number.
-        window: signals.WINDOWS key.
+        window: catalogue.WINDOWS key.
         statistic: rms or peak.
-        signal: signals.SIGNALS key.
+        signal: catalogue.SIGNALS key.
         strategy: What is compared.
         against: With what.
         value: The strategy's printed absolute, SI.

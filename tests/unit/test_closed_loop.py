@@ -26,12 +26,22 @@ def test_blocks_equal_single_steps(scenario: Scenario, strategy: str, monkeypatc
         assert np.abs(values - single.series[name]).max() <= 1e-9 * scale, name
 
 
+def test_limits_of_the_actuator_alone_need_no_qp() -> None:
+    """Forces and travel far from the controller's limits, changes of force slower than it asks for."""
+    slow = Scenario(actuator=Actuator(rate_limit=20_000), mpc=Mpc(force_limit=1e5, deflection_limit=1))
+    events = simulate(slow, "lv").events
+    assert events["limited_steps"] > 100
+    assert events["qp_solves"] == 0
+
+
 @pytest.mark.parametrize("strategy", ["lv", "suspension_only"])
 def test_solver_always_on_equals_solver_only_at_limits(strategy: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The unconstrained optimum that meets every limit is the QP's solution."""
     scenario = Scenario(road=Road(length=112, bump=Bump(start=30)), speed=Speed(detection_distance=20))
     sometimes = simulate(scenario, strategy)
-    monkeypatch.setattr(closed_loop.ClosedLoop, "_accepted", lambda self, stage, z, k: 0)
+    monkeypatch.setattr(
+        closed_loop.ClosedLoop, "_limits_met", lambda self, stage, z, k: (np.zeros(len(z) - 1, bool),) * 2
+    )
     always = simulate(scenario, strategy)
     assert always.events["qp_solves"] > 10 * max(1, sometimes.events["qp_solves"])
     assert always.events["qp_failures"] == always.events["qp_fallbacks"] == 0

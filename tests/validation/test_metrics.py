@@ -25,7 +25,7 @@ CASES = {
     "slow sampling": (Scenario(road=Road(seed=5, length=115), mpc=Mpc(sample_time=0.02)), ("lqr",)),
 }
 
-# ISO 2631-1 table 3, as docs/physics.md quotes it.
+# ISO 2631-1 table 3.
 WK = {0.5: 0.418, 1: 0.482, 4: 0.967, 8: 1.036, 16: 0.769, 80: 0.132}
 
 
@@ -128,7 +128,6 @@ def test_rms_between_knows_jumps() -> None:
         time=two,
         position=10 * two,
         speed=np.full(2, 10.0),
-        acceleration=none,
         pressure=none,
         braking=none,
     )
