@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from backend.settings import Settings
 
+INTERRUPTED = 130  # exit code after Ctrl-C, as shells give it
 DEADLINE = 9.0  # an ordered end takes at most so long [s]; SIGTERM promises ten
 
 
@@ -24,7 +25,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m backend", description="Serve Ridelab's dashboard and API.")
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default %(default)s)")
     parser.add_argument(
-        "--port", type=int, default=8000, help="port to listen on, 0 for a free one (default %(default)s)"
+        "--port", type=_port, default=8000, help="port to listen on, 0 for a free one (default %(default)s)"
     )
     parser.add_argument("--data-dir", type=Path, help="where the database lives (default data, or RIDELAB_DATA_DIR)")
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
@@ -110,8 +111,17 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
             super().handle_exit(sig, frame)  # type: ignore[arg-type]  # uvicorn wants FrameType
 
     server = Server(server_config(app, settings))
-    server.run(sockets=[listener])
+    try:
+        server.run(sockets=[listener])
+    except KeyboardInterrupt:  # uvicorn ended in order, then hands the signal on
+        return INTERRUPTED
     return 0 if server.started else 1
+
+
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and int(text) <= 65535):
+        raise argparse.ArgumentTypeError("a number from 0 to 65535")
+    return int(text)
 
 
 if __name__ == "__main__":
