@@ -7,7 +7,7 @@ from typing import Any
 from backend.store import StoredResult, StoredRun
 from backend.worker import Outcome
 from sim_core.study.intervals import Interval
-from sim_core.study.roads import Comparison, Numbers, compare
+from sim_core.study.roads import Comparison, Numbers, compare, numbers
 
 
 def run_answer(
@@ -26,7 +26,11 @@ def run_answer(
         return {**head, "strategies": {item.strategy: _entry(item, told[item.strategy]) for item in stored.results}}
     against = baseline or stored.baseline or ""
     ran = {name: items for name, items in stored.by_strategy.items() if all(item.status == "ok" for item in items)}
-    found = compare({name: [_numbers(item.summary) for item in items] for name, items in ran.items()}, against)
+    driven = {
+        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in items]
+        for name, items in ran.items()
+    }
+    found = compare(driven, against)
     return {
         **head,
         "roads": stored.roads,
@@ -67,14 +71,9 @@ def _entry_over_roads(
     return {**head, "comfort": means.pop("comfort"), "metrics": means}
 
 
-def _numbers(summary: Mapping[str, Any]) -> Numbers:
-    """What differs from road to road and has a mean: by window the metrics, and comfort beside them."""
-    return {**summary["metrics"], "comfort": summary["comfort"]}
-
-
-def _plain(numbers: Numbers) -> dict[str, Any]:
+def _plain(part: Numbers) -> dict[str, Any]:
     """Intervals as JSON; null where there is none."""
-    return {key: _interval(value) if isinstance(value, Interval) else _plain(value) for key, value in numbers.items()}
+    return {key: _interval(value) if isinstance(value, Interval) else _plain(value) for key, value in part.items()}
 
 
 def _interval(interval: Interval) -> dict[str, float] | None:

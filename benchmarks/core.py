@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from statistics import median
+from time import process_time
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
+from sim_core.study.roads import drive
 
 TOGETHER = ("lv", "lqr", "passive")
 PAPER = preset("paper")
@@ -129,12 +131,36 @@ def by_length() -> None:
     table("Against the road's length, a new road each time", ["", "lv, ms", "three, ms", "lv to 150 m"], rows)
 
 
+def over_roads() -> None:
+    """Ten roads against one, controllers designed before: with a speed plan of its own each time, or all but the road.
+
+    One road and ten take turns, as their times depend on what else the machine does.
+    """
+    drive(PAPER, TOGETHER, 2)
+    rows, ratios = [], []
+    for label, planned in (("new roads, new speed plan", True), ("new roads, everything else known", False)):
+        times: dict[int, list[float]] = {1: [], 10: []}
+        for i, count in enumerate([1, 10] * 15):
+            scenario = changed(PAPER, "road", seed=7000 + 20 * i + 1000 * planned)
+            if planned:
+                scenario = changed(scenario, "speed", target_speed_kmh=22.5 + (i + 1) / 100)
+            begin = process_time()
+            drive(scenario, TOGETHER, count)
+            times[count].append(1000 * (process_time() - begin))
+        one, ten = median(times[1]), median(times[10])
+        rows.append([label, one, ten, ten / one])
+        ratios.append(ten / one)
+    table("lv + lqr + passive over several roads", ["", "one, ms", "ten, ms", "ten to one"], rows)
+    print(f"  ten roads take {ratios[0]:.1f} times one (goal: at most 8)")
+
+
 def run() -> None:
     """All of it."""
     print(f"The core's imports take {peak_memory_mb():.0f} MB")
     against_plain_loop()
     by_strategy()
     by_change()
+    over_roads()
     by_horizon()
     print(f"\nPeak memory so far: {peak_memory_mb():.0f} MB")
     by_length()

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from sim_core.study.intervals import Interval, changes_with_intervals, means_with_intervals
@@ -42,57 +41,64 @@ def seeded(scenario: Scenario, roads: int) -> list[Scenario]:
     ]
 
 
-def drive(scenario: Scenario, strategies: Iterable[str], roads: int) -> dict[str, list[StrategyResult]]:
-    """Drive every strategy over so many roads.
+def numbers(metrics: Numbers, comfort: Numbers) -> Numbers:
+    """What of one strategy's result on one road has a mean: its metrics by window, and `comfort` beside them."""
+    return {**metrics, "comfort": comfort}
 
-    Road by road: strategies share a road's heights, roads share speed plan, sampled drive and controllers.
+
+def drive(scenario: Scenario, strategies: Iterable[str], roads: int) -> dict[str, list[Numbers]]:
+    """Drive every strategy over so many roads; by strategy its `numbers` on each, as `compare` takes them.
+
+    Road by road: strategies share a road's heights, roads share speed plan, sampled drive and controllers. Time
+    histories are let go of at once, so that the next road finds their memory.
 
     Raises:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    results: dict[str, list[StrategyResult]] = {name: [] for name in strategies}
-    for each in seeded(scenario, roads):
-        for name, found in results.items():
-            found.append(simulate(each, name))
-    return results
+    driven: dict[str, list[Numbers]] = {name: [] for name in strategies}
+    for road in seeded(scenario, roads):
+        for name, found in driven.items():
+            result = simulate(road, name)
+            found.append(numbers(result.metrics, result.comfort))
+    return driven
 
 
-def compare(results: Mapping[str, Sequence[Numbers]], baseline: str) -> Comparison:
+def compare(driven: Mapping[str, Sequence[Numbers]], baseline: str) -> Comparison:
     """Mean and paired change of every number.
 
     Args:
-        results: strategy -> its numbers on each road, the same roads in the same order for all.
-        baseline: What the changes refer to; without results of it there are no changes.
+        driven: strategy -> its numbers on each road, the same roads in the same order for all.
+        baseline: What the changes refer to; where it was not driven there are no changes.
 
     Raises:
         ValueError: Not every strategy has as many roads as the baseline.
     """
-    samples = {name: [list(_leaves(numbers)) for numbers in roads] for name, roads in results.items()}
+    samples = {name: [list(_leaves(each)) for each in roads] for name, roads in driven.items()}
     base = samples.get(baseline)
     return Comparison(
-        means={name: _like(results[name][0], means_with_intervals(sample)) for name, sample in samples.items()},
+        means={name: _like(driven[name][0], means_with_intervals(sample)) for name, sample in samples.items()},
         changes={
-            name: _like(results[name][0], changes_with_intervals(sample, base))
+            name: _like(driven[name][0], changes_with_intervals(sample, base))
             for name, sample in samples.items()
             if base is not None and name != baseline
         },
     )
 
 
-def _leaves(numbers: Numbers) -> Iterator[float]:
-    for value in numbers.values():
+def _leaves(part: Numbers) -> Iterator[float]:
+    for value in part.values():
         if isinstance(value, Mapping):
             yield from _leaves(value)
         else:
             yield value
 
 
-def _like(numbers: Numbers, values: Iterable[Interval]) -> dict[str, Any]:
-    """Mappings like those of `numbers`, with these values in the place of its numbers."""
+def _like(part: Numbers, values: Iterable[Interval]) -> dict[str, Any]:
+    """Mappings like these, with the values in the place of their numbers."""
     rest = iter(values)
 
-    def filled(part: Numbers) -> dict[str, Any]:
-        return {key: filled(value) if isinstance(value, Mapping) else next(rest) for key, value in part.items()}
+    def filled(each: Numbers) -> dict[str, Any]:
+        return {key: filled(value) if isinstance(value, Mapping) else next(rest) for key, value in each.items()}
 
-    return filled(numbers)
+    return filled(part)
