@@ -101,7 +101,8 @@ class LiveRequest(StrategiesRequest):
     signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
 
 
-def _keys(names: Any, description: str) -> Any:
+def keys_of(names: Any, description: str) -> Any:
+    """A mapping's field whose keys are these names."""
     return Field(description=description, json_schema_extra={"propertyNames": {"enum": list(names)}})
 
 
@@ -113,7 +114,7 @@ class Statistics(Answer):
 
 
 WindowMetrics = Annotated[
-    dict[str, Statistics], _keys(METRIC_SIGNALS, "By signal (catalogue: metric_signals), SI units")
+    dict[str, Statistics], keys_of(METRIC_SIGNALS, "By signal (catalogue: metric_signals), SI units")
 ]
 
 
@@ -127,67 +128,23 @@ class Stage(Answer):
     end_position: float = Field(description="[m]")
 
 
-class _Drive(Answer):
+class DriveResult(Answer):
     """What a strategy's result has beside its metrics; of several roads, the first one's."""
 
     status: Literal["ok"]
     compute_ms: float = Field(description="The worker's own time [ms]; work shared between strategies counts once")
-    events: dict[str, bool | float | None] = _keys(EVENTS, "Catalogue: events")
-    reference: dict[str, float | None] = _keys(REFERENCES, "Lines a plot draws; catalogue: references")
+    events: dict[str, bool | float | None] = keys_of(EVENTS, "Catalogue: events")
+    reference: dict[str, float | None] = keys_of(REFERENCES, "Lines a plot draws; catalogue: references")
     stages: list[Stage]
     travel_time: float = Field(description="[s]; the same on every road")
     arrival_speed_kmh: float = Field(description="[km/h]; the same on every road")
 
 
-class StrategyResult(_Drive):
+class StrategyResult(DriveResult):
     """One strategy's figures over the scenario."""
 
-    metrics: dict[str, WindowMetrics] = _keys(WINDOWS, "By window (catalogue: windows)")
-    comfort: dict[str, float] = _keys(COMFORT, "Catalogue: comfort")
-
-
-class Interval(Answer):
-    """A mean over roads, or a change of means [%], with its 95 % interval (Student's t)."""
-
-    mean: float
-    low: float
-    high: float
-
-
-class RoadsStatistics(Answer):
-    """One signal in one window, over several roads."""
-
-    rms: Interval
-    peak: Interval
-
-
-class Changes(Answer):
-    """One signal in one window: paired change of the mean against the baseline's [%]; null where that is zero."""
-
-    rms: Interval | None
-    peak: Interval | None
-
-
-WindowRoads = Annotated[
-    dict[str, RoadsStatistics], _keys(METRIC_SIGNALS, "By signal (catalogue: metric_signals), SI units")
-]
-WindowChanges = Annotated[dict[str, Changes], _keys(METRIC_SIGNALS, "By signal (catalogue: metric_signals), in %")]
-
-
-class RoadsResult(_Drive):
-    """One strategy's figures over several roads."""
-
-    metrics: dict[str, WindowRoads] = _keys(WINDOWS, "By window (catalogue: windows)")
-    comfort: dict[str, Interval] = _keys(COMFORT, "Catalogue: comfort")
-
-
-class StrategyChanges(Answer):
-    """One strategy's paired changes over several roads, by window (catalogue: windows), and of its comfort."""
-
-    rough_road: WindowChanges
-    bump: WindowChanges
-    whole: WindowChanges
-    comfort: dict[str, Interval | None] = _keys(COMFORT, "Catalogue: comfort; in %")
+    metrics: dict[str, WindowMetrics] = keys_of(WINDOWS, "By window (catalogue: windows)")
+    comfort: dict[str, float] = keys_of(COMFORT, "Catalogue: comfort")
 
 
 class StrategyFailure(Answer):
@@ -206,12 +163,6 @@ class CachedResult(StrategyResult):
     )
 
 
-class CachedRoadsResult(RoadsResult):
-    """The same, with where it came from."""
-
-    cached: bool = Field(description="No road was computed for this request")
-
-
 class CachedFailure(StrategyFailure):
     """The same, with where it came from."""
 
@@ -228,7 +179,7 @@ class TypedArray(Answer):
 class LiveResult(CachedResult):
     """Figures and decimated time histories."""
 
-    series: dict[str, TypedArray] = _keys(SIGNALS, "The same samples for every signal; SI units")
+    series: dict[str, TypedArray] = keys_of(SIGNALS, "The same samples for every signal; SI units")
 
 
 class RunBase(Answer):
@@ -242,7 +193,7 @@ class Run(RunBase):
     """A stored run; it never changes."""
 
     id: str
-    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = _keys(
+    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"
     )
 
@@ -251,32 +202,7 @@ class CreatedRun(RunBase):
     """A run as the request that made it sees it."""
 
     id: str
-    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = _keys(
-        STRATEGY_IDS, "By strategy"
-    )
-
-
-class RoadsRunBase(RunBase):
-    """What every form of a run over several roads has."""
-
-    id: str
-    roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
-    baseline: str
-    changes: dict[str, StrategyChanges] = _keys(STRATEGY_IDS, "By strategy; not of the baseline, nor of failures")
-
-
-class RoadsRun(RoadsRunBase):
-    """A stored run over several roads; it never changes."""
-
-    strategies: dict[str, Annotated[RoadsResult | StrategyFailure, Field(discriminator="status")]] = _keys(
-        STRATEGY_IDS, "By strategy"
-    )
-
-
-class CreatedRoadsRun(RoadsRunBase):
-    """A run over several roads as the request that made it sees it."""
-
-    strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = _keys(
+    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"
     )
 
@@ -284,13 +210,13 @@ class CreatedRoadsRun(RoadsRunBase):
 class LiveRun(RunBase):
     """A run that is not stored."""
 
-    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = _keys(
+    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"
     )
 
 
 Histories = Annotated[
-    dict[str, list[float | None] | TypedArray], _keys(SIGNALS, "Lists, or typed arrays with encoding=base64")
+    dict[str, list[float | None] | TypedArray], keys_of(SIGNALS, "Lists, or typed arrays with encoding=base64")
 ]
 
 

@@ -65,7 +65,7 @@ def _show(result: RunResult, name: str, changes: list[str], baseline: str | None
     told = ", ".join([name, *changes])
     if result.roads > 1:
         seed = result.scenario["road"]["seed"]
-        told = f"{told}, {result.roads} roads (seeds {seed} to {seed + result.roads - 1})"
+        told = f"{told}, {result.roads} roads (seeds {seed} to {seed + result.roads - 1}; events of {seed})"
     typer.echo(f"Ridelab core {result.core_version}, {told}; changes against {tables.label(against)}")
     for line in tables.run_table(result, against):
         typer.echo(line)

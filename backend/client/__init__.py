@@ -3,10 +3,10 @@
 It needs httpx alone; NumPy is imported when time histories are asked for. docs/api.md shows it at work.
 """
 
-from backend.client.answers import Interval, LinkedResult, Outcome, RunResult, Stage, Statistics
+from backend.client.answers import Interval, Link, LinkedResult, Outcome, RunResult, Stage, Statistics
 from backend.client.batch import Batch
 from backend.client.errors import ErrorPlace, RidelabAPIError, RidelabClientError, RidelabConnectionError
-from backend.client.ridelab import Link, Ridelab
+from backend.client.ridelab import Ridelab
 from backend.client.tuning import Tuning
 
 __all__ = [

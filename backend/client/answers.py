@@ -184,6 +184,14 @@ class RunResult:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Link:
+    """A shared link: `url` opens it in a browser."""
+
+    slug: str
+    url: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LinkedResult:
     """What a shared link pins: the run or the batch as it was, and how it was looked at."""
 

@@ -3,7 +3,6 @@
 import os
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self
@@ -11,7 +10,7 @@ from urllib.parse import quote
 
 import httpx
 
-from backend.client.answers import LinkedResult, RunResult
+from backend.client.answers import Link, LinkedResult, RunResult
 from backend.client.batch import Batch
 from backend.client.errors import RidelabConnectionError
 from backend.client.files import format_of, save
@@ -26,14 +25,6 @@ if TYPE_CHECKING:
 
 API = "/api/v1"
 _LOOPBACK = ("localhost", "127.0.0.1", "::1")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Link:
-    """A shared link: `url` opens it in a browser."""
-
-    slug: str
-    url: str
 
 
 class Ridelab:

@@ -7,7 +7,8 @@ from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
-from backend.models import Answer, RequestModel, RoadsRun, Run, StrategyName
+from backend.models import Answer, RequestModel, Run, StrategyName
+from backend.roads_models import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.strategies import STRATEGIES

@@ -8,6 +8,7 @@ from fastapi.responses import HTMLResponse
 from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.problems import ProblemError
+from backend.roads_models import CreatedRoadsRun, RoadsRun
 from backend.routes import ScenarioRoute, router
 from backend.routes.deps import (
     IMMUTABLE,
@@ -34,7 +35,7 @@ MEDIA_TYPES = {
 }
 
 
-@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun | models.CreatedRoadsRun)
+@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun | CreatedRoadsRun)
 async def create_run(body: models.RunRequest, service: RunsService, client: Client) -> Response:
     """Run what is not stored yet, on one road or several; the answer comes after the commit."""
     work = service.create(body.scenario, body.strategies, client, roads=body.roads, baseline=body.baseline)
@@ -51,7 +52,7 @@ async def live(body: models.LiveRequest, request: Request, service: RunsService,
 @runs.get(
     "/runs/{id}",
     operation_id="getRun",
-    response_model=models.Run | models.RoadsRun,
+    response_model=models.Run | RoadsRun,
     responses={304: {"description": "Not changed"}},
 )
 async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:

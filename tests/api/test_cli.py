@@ -49,7 +49,9 @@ def test_run_over_several_roads_prints_means_intervals_and_paired_changes(
 ) -> None:
     words = ("run", scenario, "--strategy", "lv,lqr,passive", "--roads", "3", "--baseline", "lqr")
     printed = cli(*words)
-    assert printed.startswith(f"Ridelab core {__version__}, {scenario}, 3 roads (seeds 1 to 3); changes against LQR")
+    assert printed.startswith(
+        f"Ridelab core {__version__}, {scenario}, 3 roads (seeds 1 to 3; events of 1); changes against LQR"
+    )
     run = json.loads(cli(*words, "--json"))
     assert (run["roads"], run["baseline"]) == (3, "lqr")
     lv, change = (

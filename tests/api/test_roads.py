@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from backend import digest
-from backend.models import CreatedRoadsRun, CreatedRun, RoadsRun, Run
+from backend.models import CreatedRun, Run
+from backend.roads_models import CreatedRoadsRun, RoadsRun
 from backend.worker import Outcome
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario

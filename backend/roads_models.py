@@ -1,0 +1,83 @@
+"""The shapes of a run over several roads; beside `backend.models`."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from backend.models import STRATEGY_IDS, Answer, CachedFailure, DriveResult, RunBase, StrategyFailure, keys_of
+from sim_core.catalogue import COMFORT, METRIC_SIGNALS, WINDOWS
+
+
+class Interval(Answer):
+    """A mean over roads, or a change of means [%], with its 95 % interval (Student's t)."""
+
+    mean: float
+    low: float
+    high: float
+
+
+class RoadsStatistics(Answer):
+    """One signal in one window, over several roads."""
+
+    rms: Interval
+    peak: Interval
+
+
+class Changes(Answer):
+    """One signal in one window: paired change of the mean against the baseline's [%]; null where that is zero."""
+
+    rms: Interval | None
+    peak: Interval | None
+
+
+WindowRoads = Annotated[
+    dict[str, RoadsStatistics], keys_of(METRIC_SIGNALS, "By signal (catalogue: metric_signals), SI units")
+]
+WindowChanges = Annotated[dict[str, Changes], keys_of(METRIC_SIGNALS, "By signal (catalogue: metric_signals), in %")]
+
+
+class RoadsResult(DriveResult):
+    """One strategy's figures over several roads."""
+
+    metrics: dict[str, WindowRoads] = keys_of(WINDOWS, "By window (catalogue: windows)")
+    comfort: dict[str, Interval] = keys_of(COMFORT, "Catalogue: comfort")
+
+
+class StrategyChanges(Answer):
+    """One strategy's paired changes over several roads, by window (catalogue: windows), and of its comfort."""
+
+    rough_road: WindowChanges
+    bump: WindowChanges
+    whole: WindowChanges
+    comfort: dict[str, Interval | None] = keys_of(COMFORT, "Catalogue: comfort; in %")
+
+
+class CachedRoadsResult(RoadsResult):
+    """The same, with where it came from."""
+
+    cached: bool = Field(description="No road was computed for this request")
+
+
+class RoadsRunBase(RunBase):
+    """What every form of a run over several roads has."""
+
+    id: str
+    roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
+    baseline: str
+    changes: dict[str, StrategyChanges] = keys_of(STRATEGY_IDS, "By strategy; not of the baseline, nor of failures")
+
+
+class RoadsRun(RoadsRunBase):
+    """A stored run over several roads; it never changes."""
+
+    strategies: dict[str, Annotated[RoadsResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+class CreatedRoadsRun(RoadsRunBase):
+    """A run over several roads as the request that made it sees it."""
+
+    strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = keys_of(
+        STRATEGY_IDS, "By strategy"
+    )
