@@ -6,61 +6,24 @@ does.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import pairwise
-from math import ceil, floor, sqrt
+from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sim_core.caching import cached_up_to
 from sim_core.car.plant import RECORDED
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.comfort import vibration_dose, weighted
-from sim_core.drive.sampling import AxlePath, RoadInput, SampledDrive
+from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
 from sim_core.recording import Recording
 from sim_core.result import FloatArray, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
+from sim_core.windows import SNAP, Windows, segments_of, weights_of, windows_of
 
 _ROW = {signal: row for row, signal in enumerate(RECORDED)}  # the first are METRIC_SIGNALS
 _JUMPING = ("body_acceleration", "pitch_acceleration")  # with the force; steep lines in between
 _TYRE_LOADS = ("front_tyre_load", "rear_tyre_load")
-_SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
-_NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at it
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class AxleKinks:
-    """The sample before each kink of an axle's road (k,), and which are met on rough road, bump and after.
-
-    Samples are numbered as in a signal of the record, flattened; the next one in time lies a whole row further.
-    """
-
-    samples: NDArray[np.intp]
-    within: tuple[slice, ...]
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Windows:
-    """Where a record's windows lie in a signal of it (fine steps of a command + 1, commands).
-
-    Attributes:
-        weights: Share of each sample, flattened, in a window's mean (windows, samples), by trapezoids.
-        segments: Share of each line from a sample to the next of its command in the same (windows, lines).
-        within: The samples of the rough road, of the bump, and of what follows it, in blocks of samples and commands.
-        ends: Of the windows' ends between two samples, the one before, flattened, and how far on to the next.
-        kinks: Where each axle meets the kinks of its road.
-        duration: Of the whole record [s].
-    """
-
-    weights: FloatArray
-    segments: FloatArray
-    within: tuple[tuple[tuple[slice, slice], ...], ...]
-    ends: tuple[tuple[int, float], ...]
-    kinks: tuple[AxleKinks, ...]
-    duration: float
 
 
 def evaluate(
@@ -75,7 +38,7 @@ def evaluate(
     report, loop = recording.report, recording.loop
     bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
     table = recording.table
-    places = _windows(road_input.drive, drive, bump.start, bump_end, scenario.road.length, *table.shape[1:])
+    places = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, *table.shape[1:])
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
     metrics = _by_window(table[: len(METRIC_SIGNALS)], places, road_input, tyres)
 
@@ -172,10 +135,10 @@ def rms_between(series: Series, drive: Drive, stretches: Sequence[tuple[float, f
     table = np.stack([series.columns(signal) for signal in METRIC_SIGNALS])
     fine, commands = table.shape[1] - 1, table.shape[2]
     spans = [(drive.time_at(first) / fine_step, drive.time_at(last) / fine_step) for first, last in stretches]
-    if any(not 0 <= first < last <= fine * commands + _SNAP for first, last in spans):
+    if any(not 0 <= first < last <= fine * commands + SNAP for first, last in spans):
         raise ValueError("A stretch ends behind its beginning and lies on the road that was driven")
-    segments = _segments(spans, fine, commands)[np.newaxis]
-    rms = _rms(table, _weights(segments).reshape(1, -1), segments.reshape(1, -1))
+    segments = segments_of(spans, fine, commands)[np.newaxis]
+    rms = _rms(table, weights_of(segments).reshape(1, -1), segments.reshape(1, -1))
     return {signal: float(rms[_ROW[signal], 0]) for signal in METRIC_SIGNALS}
 
 
@@ -189,23 +152,6 @@ def _rms(table: FloatArray, weights: FloatArray, segments: FloatArray) -> FloatA
     return np.asarray(np.sqrt(np.maximum(squares, 0)))
 
 
-def _segments(spans: Sequence[tuple[float, float]], fine: int, commands: int) -> FloatArray:
-    """Share of each fine step in the time of these spans, given in fine steps (fine, commands)."""
-    steps = np.arange(commands * fine)
-    inside = [np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) for first, last in spans]
-    share = np.sum(inside, axis=0) / sum(last - first for first, last in spans)
-    return np.asarray(share.reshape(commands, fine).T)
-
-
-def _weights(segments: FloatArray) -> FloatArray:
-    """Share of each sample, by trapezoids, where `segments` is that of each fine step (windows, fine + 1, commands)."""
-    windows, fine, commands = segments.shape
-    weights = np.zeros((windows, fine + 1, commands))
-    weights[:, :-1] = segments / 2
-    weights[:, 1:] += segments / 2
-    return weights
-
-
 def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatArray:
     """Largest magnitude of each signal in those blocks (signals,)."""
     found = np.zeros(len(table))
@@ -214,59 +160,6 @@ def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatA
         np.maximum(found, part.max(axis=(1, 2), initial=0), out=found)
         np.maximum(found, -part.min(axis=(1, 2), initial=0), out=found)
     return found
-
-
-@cached_up_to(16)
-def _windows(
-    sampled: SampledDrive,
-    drive: Drive,
-    bump_start: float,
-    bump_end: float,
-    length: float,
-    per_command: int,
-    commands: int,
-) -> Windows:
-    """The windows of a record of so many held commands with so many samples each."""
-    h, fine = sampled.fine_step, per_command - 1
-    arrival, leaving, end = (drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))
-    edges = [round(place) if abs(place - round(place)) < _SNAP else place for place in (0.0, arrival, leaving, end)]
-    spans = list(pairwise(edges))
-
-    windows = (spans[0], spans[1], (edges[0], edges[-1]))
-    segments = np.stack([_segments([window], fine, commands) for window in windows])
-
-    def sample(step: int) -> int:
-        return step % fine * commands + step // fine
-
-    def axle_kinks(axle: AxlePath) -> AxleKinks:
-        met = axle.kink_step + axle.kink_share
-        inside = (slice(*met.searchsorted((first - _NEAR, last + _NEAR))) for first, last in spans)
-        samples = axle.kink_step % fine * commands + axle.kink_step // fine
-        return AxleKinks(samples=samples, within=tuple(inside))
-
-    return Windows(
-        weights=_weights(segments).reshape(len(WINDOWS), -1),
-        segments=segments.reshape(len(WINDOWS), -1),
-        within=tuple(_blocks(ceil(first), floor(last), fine) for first, last in spans),
-        ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),
-        kinks=tuple(axle_kinks(axle) for axle in sampled.axles),
-        duration=(edges[-1] - edges[0]) * h,
-    )
-
-
-def _blocks(first: int, last: int, fine: int) -> tuple[tuple[slice, slice], ...]:
-    """The samples from one fine step to another, both included; where a command ends at the last, its end alone."""
-    start, begin = divmod(first, fine)
-    stop, after = divmod(last, fine)
-    everything = slice(None)
-    if last < first:
-        return ()
-    if start == stop:
-        return ((slice(begin, after + 1), slice(start, start + 1)),)
-    blocks = [(slice(begin, None), slice(start, start + 1)), (everything, slice(start + 1, stop))]
-    if after:
-        blocks.append((slice(after + 1), slice(stop, stop + 1)))
-    return tuple(blocks)
 
 
 def _power(table: FloatArray) -> FloatArray:

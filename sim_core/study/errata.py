@@ -37,6 +37,16 @@ ERRATA = (
         here="the bump is added; `road.length` 150 m, so the rear axle clears it and the car settles",
     ),
     Erratum(
+        place="4.1.1, 4.2.2, Eq. 3",
+        printed="RMS on the graded road surface; RMS for the full course; class B from 104 m on too",
+        here="0 m to the bump; the reading `window` has the others",
+    ),
+    Erratum(
+        place="Tables 4 and 7, front tyre load",
+        printed="+8.45 % and −47.9 %",
+        here="not both with this car: load transfer alone keeps LV above −32 %; `python -m sim_core causes`",
+    ),
+    Erratum(
         place="3.1",
         printed="braking starts 80 m before the bump",
         here="`speed.detection_distance` = 80 m",

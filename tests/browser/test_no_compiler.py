@@ -85,7 +85,7 @@ def test_the_ecu_s_page_shows_the_rest_and_exports(visitor: Dashboard) -> None:
     expect(page.get_by_role("alert")).to_have_text(
         f"LV as ECU code could not be driven: {NO_COMPILER}", timeout=LONG_MS
     )
-    expect(page.locator("tr[data-cell]").first).to_contain_text("0.149")
+    expect(page.locator("tr[data-cell]").first).to_contain_text("0.146")
     histories = page.get_by_role("region", name="Time histories")
     histories.locator("section").first.scroll_into_view_if_needed()
     expect(histories.locator(".scatterlayer .trace").first).to_be_visible()

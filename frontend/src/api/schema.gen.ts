@@ -2710,7 +2710,7 @@ export interface components {
         Lqr: {
             /**
              * Travel weight
-             * @description q4 (ours); 0 is the paper's literal cost.
+             * @description q4 (ours); 0 as in Eq. 16, which has none.
              * @default 3
              */
             deflection_weight: number;
@@ -2866,7 +2866,7 @@ export interface components {
             deflection_limit: number;
             /**
              * Travel weight
-             * @description q4 (ours); 0 is the paper's literal cost.
+             * @description q4 (ours); 0 as in Eq. 16, which has none.
              * @default 3
              */
             deflection_weight: number;
