@@ -51,8 +51,9 @@ bench: development ## speed, as ratios in one run
 margins: setup ## how much worse LQR is than LV, and every strategy against passive, seeds 1-10
 	$(BIN)/python -m sim_core margins
 
-paper: setup ## the paper's tables against ours, cell by cell; figures and all in paper-report.html
+paper: setup ## the paper's tables against ours, cell by cell, both readings also on fresh roads; all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
+	$(BIN)/ridelab paper --seeds 21-60 | tail -6
 
 ecu: development ## the ECU's program: C sources in build/ecu, the program beside them, what it takes on an STM32F103
 	$(BIN)/python -m backend.hil --export build/ecu
