@@ -84,9 +84,11 @@ class Results:
         """At most as many roads at once as there are workers, so that other requests come in between."""
         places = asyncio.Semaphore(self._workers.count)
 
-        async def one(road: Scenario, names: Mapping[str, str]) -> dict[str, Found]:
+        async def one(road: Scenario, keys: Mapping[str, str]) -> dict[str, Found]:
             async with places:
-                return await self._compute(road, names, points) if names else {}
+                known = self._known(keys, {}, points)  # by now another request may have computed it
+                rest = {name: key for name, key in keys.items() if name not in known}
+                return known | (await self._compute(road, rest, points) if rest else {})
 
         tasks = [asyncio.create_task(one(road, names)) for road, names in zip(roads, missing, strict=True)]
         try:

@@ -232,7 +232,7 @@ class Runs:
                 points=FIGURE_POINTS,
                 series=arrays[item.strategy],
             )
-            for item in stored.first_road
+            for item in stored.shown
             if item.strategy in arrays
         }
 
@@ -250,7 +250,7 @@ class Runs:
         Raises:
             ProblemError: 410, another core version computed the run and nothing is pinned.
         """
-        keys = {item.strategy: item.key for item in stored.first_road if item.status == "ok"}
+        keys = {item.strategy: item.key for item in stored.shown}
         if stored.core_version == CORE_VERSION:
             return keys
         pinned = await self._store.call(self._store.links.pinned, keys.values())
@@ -290,11 +290,7 @@ def todays(stored: StoredRun | StoredBatch) -> dict[str, Any]:
 
 def _breaks(stored: StoredRun) -> dict[str, list[float]]:
     """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
-    return {
-        item.strategy: [span["start_time"] for span in item.summary["stages"][1:]]
-        for item in stored.first_road
-        if item.status == "ok"
-    }
+    return {item.strategy: [span["start_time"] for span in item.summary["stages"][1:]] for item in stored.shown}
 
 
 def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:

@@ -145,8 +145,8 @@ def url(slug: str) -> str:
 
 
 def _histories(stored: StoredRun) -> dict[str, str]:
-    """Result keys of the strategies that have time histories; of several roads the first is shown."""
-    return {item.strategy: item.key for item in stored.first_road if item.status == "ok"}
+    """Result keys of the strategies that have time histories."""
+    return {item.strategy: item.key for item in stored.shown}
 
 
 def _opened_batch(stored: StoredBatch) -> dict[str, Any]:

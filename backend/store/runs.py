@@ -48,6 +48,14 @@ class StoredRun:
         return self.results[: len(self.results) // self.roads]
 
     @property
+    def shown(self) -> tuple[StoredResult, ...]:
+        """Those whose time histories are shown: the first road's, of strategies that succeeded on every road."""
+        road_by_road = self.by_strategy
+        return tuple(
+            item for item in self.first_road if all(each.status == "ok" for each in road_by_road[item.strategy])
+        )
+
+    @property
     def by_strategy(self) -> dict[str, tuple[StoredResult, ...]]:
         """Each strategy's results, road after road."""
         count = len(self.first_road)

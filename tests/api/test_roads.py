@@ -1,6 +1,7 @@
 """Runs over several roads: means, intervals and paired changes; everything else of a run works on them."""
 
 import itertools
+from concurrent.futures import ThreadPoolExecutor
 from statistics import fmean
 from typing import Any
 
@@ -189,6 +190,34 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(
     assert answer["strategies"]["lqr"]["reason"] == "Road seed 72: no controller"
     assert answer["strategies"]["passive"]["status"] == "ok"
     assert answer["changes"] == {}, "the baseline failed"
+    monkeypatch.undo()
+    drawn = service.client.get(f"/api/v1/runs/{answer['id']}/figures/speed").json()
+    assert [trace["meta"]["strategy"] for trace in drawn["data"]] == ["passive"]
+    report = service.client.get(f"/api/v1/runs/{answer['id']}/report.html")
+    assert "Road seed 72: no controller" in report.text
+
+
+def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
+    service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workers, seeds, at_once = service.app.state.workers, [], []
+    original = workers.call
+
+    async def counted(function: Any, scenario: Scenario, *arguments: Any) -> Any:
+        seeds.append(scenario.road.seed)
+        at_once.append(len(seeds) - len(done))
+        found = await original(function, scenario, *arguments)
+        done.append(scenario.road.seed)
+        return found
+
+    done: list[int] = []
+    monkeypatch.setattr(workers, "call", counted)
+    body = {"scenario": {"road": {**road, "seed": 500}}, "strategies": ["lqr", "passive"], "roads": 6}
+    with ThreadPoolExecutor(4) as threads:
+        answers = list(threads.map(lambda _: post(service, **body).json(), range(4)))
+    assert sorted(seeds) == list(range(500, 506)), "both strategies of a road in one task"
+    assert max(at_once) <= workers.count, "the others wait, so that a request of somebody else comes in between"
+    assert len({answer["id"] for answer in answers}) == 1
 
 
 def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> None:

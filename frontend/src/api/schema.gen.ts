@@ -2208,7 +2208,7 @@ export interface components {
             iterations: number;
             /**
              * Jitter
-             * @description A command takes effect up to so much later still, evenly spread, in whole milliseconds.
+             * @description A command takes effect up to so much later still, evenly spread, in steps of 1 ms or a little less.
              * @default 0
              */
             jitter: number;
