@@ -46,6 +46,17 @@ def set_rows(answer: dict[str, Any]) -> Iterator[str]:
         )
 
 
+def missed(answer: dict[str, Any]) -> Iterator[str]:
+    for cell in answer["cells"]:
+        if cell["verdict"] != "reached":
+            claim = cell["misprint"]["follows"] if cell["misprint"] else cell["paper_change"]
+            yield (
+                f"- Table {cell['table']}, {SIGNAL_NAMES[cell['signal']].lower()}, "
+                f"{STRATEGIES[cell['strategy']].label} against {STRATEGIES[cell['against']].label}: {claim:+g} %, ours {cell['our_change']:+.1f} %, "
+                f"{worded(cell)}."
+            )
+
+
 def windows(client: httpx.Client) -> Iterator[str]:
     """Cells reached under each choice of the reading `window`, which changes no run."""
     yield "| interpretation | `window=to_bump` | `window=class_b` | `window=full_course` |"
@@ -116,6 +127,7 @@ def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
     page = PAGE.read_text(encoding="utf-8")
     blocks = {"counts": counts(answer), "verdicts": verdicts(answer)}
     blocks["sets"] = sets(answer)
+    blocks["missed"] = missed(client.get("/api/v1/paper", params={"interpretation": "favourable"}, timeout=120).json())
     blocks["sentences"] = (f"- {line}" for line in client.get("/api/v1/paper/attribution").json()["sentences"])
     if os.environ.get("UPDATE_DOCS"):  # what each switch does takes a minute or two: not in every run
         while not (found := client.get("/api/v1/paper/readings", timeout=120).json())["complete"]:
