@@ -21,14 +21,16 @@ def run_answer(
         baseline: What the changes over several roads refer to; None is the run's own.
     """
     head = {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
-    told = {name: {} if cached is None else {"cached": cached[name]} for name in stored.by_strategy}
+    cache_field = {name: {} if cached is None else {"cached": cached[name]} for name in stored.by_strategy}
     if stored.roads == 1:
-        return {**head, "strategies": {item.strategy: _entry(item, told[item.strategy]) for item in stored.results}}
+        return {
+            **head,
+            "strategies": {item.strategy: _entry(item, cache_field[item.strategy]) for item in stored.results},
+        }
     against = baseline or stored.baseline or ""
-    ran = {name: items for name, items in stored.by_strategy.items() if all(item.status == "ok" for item in items)}
     driven = {
-        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in items]
-        for name, items in ran.items()
+        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in stored.by_strategy[name]]
+        for name in (item.strategy for item in stored.shown)
     }
     found = compare(driven, against)
     return {
@@ -37,7 +39,7 @@ def run_answer(
         "baseline": against,
         "changes": {name: _plain(change) for name, change in found.changes.items()},
         "strategies": {
-            name: _entry_over_roads(items, told[name], found, stored.scenario["road"]["seed"])
+            name: _entry_over_roads(items, cache_field[name], found, stored.scenario["road"]["seed"])
             for name, items in stored.by_strategy.items()
         },
     }
@@ -53,20 +55,20 @@ def default_baseline(strategies: Sequence[str]) -> str:
     return "passive" if "passive" in strategies else strategies[0]
 
 
-def _entry(item: Outcome | StoredResult, told: Mapping[str, bool]) -> dict[str, Any]:
-    return {"status": item.status, **told, "compute_ms": item.compute_ms, **item.summary}
+def _entry(item: Outcome | StoredResult, cache_field: Mapping[str, bool]) -> dict[str, Any]:
+    return {"status": item.status, **cache_field, "compute_ms": item.compute_ms, **item.summary}
 
 
 def _entry_over_roads(
-    items: Sequence[StoredResult], told: Mapping[str, bool], found: Comparison, first_seed: int
+    items: Sequence[StoredResult], cache_field: Mapping[str, bool], found: Comparison, first_seed: int
 ) -> dict[str, Any]:
     """The first road's entry with the means of all, or why one of them failed."""
-    head = {**_entry(items[0], told), "compute_ms": round(sum(item.compute_ms for item in items), 2)}
+    head = {**_entry(items[0], cache_field), "compute_ms": round(sum(item.compute_ms for item in items), 2)}
     failures = [(seed, item) for seed, item in enumerate(items, first_seed) if item.status != "ok"]
     if failures:
         seed, failure = failures[0]
         reason = f"Road seed {seed}: {failure.summary['reason']}"
-        return {"status": failure.status, **told, "compute_ms": head["compute_ms"], "reason": reason}
+        return {"status": failure.status, **cache_field, "compute_ms": head["compute_ms"], "reason": reason}
     means = _plain(found.means[items[0].strategy])
     return {**head, "comfort": means.pop("comfort"), "metrics": means}
 

@@ -71,13 +71,13 @@ def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, place: tuple[s
     window, signal, statistic = place
     value = outcome.figures()[".".join(place)]
     assert isinstance(value, float | int)  # noqa: S101  # a metric
-    told = f"{value:.4g}"
+    text = f"{value:.4g}"
     if run.roads > 1:
-        told = str(outcome.metrics[window][signal]["rms" if statistic == "rms" else "peak"])
+        text = str(outcome.metrics[window][signal]["rms" if statistic == "rms" else "peak"])
         change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
         if isinstance(change, Interval):
-            told += f" ({change.mean:+.1f} ± {change.half:.1f} %)"
-        return f"{told:>36}"
+            text += f" ({change.mean:+.1f} ± {change.half:.1f} %)"
+        return f"{text:>36}"
     reference = base.figures()[".".join(place)] if base is not None and base is not outcome else None
     against = f" ({100 * (value - reference) / reference:+.1f} %)" if reference else ""
-    return f"{told + against:>36}"
+    return f"{text + against:>36}"

@@ -201,13 +201,13 @@ def _cell(name: str, value: Any, change: tuple[float, float] | None, scale: floa
     value, half = _estimate(value)
     number = isinstance(value, int | float) and not isinstance(value, bool)
     shown = told(value) if scale is None else significant(value * scale) if number else NO_VALUE
-    percentage, doubt = change or (0.0, 0.0)
+    percentage, uncertainty = change or (0.0, 0.0)
     return {
         "name": name,
         "raw": value,
         "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
-        "change": None if change is None else percent(percentage, doubt),
-        "verdict": "" if abs(percentage) < max(SAME, doubt) else "better" if percentage < 0 else "worse",
+        "change": None if change is None else percent(percentage, uncertainty),
+        "verdict": "" if abs(percentage) < max(SAME, uncertainty) else "better" if percentage < 0 else "worse",
     }
 
 

@@ -8,7 +8,7 @@ import { ChangeMark } from "./ChangeMark";
 import { DoubtMarks } from "./DoubtMarks";
 import { doubtsOf } from "./doubts";
 import { Estimated } from "./Estimated";
-import { toldOf, type Told } from "./overRoads";
+import { statisticsOf, type RoadsStatistics } from "./overRoads";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 
@@ -83,7 +83,7 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
                     name={`${window}.${signal}.${statistic}`}
                     value={scene.summaries[strategy.id]?.metrics[window]?.[signal]?.[statistic]}
                     baseline={scene.baseline === null ? null : scene.summaries[scene.baseline]?.metrics[window]?.[signal]?.[statistic]}
-                    told={toldOf(scene, strategy.id, { window, signal, statistic })}
+                    overRoads={statisticsOf(scene, strategy.id, { window, signal, statistic })}
                     isBaseline={strategy.id === scene.baseline}
                     scale={shownUnit(signal, figures, catalogue).scale}
                   />
@@ -102,16 +102,16 @@ interface CellProps {
   readonly first: boolean;
   readonly value: number | null | undefined;
   readonly baseline: number | null | undefined;
-  readonly told: Told;
+  readonly overRoads: RoadsStatistics;
   readonly isBaseline: boolean;
   readonly scale: number;
 }
 
-function Cell({ name, first, value, baseline, told, isBaseline, scale }: CellProps) {
+function Cell({ name, first, value, baseline, overRoads, isBaseline, scale }: CellProps) {
   return (
     <td className={classes.cell} data-first={first || undefined} data-cell={name} data-value={value ?? ""}>
-      <Estimated value={value} interval={told.interval} scale={scale} />
-      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} paired={told.change} />}
+      <Estimated value={value} interval={overRoads.interval} scale={scale} />
+      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} paired={overRoads.change} />}
     </td>
   );
 }

@@ -8,7 +8,7 @@ import type { ComparisonProps, WindowView } from "./ComparisonTable";
 import { DoubtMarks } from "./DoubtMarks";
 import { doubtsOf } from "./doubts";
 import { Estimated } from "./Estimated";
-import { toldOf } from "./overRoads";
+import { statisticsOf } from "./overRoads";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 
@@ -45,14 +45,14 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
                 </th>
                 {scene.strategies.map(({ id }) => {
                   const value = valueOf(id, signal);
-                  const told = toldOf(scene, id, { window, signal, statistic });
+                  const overRoads = statisticsOf(scene, id, { window, signal, statistic });
                   return (
                     <td key={id} className={classes.cell} data-baseline={id === scene.baseline || undefined} data-value={value ?? ""}>
-                      <Estimated value={value} interval={told.interval} scale={scale} />
+                      <Estimated value={value} interval={overRoads.interval} scale={scale} />
                       {id === scene.baseline ? (
                         <span className={classes.change}>&nbsp;</span>
                       ) : (
-                        <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={told.change} />
+                        <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={overRoads.change} />
                       )}
                     </td>
                   );

@@ -5,7 +5,7 @@ import type { Scene } from "../state/scene";
 import { formatNumber, formatResult, prettyUnit } from "../units/format";
 import { ChangeMark } from "./ChangeMark";
 import { Estimated } from "./Estimated";
-import { toldOf } from "./overRoads";
+import { statisticsOf } from "./overRoads";
 import { StrategyKey } from "./StrategyKey";
 import classes from "./tables.module.css";
 
@@ -63,16 +63,16 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
                 const summary = scene.summaries[id];
                 const value = summary && read(summary);
                 const base = reference && read(reference);
-                const told = toldOf(scene, id, { comfort: quantity.key });
+                const overRoads = statisticsOf(scene, id, { comfort: quantity.key });
                 return (
                   <td key={id} className={classes.cell} data-cell={`${id}.${quantity.key}`}>
-                    {told.interval ? (
-                      <Estimated value={told.interval.mean} interval={told.interval} scale={1} />
+                    {overRoads.interval ? (
+                      <Estimated value={overRoads.interval.mean} interval={overRoads.interval} scale={1} />
                     ) : (
                       <span className={classes.value}>{show(value)}</span>
                     )}
                     {judged && id !== scene.baseline && typeof value === "number" && typeof base === "number" && (
-                      <ChangeMark value={value} baseline={base} paired={told.change} />
+                      <ChangeMark value={value} baseline={base} paired={overRoads.change} />
                     )}
                   </td>
                 );

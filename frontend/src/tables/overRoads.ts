@@ -3,7 +3,7 @@
 import type { Interval, StrategyId } from "../api/types";
 import type { Scene } from "../state/scene";
 
-export interface Told {
+export interface RoadsStatistics {
   readonly interval: Interval | undefined;
   /** `null` against zero, undefined where there is none against that baseline. */
   readonly change: Interval | null | undefined;
@@ -11,7 +11,7 @@ export interface Told {
 
 type Place = { readonly window: "rough_road" | "bump" | "whole"; readonly signal: string; readonly statistic: "rms" | "peak" } | { readonly comfort: string };
 
-export function toldOf({ shown: { over }, baseline }: Scene, strategy: StrategyId, place: Place): Told {
+export function statisticsOf({ shown: { over }, baseline }: Scene, strategy: StrategyId, place: Place): RoadsStatistics {
   const estimates = over?.estimates[strategy];
   const changes = over?.baseline === baseline ? over.changes[strategy] : undefined;
   if ("comfort" in place) return { interval: estimates?.comfort[place.comfort], change: changes?.comfort[place.comfort] };
