@@ -50,11 +50,9 @@ def missed(answer: dict[str, Any]) -> Iterator[str]:
     for cell in answer["cells"]:
         if cell["verdict"] != "reached":
             claim = cell["misprint"]["follows"] if cell["misprint"] else cell["paper_change"]
-            yield (
-                f"- Table {cell['table']}, {SIGNAL_NAMES[cell['signal']].lower()}, "
-                f"{STRATEGIES[cell['strategy']].label} against {STRATEGIES[cell['against']].label}: {claim:+g} %, ours {cell['our_change']:+.1f} %, "
-                f"{worded(cell)}."
-            )
+            pair = f"{STRATEGIES[cell['strategy']].label} against {STRATEGIES[cell['against']].label}"
+            changes = f"{claim:+g} %, ours {cell['our_change']:+.1f} %, {worded(cell)}"
+            yield f"- Table {cell['table']}, {SIGNAL_NAMES[cell['signal']].lower()}, {pair}: {changes}."
 
 
 def windows(client: httpx.Client) -> Iterator[str]:
