@@ -125,7 +125,8 @@ def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> 
 
     Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
     sampling of peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the
-    initial speed, the rough road at the speed that is held for long.
+    initial speed, the rough road at the speed that is held for long, or with lagging actuators at the initial speed too:
+    without jumps of the force the peaks lie where the road's slope changes.
     """
     vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
     stiffest = max(
@@ -134,7 +135,7 @@ def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> 
     )
     over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
     held = speed.initial_speed_kmh
-    if policy is SpeedPolicy.PLANNED:
+    if policy is SpeedPolicy.PLANNED and scenario.actuator.bandwidth is None:
         held = min(held, speed.target_speed_kmh)
     over_grid = GRID / (held * KMH) if scenario.road.roughness else COARSEST
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
