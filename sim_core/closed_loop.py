@@ -10,15 +10,15 @@ from functools import lru_cache
 
 import numpy as np
 
+from sim_core.arrays import BoolArray, FloatArray
 from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.plant import Plant, plant
-from sim_core.control.controller import BoolArray, Controller, LinearLaw
-from sim_core.control.making import make_controller
+from sim_core.control.controller import Controller, LinearLaw
+from sim_core.controllers import make_controller
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive
 from sim_core.recording import Recording
 from sim_core.recurrence import Recurrence, recurrence
-from sim_core.result import FloatArray
 from sim_core.scenario import Actuator, Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy
 

@@ -7,8 +7,8 @@ from math import pi, sqrt
 import numpy as np
 from scipy.linalg import expm
 
+from sim_core.arrays import FloatArray
 from sim_core.recurrence import Recurrence, recurrence
-from sim_core.result import FloatArray
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
 Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator

@@ -10,13 +10,14 @@ from math import sqrt
 
 import numpy as np
 
+from sim_core.arrays import FloatArray
 from sim_core.car.plant import RECORDED
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.comfort import vibration_dose, weighted
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
 from sim_core.recording import Recording
-from sim_core.result import FloatArray, Series, Span, StrategyResult
+from sim_core.result import Series, Span, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 from sim_core.windows import SNAP, Windows, segments_of, weights_of, windows_of

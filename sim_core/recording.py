@@ -2,10 +2,30 @@
 
 from dataclasses import dataclass
 
+from sim_core.arrays import FloatArray
 from sim_core.control.controller import SolverReport
 from sim_core.drive.sampling import RoadInput
-from sim_core.ecu.interface import LoopStatistics
-from sim_core.result import FloatArray
+
+
+@dataclass(slots=True)
+class LoopStatistics:
+    """What happened between plant and ECU in a run.
+
+    Attributes:
+        limited: Control steps in which a limit shaped the commands.
+        unfinished: Of those, how many the solver did not finish.
+        iterations: The solver's most in one step.
+        slack: Largest predicted deflection beyond the limit [cm].
+        clipped: Measured values beyond their range.
+        held: Commands that never took effect: lost, late, or overtaken by a later one.
+    """
+
+    limited: int = 0
+    unfinished: int = 0
+    iterations: int = 0
+    slack: float = 0.0
+    clipped: int = 0
+    held: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim_core.result import FloatArray
+from sim_core.arrays import FloatArray
 
 _GROUP = 8  # steps; fewer make longer prefix sums, more make larger products
 

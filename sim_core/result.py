@@ -4,12 +4,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from sim_core.arrays import FloatArray
 from sim_core.catalogue import SIGNALS
-
-FloatArray = NDArray[np.float64]
 
 
 class Series(Mapping[str, FloatArray]):

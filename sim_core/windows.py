@@ -8,11 +8,11 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.catalogue import WINDOWS
 from sim_core.drive.sampling import AxlePath, SampledDrive
 from sim_core.drive.speed_profile import Drive
-from sim_core.result import FloatArray
 
 SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
 _NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at it

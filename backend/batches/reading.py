@@ -13,8 +13,8 @@ from backend.batches.plan import scenario_at
 from backend.compute import Workers
 from backend.store import StoredBatch
 from backend.store.batches import BatchRow
+from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS
-from sim_core.result import FloatArray
 
 POINTS_A_CALL = 500  # whose stability one task of a worker reckons; each takes about a millisecond
 

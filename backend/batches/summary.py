@@ -15,8 +15,8 @@ from pydantic import ValidationError
 
 from backend.batches.plan import scenario_at
 from backend.hil.drive import simulate
+from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
-from sim_core.result import FloatArray
 from sim_core.study.stability import least_damping
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance

@@ -21,7 +21,8 @@ def run_table(run: RunResult, baseline: str) -> Iterator[str]:
         for outcome in ran:
             cells = "".join(_cell(run, outcome, base, (window, s, statistic)) for s in PAPER_SIGNALS)
             yield f"{label(outcome.strategy):26}{cells}"
-    yield f"\n{'':26}{'travel time':>14}{'at the bump':>14}{'airborne':>12}{'over travel':>14}{'QPs':>8}{'run':>12}"
+    title = f"road seed {run.scenario['road']['seed']} alone" if run.roads > 1 else ""
+    yield f"\n{title:26}{'travel time':>14}{'at the bump':>14}{'airborne':>12}{'over travel':>14}{'QPs':>8}{'run':>12}"
     for outcome in ran:
         events = outcome.events
         yield (

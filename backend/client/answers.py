@@ -22,8 +22,10 @@ class Interval:
     high: float
 
     def __repr__(self) -> str:
-        """Such as `1.09 ± 0.16`."""
-        return f"{self.mean:.4g} ± {self.half:.2g}"
+        """Such as `1.09 ± 0.16`: half the width with two digits, the mean with as many decimals."""
+        size = math.floor(math.log10(self.half)) if 0 < self.half < math.inf else 0
+        decimals = max(0, 1 - size)
+        return f"{self.mean:.{decimals}f} ± {self.half:.{decimals}f}"
 
     @property
     def half(self) -> float:

@@ -14,9 +14,9 @@ from pydantic import ValidationError
 from backend.hil import build, drive, export
 from backend.hil.build import EcuError
 from backend.hil.link import connected
-from backend.hil.realtime import CELLS, changes
+from backend.hil.realtime import changes
 from backend.hil.report import report
-from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.drive import ecu_calibration
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
@@ -75,7 +75,7 @@ def _compare(scenario: Scenario, seeds: int) -> None:
         road, hil = (part.model_copy(update={"seed": seed}) for part in (scenario.road, scenario.hil))
         seeded = scenario.model_copy(update={"road": road, "hil": hil})
         one, base = (drive.simulate(seeded, name).metrics for name in ("lv_hil", "lv"))
-        for window, statistic in CELLS:
+        for window, statistic in PAPER_VIEWS:
             for key in PAPER_SIGNALS:
                 pair = (one[window][key][statistic], base[window][key][statistic])
                 found.setdefault((window, statistic, key), []).append(pair)

@@ -15,7 +15,7 @@ import numpy as np
 from backend.hil import drive
 from backend.hil.build import EcuError
 from backend.hil.link import ProcessEcu, connected
-from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
@@ -25,7 +25,6 @@ from sim_core.simulate import simulate
 
 LONGEST = 60.0  # a drive may take [s]
 BINS = 40
-CELLS = (("rough_road", "rms"), ("bump", "peak"))  # of Tables 9 and 10
 
 
 @dataclass(slots=True)
@@ -123,7 +122,7 @@ def spread(values: Sequence[float], longest: float) -> dict[str, Any] | None:
 def changes(found: StrategyResult, base: StrategyResult) -> dict[str, dict[str, float | None]]:
     """Change of Tables 9 and 10's eight figures against a base, by window and signal [%]; None against zero."""
     table: dict[str, dict[str, float | None]] = {}
-    for window, statistic in CELLS:
+    for window, statistic in PAPER_VIEWS:
         values = {
             key: (found.metrics[window][key][statistic], base.metrics[window][key][statistic]) for key in PAPER_SIGNALS
         }

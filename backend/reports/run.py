@@ -30,6 +30,7 @@ from sim_core.catalogue import (
     EVENTS,
     METRIC_SIGNALS,
     PAPER_SIGNALS,
+    PAPER_VIEWS,
     RUN_FIGURES,
     SIGNALS,
     STATISTICS,
@@ -37,7 +38,6 @@ from sim_core.catalogue import (
     Quantity,
 )
 
-VIEWS = (("rough_road", "rms"), ("bump", "peak"))  # the paper's two views of a run
 JUDGED = (*COMFORT, "travel_time")  # of the figures of a whole run, those of which less is better
 
 
@@ -134,7 +134,9 @@ def comparison(
     shown = {signal: _shown_unit(signal) for signal in signals}
     return {
         "caption": caption_text,
-        "groups": [f"{STATISTICS[statistic].label}, {WINDOWS[window].label.lower()}" for window, statistic in VIEWS],
+        "groups": [
+            f"{STATISTICS[statistic].label}, {WINDOWS[window].label.lower()}" for window, statistic in PAPER_VIEWS
+        ],
         "heads": [{"label": SIGNALS[signal].label, "unit": unit} for signal, (unit, _) in shown.items()],
         "rows": [
             {
@@ -153,7 +155,7 @@ def comparison(
                         else None,
                         scale,
                     )
-                    for window, statistic in VIEWS
+                    for window, statistic in PAPER_VIEWS
                     for signal, (_, scale) in shown.items()
                 ],
             }

@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 from scipy.linalg import expm
 
-from sim_core.result import FloatArray
+from sim_core.arrays import FloatArray
 from sim_core.scenario import Vehicle
 
 STATES = 8

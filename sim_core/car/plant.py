@@ -6,8 +6,8 @@ from math import pi
 
 import numpy as np
 
+from sim_core.arrays import FloatArray
 from sim_core.car.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, half_car, hold
-from sim_core.result import FloatArray
 from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_LIFT = 16  # fine steps in one matrix product; more would cost more than they save

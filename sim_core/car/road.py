@@ -10,8 +10,8 @@ from math import ceil, exp, floor, pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
-from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Road
 
 REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608

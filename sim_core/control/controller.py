@@ -8,12 +8,10 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from sim_core.arrays import BoolArray, FloatArray
 from sim_core.car.half_car import FORCES, STATES
-from sim_core.result import FloatArray
 
-BoolArray = NDArray[np.bool_]
 MEASURED = STATES + FORCES  # what a law multiplies: the state, then the previous command
 WITHIN = 1 - 1e-9  # of a limit: so that rounding does not pass it
 

@@ -12,10 +12,10 @@ from math import pi
 import numpy as np
 from scipy.linalg import expm, solve_continuous_lyapunov
 
+from sim_core.arrays import FloatArray
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
 from sim_core.car.road import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.errors import UnstableVehicleError
-from sim_core.result import FloatArray
 from sim_core.scenario import Vehicle
 from sim_core.scenario.fields import Weights
 

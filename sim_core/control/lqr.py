@@ -5,11 +5,11 @@ from functools import lru_cache
 
 import numpy as np
 
+from sim_core.arrays import BoolArray, FloatArray
 from sim_core.car.half_car import FORCES, STATES, discrete
-from sim_core.control.controller import WITHIN, BoolArray, Controller, LinearLaw
+from sim_core.control.controller import WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.errors import RidelabError
-from sim_core.result import FloatArray
 
 _DOUBLINGS = 60
 _SETTLED = 1e-9  # relative change of P in a last doubling that rounding may leave

@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
+from sim_core.arrays import BoolArray, FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
-from sim_core.control.controller import MEASURED, WITHIN, BoolArray, Controller, LinearLaw
+from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.lqr import regulator
 from sim_core.control.qp import SOLVERS, QpShape, QpSolver
 from sim_core.drive.preview import flattened
-from sim_core.result import FloatArray
 from sim_core.scenario import Mpc, Vehicle
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import daqp
 import numpy as np
 
-from sim_core.result import FloatArray
+from sim_core.arrays import FloatArray
 
 if TYPE_CHECKING:
     import osqp

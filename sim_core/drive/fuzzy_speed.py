@@ -10,7 +10,7 @@ from functools import lru_cache
 import numpy as np
 import skfuzzy
 
-from sim_core.result import FloatArray
+from sim_core.arrays import FloatArray
 
 SETS = "OSMLV"  # very low, medium-low, medium, medium-high, very high
 # Rows: distance to the bump O to V; columns: speed error O to V; entries: braking torque (Table 1).

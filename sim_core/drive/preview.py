@@ -7,12 +7,12 @@ lookahead: the sensors that find the bump give the road for the whole horizon, a
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
+from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.road import profile
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive
-from sim_core.result import FloatArray
 from sim_core.scenario import Mismatch, Preview, Road
 
 EXACT = Mismatch()

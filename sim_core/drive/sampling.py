@@ -10,11 +10,11 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.road import GRID, GridPlace, detail, grid_between, grid_place, grid_samples, kinks, profile
 from sim_core.drive.speed_profile import KMH, Drive, run_in_steps
-from sim_core.result import FloatArray
 from sim_core.scenario import Road, Scenario
 from sim_core.strategies import SpeedPolicy
 
@@ -125,7 +125,7 @@ def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> 
 
     Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
     sampling of peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the
-    initial speed, the rough road at the speed that is held for long, or with lagging actuators at the initial speed too:
+    initial speed, the rough road at the speed that is held for long, with lagging actuators at the initial speed too:
     without jumps of the force the peaks lie where the road's slope changes.
     """
     vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed

@@ -9,11 +9,11 @@ from math import ceil
 
 import numpy as np
 
+from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.car.road import RUN_IN
 from sim_core.drive.brake import BrakeChain, brake_chain
 from sim_core.drive.fuzzy_speed import torque_surface
-from sim_core.result import FloatArray
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy
 

@@ -4,8 +4,9 @@ The stages follow the bump's geometry, also at height 0: cruise, brake from the 
 the rear axle has left it, cruise again. A car at constant speed has no brake stage.
 """
 
+from sim_core.arrays import FloatArray
 from sim_core.drive.speed_profile import Drive
-from sim_core.result import FloatArray, Span
+from sim_core.result import Span
 from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weights
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core import catalogue
+from sim_core.arrays import FloatArray
 from sim_core.car.half_car import STATES
-from sim_core.result import FloatArray
 
 IntArray = NDArray[np.int32]
 

@@ -5,8 +5,8 @@ import numpy as np
 from sim_core.car.half_car import DISTURBANCES, discrete
 from sim_core.car.plant import plant
 from sim_core.control.controller import SolverReport
-from sim_core.control.making import mpc_designs
 from sim_core.control.mpc import CENTI
+from sim_core.controllers import mpc_designs
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive, drive

@@ -37,34 +37,6 @@ class Reply:
     slack: float
 
 
-@dataclass(slots=True)
-class LoopStatistics:
-    """What happened between plant and ECU in a run.
-
-    Attributes:
-        limited: Control steps in which a limit shaped the commands.
-        unfinished: Of those, how many the solver did not finish.
-        iterations: The solver's most in one step.
-        slack: Largest predicted deflection beyond the limit [cm].
-        clipped: Measured values beyond their range.
-        held: Commands that never took effect: lost, late, or overtaken by a later one.
-    """
-
-    limited: int = 0
-    unfinished: int = 0
-    iterations: int = 0
-    slack: float = 0.0
-    clipped: int = 0
-    held: int = 0
-
-    def count(self, reply: Reply) -> None:
-        """Take an answer in."""
-        self.limited += reply.limited
-        self.unfinished += reply.unfinished
-        self.iterations = max(self.iterations, reply.iterations)
-        self.slack = max(self.slack, reply.slack)
-
-
 class Ecu(ABC):
     """One run's ECU. Its memory, the last command, starts at zero."""
 

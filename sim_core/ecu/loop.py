@@ -10,13 +10,14 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
+from sim_core.arrays import FloatArray
 from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.plant import Plant
 from sim_core.control.cost import KILO
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import convert, full_scales
-from sim_core.ecu.interface import Ecu, Frame, LoopStatistics
-from sim_core.result import FloatArray
+from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.recording import LoopStatistics
 from sim_core.scenario import Hil
 
 LONGEST_STEP = 1e-3  # the plant's; jitter comes in steps of the plant [s]
@@ -95,7 +96,7 @@ class HilLoop:
             reply = ecu.exchange(Frame(step=k, stage=self._inputs.stages[k], codes=codes))
             if reply is not None:
                 asked[k] = np.array(reply.commands) * (self._calibration.command_step * KILO)
-                statistics.count(reply)
+                _count(statistics, reply)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
@@ -134,3 +135,11 @@ class HilLoop:
             most = limits.rate * self._inputs.step
             wanted = present + np.clip(wanted - present, -most, most)
         return wanted if abs(wanted).max() <= limits.force else np.clip(wanted, -limits.force, limits.force)
+
+
+def _count(statistics: LoopStatistics, reply: Reply) -> None:
+    """Take an answer in."""
+    statistics.limited += reply.limited
+    statistics.unfinished += reply.unfinished
+    statistics.iterations = max(statistics.iterations, reply.iterations)
+    statistics.slack = max(statistics.slack, reply.slack)

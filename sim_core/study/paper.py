@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.drive.speed_profile import drive
 from sim_core.metrics import rms_between
 from sim_core.result import StrategyResult
@@ -26,11 +26,7 @@ PREVIEWED = ("suspension_only", "lv", "lv_hil")  # those whose controller looks 
 WINDOW = "window"  # the reading that changes no run, only where its RMS are taken
 HIL_TOLERANCE = 8.0  # a HIL cell is reached within this of the simulation, either way [%]
 AGREEMENT = 10.0  # a simulated change agrees with the printed one within this, either way [percentage points]
-FIGURES = tuple(
-    (window, statistic, signal)
-    for window, statistic in (("rough_road", "rms"), ("bump", "peak"))
-    for signal in PAPER_SIGNALS
-)
+FIGURES = tuple((window, statistic, signal) for window, statistic in PAPER_VIEWS for signal in PAPER_SIGNALS)
 
 # strategy -> (window, statistic, signal) -> a value for each seed
 Values = Mapping[str, Mapping[tuple[str, str, str], Sequence[float]]]

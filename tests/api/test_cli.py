@@ -17,6 +17,7 @@ import psutil
 import pyarrow.parquet as pq
 import pytest
 
+from backend.client import Interval
 from sim_core import __version__
 from sim_core.__main__ import main as core_main
 from sim_core.catalogue import SIGNALS
@@ -58,8 +59,8 @@ def test_run_over_several_roads_prints_means_intervals_and_paired_changes(
         where["lv"]["bump"]["body_acceleration"]["peak"]
         for where in ({"lv": run["strategies"]["lv"]["metrics"]}, run["changes"])
     )
-    half, uncertainty = lv["high"] - lv["mean"], change["high"] - change["mean"]
-    assert f"{lv['mean']:.4g} ± {half:.2g} ({change['mean']:+.1f} ± {uncertainty:.1f} %)" in printed
+    uncertainty = change["high"] - change["mean"]
+    assert f"{Interval(**lv)} ({change['mean']:+.1f} ± {uncertainty:.1f} %)" in printed
     saved = tmp_path / "saved.json"
     saved.write_text(json.dumps(run), encoding="utf-8")
     again = cli("compare", saved, scenario)

@@ -5,8 +5,8 @@ from weakref import WeakSet
 
 import numpy as np
 
+from sim_core.arrays import FloatArray
 from sim_core.caching import MEBIBYTE, cached_up_to, size
-from sim_core.result import FloatArray
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sim_core.arrays import FloatArray
 from sim_core.car.half_car import OUTPUTS
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW, SENSORS, convert, full_scales, highest_code
 from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Connect, Ecu, Frame, Reply
-from sim_core.result import FloatArray, StrategyResult
+from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 

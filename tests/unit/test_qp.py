@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from sim_core.arrays import FloatArray
 from sim_core.control import mpc as mpc_module
 from sim_core.control import qp
 from sim_core.control.qp import SOLVERS, TOLERANCE, QpShape, QpSolver, residual
-from sim_core.result import FloatArray
 from sim_core.scenario import Bump, Mpc, Road, Scenario
 from sim_core.simulate import simulate
 

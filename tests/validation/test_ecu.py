@@ -9,8 +9,8 @@ import pytest
 from backend.hil.link import ProcessEcu, connected
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.control.making import mpc_designs
 from sim_core.control.mpc import MpcController
+from sim_core.controllers import mpc_designs
 from sim_core.drive.speed_profile import drive
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.car.road import profile
-from sim_core.control.making import make_controller
+from sim_core.controllers import make_controller
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, Drive
 from sim_core.drive.speed_profile import drive as drive_plan
