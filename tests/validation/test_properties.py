@@ -25,13 +25,13 @@ def test_any_run_is_finite_and_keeps_or_reports_its_limits(scenario: Scenario, s
     assert events["qp_failures"] == 0 or strategy == "lv_hil"  # whose iterations are bounded
     assert events["qp_fallbacks"] <= events["qp_solves"] <= events["limited_steps"]
     largest = max(np.abs(series["front_deflection"]).max(), np.abs(series["rear_deflection"]).max())
-    if largest > mpc.deflection_limit:
-        assert events["travel_exceeded_mm"] == pytest.approx((largest - mpc.deflection_limit) * 1000, rel=1e-6)
-    else:
-        assert events["travel_exceeded_mm"] == 0
+    # Metrics may find a little more than the histories have: their windows end between samples.
+    exceeded, beyond = events["travel_exceeded_mm"] / 1000, max(0.0, largest - mpc.deflection_limit)
+    assert beyond <= exceeded + 1e-12 <= beyond + 0.01 * largest
     for window in result.metrics.values():
         for statistics in window.values():
-            assert 0 <= statistics["rms"] <= statistics["peak"]
+            # To rounding: a force that stays at its limit has an RMS as large as its peak.
+            assert 0 <= statistics["rms"] <= statistics["peak"] * (1 + 1e-12)
 
 
 @settings(max_examples=examples(20))
