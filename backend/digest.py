@@ -1,4 +1,7 @@
-"""Keys of content-addressed results: the hash of exactly what a result depends on."""
+"""Keys of content-addressed results: the hash of exactly what a result depends on; and ids that people type.
+
+No id begins with a sign, which a command line would take for an option and a spreadsheet for a formula.
+"""
 
 import base64
 import hashlib
@@ -21,9 +24,11 @@ def passing_key() -> str:
     return secrets.token_urlsafe(32)
 
 
-def passing_run_id() -> str:
-    """Id of a run that has such a result."""
-    return secrets.token_urlsafe(16)
+def random_id() -> str:
+    """Id of what its content does not name: 128 random bits; begins as every id does."""
+    while not (made := secrets.token_urlsafe(16))[0].isalnum():
+        pass
+    return made
 
 
 def canonical(value: Any) -> bytes:
@@ -54,7 +59,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
     content: dict[str, Any] = {**_program(names), "scenario": scenario.model_dump(mode="json"), "strategies": names}
     if roads > 1:
         content |= {"roads": roads, "baseline": baseline}
-    return _hash(content)[:RUN_ID_LENGTH]
+    return _hash(content).lstrip("-_")[:RUN_ID_LENGTH]
 
 
 def _program(strategies: Iterable[str]) -> dict[str, str]:

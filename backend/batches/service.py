@@ -2,7 +2,6 @@
 
 import asyncio
 import hashlib
-import secrets
 from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import Any
@@ -27,7 +26,6 @@ from backend.streams import server_sent
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 
-ID_BYTES = 16  # 22 characters
 PAGE = 250  # rows read in one transaction
 RETRY_AFTER = 30
 SUMMARIES = 16  # of batches that have ended, kept: a page that is opened again asks for the same
@@ -93,7 +91,7 @@ class Batches:
         with self._admission.computing(client, scenario, names):
             planned = await self._planned(base, names, sweep)
         batch = StoredBatch(
-            id=_new_id(),
+            id=digest.random_id(),
             state="queued",
             reason=None,
             core_version=CORE_VERSION,
@@ -261,13 +259,6 @@ class Batches:
             raise ProblemError(
                 503, "The service is full: too many batches are waiting.", kind="full", retry_after=RETRY_AFTER
             )
-
-
-def _new_id() -> str:
-    """Random; not begun by a sign, which a spreadsheet would take for a formula and a command line for an option."""
-    while not (made := secrets.token_urlsafe(ID_BYTES))[0].isalnum():
-        pass
-    return made
 
 
 def batch_answer(batch: StoredBatch) -> dict[str, Any]:

@@ -1,13 +1,12 @@
 """Share links: an unguessable slug that opens a run or a batch as it was computed, in the view it was shared in."""
 
 import re
-import secrets
 from collections.abc import Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
-from backend import pins
+from backend import digest, pins
 from backend.admission import Admission
 from backend.batches.service import batch_answer
 from backend.compute import Workers
@@ -20,8 +19,6 @@ from backend.runs import todays
 from backend.store import Store, StoredBatch, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
-
-SLUG_BYTES = 16  # 128 random bits are 22 characters
 
 
 class Links:
@@ -118,7 +115,7 @@ class Links:
         return {missing[name]: content for name, content in made.items()}
 
     async def _save(self, kind: Any, target: str, view: Mapping[str, Any], made: Mapping[str, bytes]) -> str:
-        slug = secrets.token_urlsafe(SLUG_BYTES)
+        slug = digest.random_id()
         link = StoredLink(slug=slug, kind=kind, target=target, view=dict(view), created_at=datetime.now(UTC))
         await self._store.call(self._store.links.save, link, made)
         return slug

@@ -3,7 +3,6 @@
 import asyncio
 import hashlib
 import math
-import secrets
 from collections.abc import AsyncIterator, Mapping
 from datetime import UTC, datetime
 from typing import Any
@@ -28,7 +27,6 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.workload import estimate
 
-ID_BYTES = 16  # 22 characters
 RETRY_AFTER = 30
 
 
@@ -89,7 +87,7 @@ class Tunings:
         _, cost = self._workload(request, wanted.trials)
         await self._check_room()
         tuning = StoredTuning(
-            id=_new_id(),
+            id=digest.random_id(),
             state="queued",
             reason=None,
             step="search",
@@ -264,13 +262,6 @@ def _stored_request(wanted: TuningRequest) -> dict[str, Any]:
         "objectives": [objective.stored() for objective in wanted.objectives],
         "search": {name: list(ends) for name, ends in wanted.ranges.items()},
     }
-
-
-def _new_id() -> str:
-    """Random; not begun by a sign, which a command line would take for an option."""
-    while not (made := secrets.token_urlsafe(ID_BYTES))[0].isalnum():
-        pass
-    return made
 
 
 def _too_big(message: str, pointer: str = "/trials") -> ProblemError:

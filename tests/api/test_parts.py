@@ -56,6 +56,18 @@ def test_keys_are_the_same_in_every_process() -> None:
     assert other.stdout.split() == [digest.result_key(Scenario(), "lv"), digest.run_id(Scenario(), ["lqr", "lv"])]
 
 
+def test_no_id_begins_with_a_sign() -> None:
+    """A command line would take it for an option, a spreadsheet for a formula; one hash in 32 begins with one."""
+    scenario = Scenario()
+    ids = [
+        digest.run_id(scenario.model_copy(update={"road": scenario.road.model_copy(update={"seed": seed})}), ["lv"])
+        for seed in range(300)
+    ]
+    ids += [digest.random_id() for _ in range(300)]
+    assert len(set(ids)) == 600
+    assert all(len(each) == digest.RUN_ID_LENGTH and each[0].isalnum() for each in ids)
+
+
 @given(st.floats(allow_nan=False, allow_infinity=False))
 def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) -> None:
     assert digest.canonical({"a": value}) == digest.canonical({"a": value + 0.0 if value else 0})
