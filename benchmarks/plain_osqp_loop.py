@@ -65,7 +65,7 @@ def run(scenario: Scenario) -> PlainRun:
     begin = perf_counter()
     chosen, mpc, car = strategy_named("lv"), scenario.mpc, scenario.vehicle
     motion = drive(scenario, chosen.speed)
-    road_input = sample_road(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario))
+    road_input = sample_road(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario, chosen))
     windows = preview_windows(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, car.wheelbase)
     horizon = Horizon(
         prediction=mpc.prediction_horizon,

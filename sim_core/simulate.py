@@ -44,7 +44,7 @@ def simulate(
         scenario.vehicle.wheelbase,
         motion,
         step,
-        fine_step(scenario, strategy.speed),
+        fine_step(scenario, strategy),
         multiple=short_steps(step) if by_ecu else 1,
     )
     steps = segments(stages, road_input.position)

@@ -38,7 +38,7 @@ def estimate(scenario: Scenario, name: str) -> float:
         UnknownNameError: No such strategy.
     """
     chosen, mpc, time = strategy_named(name), scenario.mpc, duration(scenario, name)
-    cost = _START + time / fine_step(scenario, chosen.speed) * _PER_FINE_STEP
+    cost = _START + time / fine_step(scenario, chosen) * _PER_FINE_STEP
     if chosen.speed is SpeedPolicy.PLANNED:
         cost += time / CONTROL_STEP * _PER_PLAN_STEP
     if chosen.suspension is SuspensionPolicy.LQR:

@@ -16,7 +16,7 @@ from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.road import GRID, GridPlace, detail, grid_between, grid_place, grid_samples, kinks, profile
 from sim_core.drive.speed_profile import KMH, Drive, run_in_steps
 from sim_core.scenario import Road, Scenario
-from sim_core.strategies import SpeedPolicy
+from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 
@@ -120,7 +120,7 @@ class RoadInput:
         return self.drive.fine_step
 
 
-def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> float:
+def fine_step(scenario: Scenario, strategy: Strategy) -> float:
     """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
 
     Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
@@ -135,7 +135,8 @@ def fine_step(scenario: Scenario, policy: SpeedPolicy = SpeedPolicy.PLANNED) -> 
     )
     over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
     held = speed.initial_speed_kmh
-    if policy is SpeedPolicy.PLANNED and scenario.actuator.bandwidth is None:
+    lagging = strategy.suspension is not SuspensionPolicy.PASSIVE and scenario.actuator.bandwidth is not None
+    if strategy.speed is SpeedPolicy.PLANNED and not lagging:
         held = min(held, speed.target_speed_kmh)
     over_grid = GRID / (held * KMH) if scenario.road.roughness else COARSEST
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))

@@ -55,7 +55,7 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     )
     step = scenario.mpc.sample_time if actuated else CONTROL_STEP
     motion = drive(believed, chosen.speed)
-    road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed))
+    road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, chosen))
     controller = make_controller(believed, chosen, motion, road_input)
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
     stages = STAGES if actuated else ("cruise",)

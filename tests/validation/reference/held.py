@@ -95,7 +95,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
         return held.metrics(scenario, motion), held
 
-    road_input = sample_road(scenario.road, wheelbase, motion, Ts, fine_step(scenario, chosen.speed))
+    road_input = sample_road(scenario.road, wheelbase, motion, Ts, fine_step(scenario, chosen))
     controller = make_controller(scenario, chosen, motion, road_input)
     actuator = scenario.actuator if actuated else Actuator()
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
