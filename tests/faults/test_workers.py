@@ -15,7 +15,7 @@ from backend.worker import run
 from sim_core.scenario import Scenario
 
 LIMIT = 2.0  # a task may take [s]; the others here take far less
-CARS_KNOWN = "__import__('sim_core.car.half_car').half_car.half_car.cache_info().currsize"
+CARS_KNOWN = "__import__('sim_core.car.half_car').car.half_car.half_car.cache_info().currsize"
 Do = Callable[[Callable[[Workers], Coroutine[Any, Any, Any]]], Any]
 
 
