@@ -295,7 +295,7 @@ class RoadsQuery(RequestModel):
 
 
 class _Query(RoadsQuery):
-    interpretation: Literal[tuple(INTERPRETATIONS)] = Field(  # type: ignore[valid-type]
+    interpretation: Literal[tuple(INTERPRETATIONS)] = Field(  # type: ignore[valid-type]  # from the core
         DEFAULT.id, description="A named set of readings; single ones beside it override it"
     )
 

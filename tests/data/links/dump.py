@@ -25,7 +25,7 @@ from backend.series import pack  # noqa: E402
 from backend.store import Store, StoredLink, StoredResult  # noqa: E402
 from backend.store.tables import links, pinned_series, results, run_results, runs  # noqa: E402
 from sim_core.scenario import SCHEMA_VERSION, Bump, Road, Scenario, Speed  # noqa: E402
-from sim_core.simulate import simulate  # noqa: E402
+from sim_core.simulate import simulate  # noqa: E402  # after the path, as all above
 
 CORE_VERSION = "0.0.9"
 REVISION = "0003"  # of the database's own schema, when this fixture was made
