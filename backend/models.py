@@ -10,6 +10,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInf
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
+from backend.problem_kinds import KINDS, TYPES
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import MAX_SEED
@@ -311,10 +312,10 @@ class ProblemPlace(BaseModel):
 
 
 class Problem(Answer):
-    """RFC 9457."""
+    """RFC 9457; docs/api.md lists the kinds."""
 
-    type: str
-    title: str
+    type: Annotated[str, Field(json_schema_extra={"enum": [f"{TYPES}{name}" for name in KINDS]})]
+    title: str = Field(description="Of every problem of that type the same")
     status: int
     detail: str
     errors: list[ProblemPlace]

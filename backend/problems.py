@@ -2,40 +2,27 @@
 
 import logging
 from collections.abc import Mapping, Sequence
-from http import HTTPStatus
 from typing import Any, cast
 
 import orjson
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
-from pydantic import BaseModel
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
 from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.hil.drive import EcuUnavailableError
+from backend.problem_kinds import KINDS, OF_STATUS, TYPES
 from backend.telemetry import REFUSED, STORE_ERRORS, request_id
+from backend.unknown_names import in_body, shown_path, unknown
 from sim_core.errors import RidelabError
 
 logger = logging.getLogger(__name__)
 
 MEDIA_TYPE = "application/problem+json"
-TYPES = "urn:problem-type:ridelab:"
 MOST_ERRORS = 50
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
-
-DETAILS = {
-    400: "The request could not be read.",
-    404: "There is nothing at this address.",
-    405: "This address does not answer that method.",
-    408: "The request did not come in time.",
-    413: "The request body is longer than allowed.",
-    415: "The body has to be JSON, with the header Content-Type: application/json.",
-    422: "The request has values that cannot be used; errors names each.",
-    500: "Something went wrong in the service. It is in its log.",
-    503: "The service cannot answer right now.",
-}
 
 
 class ProblemError(HTTPException):
@@ -44,7 +31,7 @@ class ProblemError(HTTPException):
     Args:
         status: HTTP status.
         detail: What is wrong and what would be right, for a person to read.
-        kind: Short name for machines, the end of the `type` URN; None is `about:blank`.
+        kind: One of `backend.problem_kinds`; None is what that status usually means.
         errors: `{"pointer" or "parameter", "message"}` for each place concerned.
         retry_after: Seconds for the `Retry-After` header.
     """
@@ -73,13 +60,14 @@ def problem(
     headers: Mapping[str, str] | None = None,
 ) -> Response:
     """The response that says so."""
-    if kind and status in PROTECTING:
-        REFUSED.labels(kind).inc()
+    known = KINDS[kind] if kind is not None else OF_STATUS[status]
+    if status in PROTECTING:
+        REFUSED.labels(known.name).inc()
     content = {
-        "type": f"{TYPES}{kind}" if kind else "about:blank",
-        "title": HTTPStatus(status).phrase,
+        "type": f"{TYPES}{known.name}",
+        "title": known.title,
         "status": status,
-        "detail": detail or DETAILS.get(status, HTTPStatus(status).phrase),
+        "detail": detail or known.meaning,
         "errors": list(errors),
         "request_id": request_id(),
     }
@@ -122,7 +110,7 @@ async def _invalid(request: Request, error: Exception) -> Response:
     body = getattr(request.scope.get("route"), "body_field", None)
     model = body.field_info.annotation if body is not None else None
     found = [_place(item, model) for item in error.errors()[:MOST_ERRORS]]
-    return problem(422, kind="invalid-request", errors=found)
+    return problem(422, errors=found)
 
 
 async def _refused(_: Request, error: Exception) -> Response:
@@ -156,29 +144,24 @@ async def _slow(_: Request, __: Exception) -> Response:
     return problem(503, "The computation took longer than the limit and was ended.", kind="timeout")
 
 
-def _place(item: Mapping[str, Any], model: type[BaseModel] | None) -> dict[str, str]:
+def _place(item: Mapping[str, Any], model: Any) -> dict[str, str]:
     """Where one validation error belongs and what it says, without the value sent."""
     where, *path = item["loc"] or ("body",)
     context = item.get("ctx") or {}
     message = str(item["msg"])
     if where != "body":
         return {"parameter": str(path[-1]) if path else "", "pointer": "", "message": message}
-    if item["type"] == "inconsistent":
+    if item["type"] == "extra_forbidden":
+        path, known = in_body(model, path[:-1])
+        path.append(item["loc"][-1])
+        message = unknown("field", item["loc"][-1], known)
+    elif item["type"] == "unknown_key":
+        path.append(context["key"])
+        message = unknown(context["what"], context["key"], context["known"])
+    elif item["type"] == "inconsistent":
         path += context["field"].split(".")
-    elif item["type"] == "extra_forbidden":
-        path.pop()  # the unknown name itself was typed by somebody
-        message = f"Unknown field; there are {', '.join(_fields(model, path))}"
     elif item["type"] == "too_short" and context.get("min_length") == 1:
         message = "There has to be at least one"
     elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):
         message = "This has to be a JSON object"
-    return {"pointer": pointer(path), "message": message}
-
-
-def _fields(model: type[BaseModel] | None, path: Sequence[str | int]) -> list[str]:
-    """Names that an object at that place in a body may have."""
-    current: Any = model
-    for step in path:
-        field = getattr(current, "model_fields", {}).get(step)
-        current = field.annotation if field is not None else None
-    return list(getattr(current, "model_fields", {}))
+    return {"pointer": pointer(shown_path(path)), "message": message}

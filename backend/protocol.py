@@ -20,7 +20,6 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 from backend.problems import problem
 from backend.security import HEADERS
 from backend.settings import Settings
-from backend.telemetry import REFUSED
 from backend.telemetry.requests import HEADER
 
 if TYPE_CHECKING:
@@ -46,8 +45,7 @@ class GuardedProtocol(H11Protocol):
         """Count it, and begin to wait for a request."""
         super().connection_made(transport)
         if len(self.connections) > self.MAX_CONNECTIONS:
-            REFUSED.labels("connections").inc()
-            self._refuse(503, "The service is full: too many connections are open.")
+            self._refuse(503, "connections")
             return
         self._watch()
 
@@ -99,8 +97,8 @@ class GuardedProtocol(H11Protocol):
 
     def send_400_response(self, msg: str) -> None:
         """Answer what is not HTTP; the parser knows whether it was only too long."""
-        status = getattr(sys.exc_info()[1], "error_status_hint", 400)
-        self._refuse(431 if status == 431 else 400, msg)
+        status = 431 if getattr(sys.exc_info()[1], "error_status_hint", 400) == 431 else 400
+        self._refuse(status, "headers-too-long" if status == 431 else "malformed-request", msg)
 
     def _answering(self) -> bool:
         return self.cycle is not None and not self.cycle.response_complete
@@ -120,25 +118,24 @@ class GuardedProtocol(H11Protocol):
             return
         began = bool(self.conn.trailing_data[0]) and self.conn.our_state is h11.IDLE
         if began:
-            REFUSED.labels("slow-head").inc()
-            self._refuse(408, "The request's head did not come in time.")
+            self._refuse(408, "slow-head")
         else:
             self.transport.close()
 
-    def _refuse(self, status: int, detail: str) -> None:
+    def _refuse(self, status: int, kind: str, detail: str | None = None) -> None:
         """Answer without the application, and close."""
         if self.conn.our_state not in (h11.IDLE, h11.SEND_RESPONSE):
             self.transport.abort()  # in the middle of another answer
             return
         name = uuid4().hex
-        response = problem(status, detail)
+        response = problem(status, detail, kind=kind)
         content: dict[str, Any] = {**orjson.loads(response.body), "request_id": name}
         body = orjson.dumps(content)
         headers = {**HEADERS, HEADER: name, "Content-Type": str(response.media_type), "Cache-Control": "no-store"}
         headers |= {"Content-Length": str(len(body)), "Connection": "close"}
         if status == 503:
             headers["Retry-After"] = "2"
-        logger.warning("Refused a connection: %d %s", status, detail, extra={"request_id": name})
+        logger.warning("Refused a connection: %d %s", status, kind, extra={"request_id": name})
         for event in (h11.Response(status_code=status, headers=list(headers.items())), h11.Data(data=body)):
             self.transport.write(self.conn.send(event) or b"")
         self.transport.write(self.conn.send(h11.EndOfMessage()) or b"")

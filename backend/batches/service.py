@@ -14,7 +14,7 @@ from backend.batches import plan, reading
 from backend.batches import table as batch_table
 from backend.batches.driver import Driver
 from backend.batches.robustness import BASELINE
-from backend.batches.sweeps import Sweep, SweepError, shown_path, size
+from backend.batches.sweeps import Sweep, SweepError, size
 from backend.batches.table import Format
 from backend.compute import Workers
 from backend.problems import ProblemError, pointer
@@ -23,6 +23,7 @@ from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import FINAL, UNFINISHED, BatchRow
 from backend.streams import server_sent
+from backend.unknown_names import shown_path
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 

@@ -6,7 +6,6 @@ value and makes the list of points, each a mapping of those fields to values.
 
 import itertools
 import math
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any, Self
 
@@ -34,7 +33,6 @@ Value = Annotated[
     ),
 ]
 MOST_ERRORS = 50
-_SANE_NAME = re.compile(r"[A-Za-z0-9_.]{1,80}")
 
 
 class _Model(BaseModel):
@@ -116,11 +114,6 @@ def points(sweep: Sweep, base: Mapping[str, Any]) -> tuple[list[str], list[Chang
     if errors:
         raise SweepError(errors[:MOST_ERRORS])
     return names, list(found())
-
-
-def shown_path(path: Sequence[str | int]) -> list[str | int]:
-    """A path into the request for an error: up to the first name that is not a plain dotted name."""
-    return list(itertools.takewhile(lambda step: isinstance(step, int) or _SANE_NAME.fullmatch(step), path))
 
 
 Errors = list[tuple[list[str | int], str]]

@@ -1,19 +1,24 @@
 """HTTP: each route reads the request, calls one service and answers."""
 
 import asyncio
-from collections.abc import Callable, Coroutine
+from collections import Counter
+from collections.abc import Callable, Coroutine, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from functools import partial
 from typing import Any
 
 from fastapi import APIRouter, Request, Response
+from fastapi.dependencies.utils import get_flat_params
+from fastapi.params import Param, Query
 from fastapi.routing import APIRoute
+from starlette.datastructures import QueryParams
 from starlette.types import Receive, Scope
 
 from backend import strict_json
 from backend.models import Problem
-from backend.problems import ProblemError
+from backend.problems import MOST_ERRORS, ProblemError
+from backend.unknown_names import is_name, unknown
 
 API = "/api/v1"
 BULKY = 64 * 1024  # a longer body takes a place and is parsed beside the event loop; a scenario is a few kB [bytes]
@@ -97,7 +102,7 @@ class StrictRequest(Request):
 
 
 class StrictRoute(APIRoute):
-    """A route that reads its body with `StrictRequest`, and only as JSON."""
+    """A route that reads its body with `StrictRequest`, and only as JSON, and takes the parameters it declares."""
 
     MAX_VALUES = strict_json.MAX_VALUES
     COMPUTES = False
@@ -106,8 +111,12 @@ class StrictRoute(APIRoute):
         """The framework's handler, given a stricter request."""
         handler = super().get_route_handler()
         takes_body = self.body_field is not None
+        declared = [(field.alias, field.field_info) for field in get_flat_params(self.dependant)]
+        # The fields of a model of parameters are plain ones; only queries are models here.
+        parameters = [name for name, info in declared if isinstance(info, Query) or not isinstance(info, Param)]
 
         async def strict(request: Request) -> Response:
+            _check_parameters(request.query_params, parameters)
             kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
             if takes_body and kind != "application/json":
                 raise ProblemError(415, "The body has to be JSON, with the header Content-Type: application/json.")
@@ -134,3 +143,20 @@ def router(tag: str, *statuses: int, route_class: type[StrictRoute] = StrictRout
     if 413 in statuses:
         responses[408] = {"model": Problem}
     return APIRouter(prefix=API, tags=[tag], route_class=route_class, responses=responses)
+
+
+def _check_parameters(sent: QueryParams, known: Sequence[str]) -> None:
+    """Each may be there once: none of this API's is a list, and of two values one would be lost.
+
+    Raises:
+        ProblemError: 422, with every name that is unknown or there twice.
+    """
+    times = Counter(name for name, _ in sent.multi_items())
+    wrong = [name for name, count in times.items() if count > 1 or name not in known][:MOST_ERRORS]
+    if not wrong:
+        return
+    errors = []
+    for name in wrong:
+        message = "This parameter is there twice" if name in known else unknown("parameter", name, known)
+        errors.append({"pointer": "", "message": message} | ({"parameter": name} if is_name(name) else {}))
+    raise ProblemError(422, "The address has parameters that cannot be used; errors names each.", errors=errors)

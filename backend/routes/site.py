@@ -100,7 +100,7 @@ def add_site(app: FastAPI, dist: Path) -> None:
 
 def _check_built(index: Path) -> None:
     if not index.is_file():
-        raise ProblemError(503, "The dashboard is not built: make setup builds it. The API answers.")
+        raise ProblemError(503, "The dashboard is not built: make setup builds it. The API answers.", kind="not-built")
 
 
 def _file(path: Path) -> Callable[[], Awaitable[Response]]:

@@ -33,7 +33,7 @@ def configure(form: Format | None, level: Level) -> None:
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(
         structlog.stdlib.ProcessorFormatter(
-            foreign_pre_chain=[*shared, structlog.stdlib.ExtraAdder()],
+            foreign_pre_chain=[*shared, structlog.stdlib.ExtraAdder(), _without_colours],
             processors=[structlog.stdlib.ProcessorFormatter.remove_processors_meta, *_rendering(form)],
         )
     )
@@ -58,4 +58,10 @@ def _rendering(form: Format) -> list[Processor]:
 def _one_line(_: WrappedLogger, __: str, event: EventDict) -> EventDict:
     """An event's text cannot begin another line or move the cursor; other values are written as Python writes them."""
     event["event"] = str(event["event"]).translate(CONTROL)
+    return event
+
+
+def _without_colours(_: WrappedLogger, __: str, event: EventDict) -> EventDict:
+    """Leave out what uvicorn sends beside its events: the same text with a terminal's colours."""
+    event.pop("color_message", None)
     return event

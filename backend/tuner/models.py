@@ -37,10 +37,11 @@ def _each_once(seeds: list[int]) -> list[int]:
 
 
 def _known_weights(search: Any) -> Any:
-    """Names first: an error's place would hold an unknown one, and somebody typed it."""
-    if isinstance(search, dict) and not set(search) <= set(WEIGHTS):
-        names = {"names": ", ".join(WEIGHTS)}
-        raise PydanticCustomError("unknown_weight", "Unknown weight; there are {names}", names)
+    """Names first: what an unknown one holds is of no use."""
+    for name in search if isinstance(search, dict) else ():
+        if name not in WEIGHTS:
+            context = {"key": name, "what": "weight", "known": WEIGHTS}
+            raise PydanticCustomError("unknown_key", "Unknown weight", context)
     return search
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from backend.app import create_app
 from backend.models import Catalogue, PresetAnswer, StrategyAnswer
+from backend.problem_kinds import KINDS
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -120,6 +121,7 @@ def test_answers_are_described_precisely(description: dict[str, Any]) -> None:
     assert answer["anyOf"] == [{"$ref": f"#/components/schemas/{name}"} for name in forms]
     for name in (*forms, "Run", "RoadsRun", "LiveRun", "StrategyResult", "LiveResult", "Problem", "Catalogue"):
         assert set(schemas[name]["required"]) == set(schemas[name]["properties"]), name
+    assert schemas["Problem"]["properties"]["type"]["enum"] == [f"urn:problem-type:ridelab:{name}" for name in KINDS]
     assert "vehicle" in schemas["Scenario"]["properties"]
     assert schemas["RunRequest"]["properties"]["strategies"]["items"]["enum"] == list(STRATEGIES)
 

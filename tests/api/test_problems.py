@@ -9,7 +9,9 @@ from sqlalchemy.exc import OperationalError
 
 from backend.admission import Admission
 from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
+from backend.hil.drive import EcuUnavailableError
 from backend.models import Problem
+from backend.problem_kinds import KINDS
 from backend.problems import ProblemError, pointer
 from backend.security import HEADERS
 from sim_core.errors import RidelabError
@@ -19,7 +21,7 @@ from sim_core.workload import estimate
 HARD = {"mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100}}
 
 
-def check(response: httpx.Response, status: int, kind: str | None = None) -> Problem:
+def check(response: httpx.Response, status: int, kind: str) -> Problem:
     assert response.status_code == status, response.text
     assert response.headers["content-type"] == "application/problem+json"
     for name, value in HEADERS.items():
@@ -29,14 +31,21 @@ def check(response: httpx.Response, status: int, kind: str | None = None) -> Pro
     assert problem.status == status
     assert problem.title
     assert problem.detail
-    assert problem.type == (f"urn:problem-type:ridelab:{kind}" if kind else "about:blank")
+    assert problem.type == f"urn:problem-type:ridelab:{kind}"
+    assert problem.title == KINDS[kind].title
     return problem
 
 
 def test_unknown_addresses_are_404(client: httpx.Client) -> None:
     for path in ("/nowhere", "/api/v1", "/api/v1/nothing", "/api/v2/runs", "/assets/none.js", "/docs-assets/none.js"):
-        check(client.get(path), 404)
-    check(client.post("/api/v1/nothing", json={}), 404)
+        check(client.get(path), 404, "not-found")
+    check(client.post("/api/v1/nothing", json={}), 404, "not-found")
+    for things in ("runs", "batches", "tunings", "links"):
+        check(client.get(f"/api/v1/{things}/nothing"), 404, "not-found")
+
+
+def test_what_is_no_json_is_415(client: httpx.Client) -> None:
+    check(client.post("/api/v1/runs", content=b"{}"), 415, "unsupported-media-type")
 
 
 def test_a_wrong_method_is_405_and_says_which_are_right(client: httpx.Client) -> None:
@@ -45,7 +54,7 @@ def test_a_wrong_method_is_405_and_says_which_are_right(client: httpx.Client) ->
 
 
 def check_allow(response: httpx.Response) -> set[str]:
-    check(response, 405)
+    check(response, 405, "method-not-allowed")
     return {method.strip() for method in response.headers["allow"].split(",")}
 
 
@@ -60,17 +69,18 @@ def test_head_is_get_without_the_body(client: httpx.Client, path: str) -> None:
 @pytest.mark.parametrize(
     ("error", "status", "kind", "retry"),
     [
-        (RuntimeError("secret detail"), 500, None, False),
+        (RuntimeError("secret detail"), 500, "internal-error", False),
         (OperationalError("secret statement", {}, Exception()), 503, "store-unavailable", True),
         (WorkerLostError(), 503, "worker-lost", True),
         (WorkersBusyError(), 503, "full", True),
         (WorkerTimeoutError(), 503, "timeout", False),
+        (EcuUnavailableError("No compiler"), 503, "ecu-unavailable", False),
         (RidelabError("Out of reach", field="road.length"), 422, "refused", False),
     ],
     ids=lambda value: type(value).__name__,
 )
 def test_what_goes_wrong_inside_tells_nothing_of_the_inside(
-    service: Any, monkeypatch: pytest.MonkeyPatch, error: Exception, status: int, kind: str | None, retry: bool
+    service: Any, monkeypatch: pytest.MonkeyPatch, error: Exception, status: int, kind: str, retry: bool
 ) -> None:
     async def fail(*_: Any, **__: Any) -> None:
         raise error

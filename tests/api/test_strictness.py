@@ -8,7 +8,7 @@ import pytest
 
 from backend.models import Problem
 
-MARK = "Zz9PlaintextMark"
+MARK = "Zz9 <Plaintext> Mark"  # no name: those that look like one are told
 
 
 def post(client: httpx.Client, body: str | bytes, path: str = "runs", kind: str = "application/json") -> httpx.Response:
@@ -32,7 +32,8 @@ def scenario(text: str) -> str:
         (scenario('{"road": {"length": ' + "9" * 308 + "}}"), 422, "/scenario/road/length"),
         (scenario('{"road": {"bump": {"height": 3}}}'), 422, "/scenario/road/bump/height"),
         (scenario('{"road": {"bump": {"shape": "cube"}}}'), 422, "/scenario/road/bump/shape"),
-        (scenario('{"road": {"bump": {"colour": 1}}}'), 422, "/scenario/road/bump"),
+        (scenario('{"road": {"bump": {"colour": 1}}}'), 422, "/scenario/road/bump/colour"),
+        (scenario('{"road": {"bump": {"my colour": 1}}}'), 422, "/scenario/road/bump"),
         (scenario('{"road": {"bump": {"start": 149}}}'), 422, "/scenario/road/bump/start"),
         (scenario('{"mpc": {"control_horizon": 31}}'), 422, "/scenario/mpc/control_horizon"),
         (scenario('{"lqr": {"weights": [0, 0, 0]}}'), 422, "/scenario/lqr/weights"),
@@ -113,6 +114,52 @@ def test_no_error_echoes_what_was_sent(client: httpx.Client, body: str) -> None:
         assert 400 <= response.status_code < 500
         assert MARK not in response.text
         assert all(MARK not in value for value in response.headers.values())
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "pointer", "message"),
+    [
+        ("runs", {"strategies": ["lv"], "road": 2}, "/road", "road, perhaps roads; there are scenario, strategies"),
+        (
+            "live",
+            {"strategies": ["lv"], "scenario": {"road": {"bump": {"hight": 1}}}},
+            "/scenario/road/bump/hight",
+            "hight, perhaps height; there are shape, height, width, start",
+        ),
+        ("batches", {"sweep": {"points": []}}, "/sweep/points", "points; there are grid, latin_hypercube, list"),
+        (
+            "batches",
+            {"sweep": {"latin_hypercube": {"ranges": {"road.seed": [1, 9]}, "samples": 2, "sed": 1}}},
+            "/sweep/latin_hypercube/sed",
+            "sed, perhaps seed; there are ranges, samples, seed",
+        ),
+        (
+            "tunings",
+            {"objectives": [{"kind": "paper"}, {"kind": "peaks", "windows": "bump"}]},
+            "/objectives/1/windows",
+            "windows, perhaps window; there are kind, q, window, figure",
+        ),
+        ("tunings", {"search": {"lqr.weight.0": [1, 2]}}, "/search/lqr.weight.0", "lqr.weight.0, perhaps lqr.weights"),
+        ("links", {"run_id": "A" * 22, "view": {"zom": [1, 2]}}, "/view/zom", "zom, perhaps zoom; there are"),
+        ("controller/report", {"scene": {}}, "/scene", "scene, perhaps scenario; there are scenario"),
+    ],
+)
+def test_an_unknown_name_is_told_with_those_there_are(
+    client: httpx.Client, path: str, body: dict[str, Any], pointer: str, message: str
+) -> None:
+    if path == "batches":
+        body = {"strategies": ["lv"], **body}
+    answer = post(client, json.dumps(body), path)
+    assert answer.status_code == 422
+    (error,) = answer.json()["errors"]
+    assert error["pointer"] == pointer
+    assert message in error["message"]
+
+
+def test_what_no_name_may_have_is_not_repeated_in_a_pointer(client: httpx.Client) -> None:
+    """A sweep's keys are anything until they are looked up."""
+    answer = post(client, json.dumps({"strategies": ["lv"], "sweep": {"grid": {MARK: []}}}), "batches")
+    assert [error["pointer"] for error in answer.json()["errors"]] == ["/sweep/grid"]
 
 
 def test_json_with_a_charset_is_json(client: httpx.Client) -> None:

@@ -203,7 +203,7 @@ def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Clien
         "request_id": "trace-8",
         "method": "GET",
         "route": "/api/v1/runs/{id}",
-        "status": 404,
+        "status": 422,  # a run has no such parameter
         "client": "127.0.0.1",
     }
     ours = [line for line in lines(text) if line["logger"] != "httpx"]
@@ -243,6 +243,16 @@ def test_no_text_makes_a_line_of_its_own(logged: Any, form: str) -> None:
     assert not set(content) & ({chr(code) for code in CONTROL} - {"\n"})
     if form == "json":
         assert [line["event"] for line in lines(text)] == ["it said " + FORGED, FORGED]
+
+
+@pytest.mark.parametrize("form", ["json", "console"])
+def test_events_carry_no_colours_where_nobody_sees_them(logged: Any, form: str) -> None:
+    text = logged(form)
+    plain, coloured = "Started server process [%d]", "Started server process [\x1b[36m%d\x1b[0m]"
+    logging.getLogger("uvicorn.error").info(plain, 7, extra={"color_message": coloured})  # as uvicorn says it
+    (line,) = (line for line in text.getvalue().splitlines() if "uvicorn" in line)
+    assert "Started server process [7]" in line
+    assert not re.search(r"color|\x1b|u001b|\[36m", line)
 
 
 def test_levels_and_forms_are_chosen(logged: Any) -> None:

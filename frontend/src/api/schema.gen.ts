@@ -3147,7 +3147,7 @@ export interface components {
         };
         /**
          * Problem
-         * @description RFC 9457.
+         * @description RFC 9457; docs/api.md lists the kinds.
          */
         Problem: {
             /** Detail */
@@ -3161,10 +3161,16 @@ export interface components {
             request_id: string;
             /** Status */
             status: number;
-            /** Title */
+            /**
+             * Title
+             * @description Of every problem of that type the same
+             */
             title: string;
-            /** Type */
-            type: string;
+            /**
+             * Type
+             * @enum {string}
+             */
+            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:timeout" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
         };
         /**
          * ProblemPlace

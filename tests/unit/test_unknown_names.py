@@ -1,0 +1,51 @@
+"""Unknown names: which may be repeated, and where a validation error is in the body that was sent."""
+
+from typing import Annotated, Literal
+
+import pytest
+from pydantic import BaseModel, Field
+
+from backend.unknown_names import in_body, is_name, unknown
+
+
+class Circle(BaseModel):
+    kind: Literal["circle"]
+    radius: float
+
+
+class Square(BaseModel):
+    kind: Literal["square"]
+    edges: Annotated[list[float], Field(alias="sides")]
+
+
+class Drawing(BaseModel):
+    first: Annotated[Circle | Square, Field(discriminator="kind")] | None = None
+    others: list[Circle | Square] = []
+    pair: tuple[Circle, Square] | None = None
+    named: dict[str, Square] = {}
+
+
+@pytest.mark.parametrize(
+    ("path", "shown", "known"),
+    [
+        ([], [], ["first", "others", "pair", "named"]),
+        (["first", "square"], ["first"], ["kind", "sides"]),
+        (["others", 3, "Circle"], ["others", 3], ["kind", "radius"]),
+        (["pair", 1], ["pair", 1], ["kind", "sides"]),
+        (["named", "it"], ["named", "it"], ["kind", "sides"]),
+    ],
+)
+def test_the_place_is_the_bodys_own_and_names_are_those_in_json(
+    path: list[str | int], shown: list[str | int], known: list[str]
+) -> None:
+    assert in_body(Drawing, path) == (shown, known)
+
+
+def test_only_what_looks_like_a_name_is_repeated() -> None:
+    assert (
+        unknown("field", "hight", ["height", "seed"]) == "Unknown field hight, perhaps height; there are height, seed"
+    )
+    assert unknown("field", "<b>hight", ["height"]) == "Unknown field; there are height"
+    assert unknown("parameter", "x", []) == "Unknown parameter x; there are none"
+    assert is_name("road.bump_2")
+    assert not any(is_name(text) for text in ("", "a b", "a/b", "ä", "a" * 81, "a\n"))
