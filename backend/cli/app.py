@@ -11,6 +11,7 @@ from backend.cli.compare import compare
 from backend.cli.controller import controller, hil
 from backend.cli.export import export
 from backend.cli.paper import paper
+from backend.cli.parsing import Command
 from backend.cli.reporting import BROKEN_PIPE, ReportingGroup, abandon_output
 from backend.cli.robustness import robustness
 from backend.cli.run import run as run_
@@ -51,7 +52,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "export": export,
 }
 for name, command in COMMANDS.items():
-    app.command(name)(command)
+    app.command(name, cls=Command)(command)
 
 
 def _version(wanted: bool) -> None:

@@ -10,6 +10,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from backend.cli import output
 from backend.cli.reporting import INTERRUPTED, note, terminal
 from backend.client import Batch, RidelabClientError
+from backend.client.address import without_login
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,7 +35,7 @@ class Table:
         """The command that writes it later."""
         options = ["--format", self.file_format] if self.named else []
         if self.server is not None:
-            options += ["--server", self.server]
+            options += ["--server", without_login(self.server)]
         elif self.data_dir is not None:
             options += ["--data-dir", str(self.data_dir)]
         return shlex.join(["ridelab", "export", batch.id, "--out", self.out or "FILE", *options])

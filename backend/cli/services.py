@@ -15,6 +15,7 @@ from typing import IO, Self
 from backend.cli.options import SERVER_VARIABLE
 from backend.cli.reporting import InputError, UnavailableError, nothing_submitted, terminal
 from backend.client import Ridelab
+from backend.client.address import without_login
 
 START = 90.0  # the private service gets so long to start [s]; it takes one or two
 END = 15.0  # and so long to end; the service itself promises ten
@@ -69,6 +70,8 @@ class Services:
             UnavailableError: The private service does not start.
         """
         address = server or self._server
+        if server is not None and self._server is not None and server == without_login(self._server).rstrip("/"):
+            address = self._server  # an address that was printed has no login
         if address not in self._open:
             url = address if address is not None else self._stack.enter_context(private(self._data_dir))
             try:

@@ -12,6 +12,7 @@ from backend import strict_json
 from backend.cli.reporting import InputError
 from backend.cli.services import Services
 from backend.client import Batch, Ridelab, RidelabAPIError, RunResult
+from backend.client.address import without_login
 
 _ID = re.compile(r"[A-Za-z0-9_-]{22}")
 _PAGES: dict[str, Literal["run", "batch", "link"]] = {"r": "run", "b": "batch", "s": "link"}
@@ -58,8 +59,9 @@ def find(target: str, services: Services) -> Found:
         return Found(name=target, scenario=PRESETS[target].scenario.model_dump(mode="json"))
     if _ID.fullmatch(target):
         return _stored(target, services.at())
+    names = ", ".join(PRESETS)
     raise InputError(
-        f"{target}: neither a file, nor a preset ({', '.join(PRESETS)}), nor an id, nor the address of a result"
+        f"{without_login(target)}: neither a file, nor a preset ({names}), nor an id, nor the address of a result"
     )
 
 
@@ -97,7 +99,7 @@ def _address(address: str, services: Services) -> Found:
     before, _, rest = parts.path.rpartition("/")
     prefix, _, page = before.rpartition("/")
     if page not in _PAGES or not rest:
-        raise InputError(f"{address}: the address of a result ends with /r/ID or /s/ID")
+        raise InputError(f"{without_login(address)}: the address of a result ends with /r/ID or /s/ID")
     ridelab = services.at(f"{parts.scheme}://{parts.netloc}{prefix}")
     return {"run": _run, "batch": _batch, "link": _link}[_PAGES[page]](rest, ridelab)
 

@@ -22,6 +22,7 @@ from backend.cli.reporting import (
 )
 from backend.cli.services import Services
 from backend.client import Ridelab, RidelabClientError, Tuning
+from backend.client.address import without_login
 from backend.client.files import save
 from sim_core.scenario import dotted
 
@@ -179,7 +180,7 @@ def _command(tuning: Tuning, server: str | None, data_dir: Path | None) -> str:
     """The command that goes on with it."""
     where: list[str] = []
     if server is not None:
-        where = ["--server", server]
+        where = ["--server", without_login(server)]
     elif data_dir is not None:
         where = ["--data-dir", str(data_dir)]
     return shlex.join(["ridelab", "tune", "--resume", tuning.id, *where])

@@ -9,9 +9,11 @@ from typing import Any
 
 import httpx
 
+from backend.client.address import without_login
 from backend.client.errors import RidelabAPIError, RidelabConnectionError
 
 FULL = (429, 503)
+NOT_LET_IN = (401, 403)
 FIRST_PAUSE = 0.2  # before the first repetition after a lost connection, then twice as long each time [s]
 LONGEST_WAIT = 60.0  # all waits for one answer together, and so the longest Retry-After obeyed [s]
 
@@ -34,8 +36,8 @@ class Http:
 
     @property
     def address(self) -> str:
-        """Where the service is, without a slash at the end."""
-        return str(self.client.base_url).rstrip("/")
+        """Where the service is, without a login and a slash at the end."""
+        return without_login(str(self.client.base_url)).rstrip("/")
 
     def json(
         self,
@@ -146,6 +148,9 @@ class Http:
             problem = None
         if isinstance(problem, dict) and "status" in problem:
             return RidelabAPIError.of(response.status_code, problem)
+        if response.status_code in NOT_LET_IN:  # by a proxy before the service
+            said = f"{self.address} {_not_let_in(response)} (HTTP {response.status_code})"
+            return RidelabAPIError(response.status_code, said)
         if response.status_code >= 500:  # a proxy before a service that is away
             return RidelabConnectionError(f"{self.address} answers {response.status_code} {response.reason_phrase}")
         return self._foreign(response)
@@ -197,6 +202,14 @@ def plain(value: Any) -> Any:
     if isinstance(value, list | tuple | range):
         return [plain(item) for item in value]
     return value
+
+
+def _not_let_in(response: httpx.Response) -> str:
+    if response.status_code == 403:
+        return "does not let this request in"
+    if "Authorization" in response.request.headers:
+        return "refuses the login in its address"
+    return "asks for a login, and its address has none"
 
 
 def _reason(error: httpx.TransportError) -> str:

@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 import httpx
 
+from backend.client.address import parted
 from backend.client.answers import Link, LinkedResult, RunResult
 from backend.client.batch import Batch
 from backend.client.errors import RidelabConnectionError
@@ -34,7 +35,8 @@ class Ridelab:
     full and says when to come back (429, 503 with Retry-After): at most `retries` times and for a minute.
 
     Args:
-        address: Such as `http://127.0.0.1:8000`.
+        address: Such as `http://127.0.0.1:8000`. A login in it, `http://user:password@host`, is sent with every request
+            and never shown.
         timeout: Longest wait for an answer [s].
         retries: How often one request is repeated at most.
         transport: How requests travel; by default over the network, with the environment's proxies for
@@ -47,16 +49,11 @@ class Ridelab:
     def __init__(
         self, address: str, *, timeout: float = 120, retries: int = 5, transport: httpx.BaseTransport | None = None
     ) -> None:
-        try:
-            url = httpx.URL(address)
-        except httpx.InvalidURL:
-            url = httpx.URL("")
-        if url.scheme not in ("http", "https") or not url.host:
-            raise ValueError("A service's address begins with http:// or https:// and names a host")
+        url, login = parted(address)
         if transport is None and url.host in _LOOPBACK:
             transport = httpx.HTTPTransport()  # a proxy does not know this machine's own services
         limits = httpx.Timeout(timeout, connect=min(timeout, 10))
-        self._client = httpx.Client(base_url=url, timeout=limits, transport=transport)
+        self._client = httpx.Client(base_url=url, auth=login, timeout=limits, transport=transport)
         self._http = Http(self._client, retries=retries)
 
     def __enter__(self) -> Self:
@@ -73,7 +70,7 @@ class Ridelab:
 
     @property
     def address(self) -> str:
-        """Where the service is, without a slash at the end."""
+        """Where the service is, without a login and a slash at the end."""
         return self._http.address
 
     def get(self, path: str) -> Any:

@@ -1,0 +1,108 @@
+"""A login in a service's address is sent with every request, and shown nowhere."""
+
+import base64
+import logging
+from collections.abc import Callable
+from pathlib import Path
+
+import httpx
+import pytest
+
+from backend.cli import app
+from backend.cli.following import Table
+from backend.cli.services import Services
+from backend.cli.targets import find
+from backend.client import Batch, Ridelab, RidelabAPIError, RidelabClientError, RidelabConnectionError
+from backend.client.address import without_login
+
+SECRET = "s3cret"  # noqa: S105  # nobody's
+ADDRESS = f"https://ann:{SECRET}%40home@ridelab.test:8443/lab/"
+SHOWN = "https://ridelab.test:8443/lab"
+BATCH = {"id": "b" * 22, "state": "queued", "reason": None, "total": 4, "done": 0, "failed": 0}
+Answer = Callable[[httpx.Request], httpx.Response]
+
+
+def at(answer: Answer, address: str = ADDRESS) -> Ridelab:
+    return Ridelab(address, retries=0, transport=httpx.MockTransport(answer))
+
+
+def test_it_is_sent_and_no_address_has_it(caplog: pytest.LogCaptureFixture) -> None:
+    sent: list[httpx.Request] = []
+
+    def answer(request: httpx.Request) -> httpx.Response:
+        sent.append(request)
+        return httpx.Response(201, json={"slug": "x", "url": "/s/x"} if request.url.path.endswith("links") else BATCH)
+
+    with caplog.at_level(logging.DEBUG), at(answer) as ridelab:
+        batch = ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}})
+        link = ridelab.link(batch)
+        assert (ridelab.address, link.url) == (SHOWN, f"{SHOWN}/s/x")
+        shown = repr([ridelab, batch, link, ridelab._client.base_url]) + str(ridelab._client.base_url) + caplog.text
+    expected = base64.b64encode(f"ann:{SECRET}@home".encode()).decode()
+    assert [request.headers["Authorization"] for request in sent] == [f"Basic {expected}"] * 2
+    assert "ridelab.test" in caplog.text
+    assert SECRET not in shown + "".join(str(request.url) for request in sent)
+
+
+def gone(_: httpx.Request) -> httpx.Response:
+    raise httpx.ConnectError("gone")
+
+
+@pytest.mark.parametrize(
+    "answer", [gone, *(lambda _, status=status: httpx.Response(status, text="<html>") for status in (200, 404, 502))]
+)
+def test_no_error_has_it(answer: Answer) -> None:
+    with at(answer) as ridelab, pytest.raises(RidelabConnectionError, match=SHOWN) as caught:
+        ridelab.get("/presets")
+    assert SECRET not in repr([caught.value, caught.value.__cause__])
+
+
+@pytest.mark.parametrize(
+    ("address", "status", "said"),
+    [
+        (ADDRESS, 401, f"{SHOWN} refuses the login in its address (HTTP 401)"),
+        (SHOWN, 401, f"{SHOWN} asks for a login, and its address has none (HTTP 401)"),
+        (ADDRESS, 403, f"{SHOWN} does not let this request in (HTTP 403)"),
+    ],
+)
+def test_who_is_not_let_in_is_told_so(address: str, status: int, said: str) -> None:
+    with (
+        at(lambda _: httpx.Response(status, text="<html>"), address) as ridelab,
+        pytest.raises(RidelabAPIError) as caught,
+    ):
+        ridelab.get("/presets")
+    assert (caught.value.status, str(caught.value)) == (status, said)
+
+
+def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pytest.CaptureFixture[str]) -> None:
+    with at(lambda _: httpx.Response(202, json=BATCH)) as ridelab:
+        batch = ridelab.get_batch(str(BATCH["id"]))
+        assert isinstance(batch, Batch)
+        told = Table(out="a.csv", server=ADDRESS, data_dir=Path("d")).command(batch)
+    assert f"--server {SHOWN}" in told
+    for words in (["run", f"{ADDRESS}x"], ["run", "--server", f"ftp://ann:{SECRET}@host"], ["open", f"x{ADDRESS}"]):
+        assert app.run(words) == 2
+        told += capsys.readouterr().err
+    assert "/lab/x: the address of a result ends with" in told
+    assert SECRET not in told
+
+
+def test_an_address_as_it_was_printed_is_asked_with_the_servers_login(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    def refuse(self: Ridelab, _: str) -> None:
+        asked.append(self.address if self._http.client.auth is not None else "without a login")
+        raise RidelabClientError
+
+    monkeypatch.setattr(Ridelab, "get_run", refuse)
+    with Services(ADDRESS, None) as services:
+        for address in (SHOWN, "https://ridelab.test:8443"):
+            with pytest.raises(RidelabClientError):
+                find(f"{address}/r/abc", services)
+    assert asked == [SHOWN, "without a login"]
+
+
+def test_only_the_login_is_left_out() -> None:
+    for text in (SHOWN, "http://h/a@b", "http://h?x=a@b", "me@home", "not a preset"):
+        assert without_login(text) == text
+    assert without_login("no answer from http://a:b@c@h/x and http://d@h") == "no answer from http://h/x and http://h"
