@@ -1,104 +1,13 @@
 """How much is accepted at once, so that an overload is refused early and nobody waits for ever."""
 
-import ipaddress
-import math
-import time
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
+from backend.backlog import Backlog, computes
+from backend.limits import RETRY_AFTER, ConcurrencyLimit, TokenBucket, client_key
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
-
-RETRY_AFTER = 2  # [s]
-NETWORK = 64  # of IPv6 one customer gets 2^64 addresses
-
-
-class Places:
-    """A number of places, so many of them for one client."""
-
-    def __init__(self, *, what: str, per_client: int, total: int | None = None) -> None:
-        self._what = what
-        self._per_client = per_client
-        self._total = total
-        self._held: Counter[str] = Counter()
-
-    @property
-    def held(self) -> int:
-        """Places taken now."""
-        return self._held.total()
-
-    def check(self, client: str) -> None:
-        """Refuse where the next place would be one too many.
-
-        Raises:
-            ProblemError: 429 for the client's own limit, 503 for everybody's.
-        """
-        if self._held[client] >= self._per_client:
-            raise ProblemError(
-                429,
-                f"At most {self._per_client} {self._what} of one client may be open at once.",
-                kind="too-many-requests",
-                retry_after=RETRY_AFTER,
-            )
-        if self._total is not None and self.held >= self._total:
-            raise ProblemError(
-                503, f"The service is full: too many {self._what} are open.", kind="full", retry_after=RETRY_AFTER
-            )
-
-    @contextmanager
-    def taken(self, client: str) -> Iterator[None]:
-        """Hold one place."""
-        self._held[client] += 1
-        try:
-            yield
-        finally:
-            self._held[client] -= 1
-            if not self._held[client]:
-                del self._held[client]
-
-
-class Rate:
-    """So many at once, and after that so many a second: a token bucket for each client.
-
-    Args:
-        what: Its name in the refusal.
-        burst: How many at once.
-        each_second: How many come back [1/s].
-        clock: Seconds, monotonic.
-    """
-
-    MOST_CLIENTS = 10_000
-
-    def __init__(
-        self, *, what: str, burst: int, each_second: float, clock: Callable[[], float] = time.monotonic
-    ) -> None:
-        self._what = what
-        self._burst = burst
-        self._each_second = each_second
-        self._clock = clock
-        self._full_at: dict[str, float] = {}
-
-    def take(self, client: str) -> None:
-        """Count one.
-
-        Raises:
-            ProblemError: 429, with the time after which one more is taken.
-        """
-        now = self._clock()
-        full_at = max(now, self._full_at.get(client, now)) + 1 / self._each_second
-        wait = full_at - now - self._burst / self._each_second
-        if wait > 1e-9:
-            raise ProblemError(
-                429,
-                f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second.",
-                kind="too-many-requests",
-                retry_after=max(1, math.ceil(wait)),
-            )
-        if len(self._full_at) >= self.MOST_CLIENTS:
-            self._full_at = {name: at for name, at in self._full_at.items() if at > now}
-        self._full_at[client] = full_at
 
 
 class Admission:
@@ -108,6 +17,8 @@ class Admission:
         max_request_cost: Greatest estimate of one request [s of one core].
         max_queued_cost: Greatest estimate of all that is open [s of one core].
         max_client_requests: Computing requests of one client.
+        max_wait: Longest wait for which a request that may compute is let in [s].
+        workers: Processes that compute.
         max_client_streams: Event streams of one client.
         max_streams: Event streams in all.
     """
@@ -118,23 +29,27 @@ class Admission:
         max_request_cost: float,
         max_queued_cost: float,
         max_client_requests: int,
+        max_wait: float = 1.0,
+        workers: int = 1,
         max_client_streams: int = 16,
         max_streams: int = 256,
     ) -> None:
         self._max_request_cost = max_request_cost
         self._max_queued_cost = max_queued_cost
         self._queued_cost = 0.0
-        self._requests = Places(what="computing requests", per_client=max_client_requests)
-        self._streams = Places(what="event streams", per_client=max_client_streams, total=max_streams)
-        self._entered = Places(what="requests", per_client=max_client_requests, total=8 * max_client_requests)
-        self._bodies = Places(what="long request bodies", per_client=4, total=16)
-        self._links = Rate(what="new links", burst=120, each_second=2)
+        self._requests = ConcurrencyLimit(what="computing requests", per_client=max_client_requests)
+        self._streams = ConcurrencyLimit(what="event streams", per_client=max_client_streams, total=max_streams)
+        self._entered = ConcurrencyLimit(what="requests", per_client=max_client_requests, total=8 * max_client_requests)
+        self._bodies = ConcurrencyLimit(what="long request bodies", per_client=4, total=16)
+        self._backlog = Backlog(workers=workers, max_wait=max_wait)
+        self._links = TokenBucket(what="new links", burst=120, each_second=2)
 
     @property
     def load(self) -> dict[str, float]:
-        """`cost` [s of one core] accepted and not finished; `requests`, `streams` and long `bodies` open."""
+        """`cost` [s of one core] not finished; `wait` of a newcomer [s]; `requests`, `streams`, long `bodies` open."""
         return {
             "cost": self._queued_cost,
+            "wait": self._backlog.wait,
             "requests": self._requests.held,
             "streams": self._streams.held,
             "bodies": self._bodies.held,
@@ -154,12 +69,33 @@ class Admission:
             )
             raise ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/scenario", "message": message}])
 
+    def knocking(self, client: str) -> None:
+        """Refuse a request that may compute before anything is done for it: a refusal has to cost next to nothing.
+
+        Raises:
+            ProblemError: 429 where the client has too many open, 503 where the service has or the wait would be long.
+        """
+        client = client_key(client)
+        self._entered.check(client)
+        self._backlog.check(self._entered.held_by(client))
+
+    @contextmanager
+    def visiting(self, client: str) -> Iterator[None]:
+        """Hold a place from the door to the answer of a request that may compute.
+
+        Looking up what is stored costs the database's threads more than refusing does: without this a flood would keep
+        them from those who were let in.
+
+        Raises:
+            ProblemError: As `knocking`.
+        """
+        self.knocking(client)
+        with self._entered.taken(client_key(client)), self._backlog.visit():
+            yield
+
     @contextmanager
     def entering(self, client: str) -> Iterator[None]:
-        """Hold a place from the door on, while it is looked up whether anything has to be computed at all.
-
-        Looking up costs the database's threads more than refusing does: without this a flood would keep them from
-        those who were let in.
+        """Hold such a place for a request that only reads, but much.
 
         Raises:
             ProblemError: 429 where the client has too many open, 503 where the service has.
@@ -183,6 +119,7 @@ class Admission:
             raise ProblemError(
                 503, "The service is full: too much computing is waiting.", kind="full", retry_after=RETRY_AFTER
             )
+        computes()
         with self._requests.taken(client):
             self._queued_cost += cost
             try:
@@ -223,16 +160,3 @@ class Admission:
             ProblemError: 429.
         """
         self._links.take(client_key(client))
-
-
-def client_key(address: str) -> str:
-    """Who counts as one client: an IPv4 address, a whole IPv6 network, or whatever else the server calls it."""
-    try:
-        found = ipaddress.ip_address(address.partition("%")[0])
-    except ValueError:
-        return address
-    if isinstance(found, ipaddress.IPv4Address):
-        return str(found)
-    if found.ipv4_mapped is not None:
-        return str(found.ipv4_mapped)
-    return str(ipaddress.ip_network((found, NETWORK), strict=False).network_address)

@@ -60,6 +60,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     for router in (
         runs.computing,
         runs.runs,
+        runs.drawing,
         batches.submitting,
         batches.batches,
         tunings.beginning,
@@ -92,6 +93,8 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             max_request_cost=settings.max_request_cost,
             max_queued_cost=settings.max_queued_cost,
             max_client_requests=settings.max_client_requests,
+            max_wait=settings.max_wait,
+            workers=settings.workers,
             max_client_streams=settings.max_client_streams,
             max_streams=settings.max_streams,
         )

@@ -2,11 +2,12 @@
 
 from typing import Any
 
-from backend.admission import Admission, Places, client_key
+from backend.admission import Admission
 from backend.compute import Workers
 from backend.hil import work
 from backend.hil.realtime import LONGEST
 from backend.hil.report import VARIANTS
+from backend.limits import ConcurrencyLimit, client_key
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
 from sim_core.workload import duration
@@ -23,7 +24,7 @@ class Controllers:
         self._admission = admission
         self._longest = min(LONGEST, 2 * max_request_cost)  # a drive by the clock holds a worker and mostly waits [s]
         # One at a time: a drive by the clock wants a core to itself, and a report builds and drives many programs.
-        self._long = Places(what="controller reports or real-time drives", per_client=1, total=1)
+        self._long = ConcurrencyLimit(what="controller reports or real-time drives", per_client=1, total=1)
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
         """A zip of C sources.

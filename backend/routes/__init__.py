@@ -78,17 +78,13 @@ class StrictRequest(Request):
             raise ProblemError(413, f"The body may have {limit} bytes.", kind="too-long")
         if length > BULKY and not self._bulky:
             self._bulky = True
-            self._held.enter_context(self.app.state.admission.receiving(self._address))
-
-    @property
-    def _address(self) -> str:
-        return self.client.host if self.client else ""
+            self._held.enter_context(self.app.state.admission.receiving(client_address(self)))
 
     async def json(self) -> Any:
         """The body's value; anything doubtful is a problem."""
         body = await self.body()
         if self._computes:
-            self._held.enter_context(self.app.state.admission.entering(self._address))
+            self._held.enter_context(self.app.state.admission.visiting(client_address(self)))
         parse = partial(strict_json.parse, body, max_values=self._max_values)
         try:
             if len(body) > BULKY:
@@ -101,8 +97,16 @@ class StrictRequest(Request):
             ) from None
 
 
+def client_address(request: Request) -> str:
+    """Who asks, as server or known proxy say; empty where they do not."""
+    return request.client.host if request.client else ""
+
+
 class StrictRoute(APIRoute):
-    """A route that reads its body with `StrictRequest`, and only as JSON, and takes the parameters it declares."""
+    """A route that reads its body with `StrictRequest`, and only as JSON, and takes the parameters it declares.
+
+    One that may lead to computing (`COMPUTES`) refuses whoever would wait too long before anything else is done.
+    """
 
     MAX_VALUES = strict_json.MAX_VALUES
     COMPUTES = False
@@ -116,6 +120,8 @@ class StrictRoute(APIRoute):
         parameters = [name for name, info in declared if isinstance(info, Query) or not isinstance(info, Param)]
 
         async def strict(request: Request) -> Response:
+            if self.COMPUTES and takes_body:
+                request.app.state.admission.knocking(client_address(request))
             _check_parameters(request.query_params, parameters)
             kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
             if takes_body and kind != "application/json":
@@ -123,6 +129,8 @@ class StrictRoute(APIRoute):
             if takes_body and request.headers.get("content-encoding", "identity").strip().lower() != "identity":
                 raise ProblemError(415, "The body has to come as it is, without a Content-Encoding.")
             with ExitStack() as held:
+                if self.COMPUTES and not takes_body:
+                    held.enter_context(request.app.state.admission.visiting(client_address(request)))
                 limits: dict[str, Any] = {"max_values": self.MAX_VALUES, "computes": self.COMPUTES}
                 bounded = StrictRequest(request.scope, request.receive, held=held, **limits)
                 return await handler(bounded)
@@ -130,11 +138,16 @@ class StrictRoute(APIRoute):
         return strict
 
 
-class ScenarioRoute(StrictRoute):
-    """A route that computes what its body holds, one scenario at most."""
+class ComputingRoute(StrictRoute):
+    """A route whose answer may have to be computed."""
+
+    COMPUTES = True
+
+
+class ScenarioRoute(ComputingRoute):
+    """One that computes what its body holds, one scenario at most."""
 
     MAX_VALUES = SCENARIO_VALUES
-    COMPUTES = True
 
 
 def router(tag: str, *statuses: int, route_class: type[StrictRoute] = StrictRoute) -> APIRouter:

@@ -11,6 +11,7 @@ from starlette.requests import ClientDisconnect
 
 from backend.links.service import Links
 from backend.reports.page import Report
+from backend.routes import client_address
 from backend.runs import Runs
 
 T = TypeVar("T")
@@ -29,7 +30,7 @@ async def _links(request: Request) -> Links:
 
 
 async def _client(request: Request) -> str:
-    return request.client.host if request.client else ""
+    return client_address(request)
 
 
 RunsService = Annotated[Runs, Depends(_runs)]

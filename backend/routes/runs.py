@@ -9,7 +9,7 @@ from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.problems import ProblemError
 from backend.roads_models import CreatedRoadsRun, RoadsRun
-from backend.routes import ScenarioRoute, router
+from backend.routes import ComputingRoute, ScenarioRoute, router
 from backend.routes.deps import (
     IMMUTABLE,
     Client,
@@ -25,6 +25,7 @@ from sim_core.strategies import STRATEGIES
 
 runs = router("runs", 404, 422, 503)
 computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+drawing = router("runs", 404, 422, 429, 503, route_class=ComputingRoute)
 
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
@@ -61,7 +62,7 @@ async def get_run(run_id: RunId, request: Request, service: RunsService) -> Resp
     return unless_known(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
 
 
-@runs.get(
+@drawing.get(
     "/runs/{id}/series",
     operation_id="getSeries",
     response_model=models.Series | models.SeriesOfSeveral,
@@ -98,7 +99,7 @@ async def get_series(
     return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
 
 
-@runs.get(
+@drawing.get(
     "/runs/{id}/figures",
     operation_id="getRunFigures",
     response_model=models.Figures,
@@ -114,7 +115,7 @@ async def get_run_figures(
     return json_answer(await service.figures(run_id, None, x, client))
 
 
-@runs.get(
+@drawing.get(
     "/runs/{id}/figures/{name}",
     operation_id="getRunFigure",
     response_model=dict[str, Any],
@@ -131,11 +132,11 @@ async def get_run_figure(
     return json_answer(await service.figures(run_id, name, x, client))
 
 
-@runs.get(
+@drawing.get(
     "/runs/{id}/report.html",
     operation_id="getRunReport",
     response_class=HTMLResponse,
-    responses={200: {"content": {"text/html": {}}}, 429: {"model": models.Problem}},
+    responses={200: {"content": {"text/html": {}}}},
 )
 async def get_run_report(
     run_id: RunId,

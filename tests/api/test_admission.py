@@ -11,7 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend.admission import Admission, Places, Rate, client_key
+from backend.admission import Admission
+from backend.backlog import Backlog
+from backend.limits import ConcurrencyLimit, TokenBucket, client_key
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
@@ -33,7 +35,7 @@ def admission(**limits: Any) -> Admission:
 
 
 def test_one_client_and_all_together_have_only_so_many_places() -> None:
-    places = Places(what="things", per_client=2, total=3)
+    places = ConcurrencyLimit(what="things", per_client=2, total=3)
     with places.taken("a"), places.taken("a"):
         assert refusal(lambda: places.check("a")) == (429, 2)
         with places.taken("b"):
@@ -77,9 +79,29 @@ def test_the_door_is_closed_before_anything_is_looked_up(service: Any, monkeypat
     assert service.live(["passive"]).status_code == 200
 
 
+def test_who_would_wait_too_long_is_refused_before_the_body_is_read(
+    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    gate, now = service.app.state.admission, 0.0
+    monkeypatch.setattr(gate, "_backlog", Backlog(workers=1, max_wait=1, clock=lambda: now))
+    with ExitStack() as held:
+        for _ in range(2):
+            held.enter_context(gate.visiting("192.0.2.1"))
+        now = 9.5
+        assert gate.load["wait"] == 9.5
+        answer = client.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"})
+        assert (answer.status_code, answer.headers["retry-after"]) == (503, "10")
+        assert answer.json()["type"].endswith(":full")
+        assert client.get("/api/v1/runs/nobody/figures").status_code == 503
+        assert client.get("/api/v1/runs/nobody").status_code == 404, "what is only read is read"
+    assert (
+        client.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"}).status_code == 400
+    )
+
+
 def test_links_are_limited_by_rate() -> None:
     now = 100.0
-    rate = Rate(what="links", burst=3, each_second=0.5, clock=lambda: now)
+    rate = TokenBucket(what="links", burst=3, each_second=0.5, clock=lambda: now)
     for _ in range(3):
         rate.take("a")
     assert refusal(lambda: rate.take("a")) == (429, 2)
@@ -98,7 +120,7 @@ def test_links_are_limited_by_rate() -> None:
 @given(st.lists(st.floats(0, 5), max_size=60), st.integers(1, 5), st.sampled_from([0.25, 1.0, 4.0]))
 def test_a_rate_never_lets_through_more_than_it_says(waits: list[float], burst: int, each_second: float) -> None:
     now, begin, taken = 50.0, 50.0, 0
-    rate = Rate(what="links", burst=burst, each_second=each_second, clock=lambda: now)
+    rate = TokenBucket(what="links", burst=burst, each_second=each_second, clock=lambda: now)
     for wait in waits:
         now += wait
         try:
@@ -111,8 +133,8 @@ def test_a_rate_never_lets_through_more_than_it_says(waits: list[float], burst: 
 
 def test_a_rate_forgets_clients_that_have_all_again() -> None:
     now = 0.0
-    rate = Rate(what="links", burst=2, each_second=1, clock=lambda: now)
-    for index in range(Rate.MOST_CLIENTS):
+    rate = TokenBucket(what="links", burst=2, each_second=1, clock=lambda: now)
+    for index in range(TokenBucket.MOST_CLIENTS):
         rate.take(str(index))
     now += 60
     rate.take("another")
@@ -142,7 +164,7 @@ def test_cost_is_held_while_it_is_open_and_no_rounding_stays() -> None:
         with gate.computing("a", Scenario(), ["passive"]), gate.computing("b", Scenario(), ["passive"]):
             assert gate.load["cost"] == pytest.approx(2 * PASSIVE)
             assert gate.load["requests"] == 2
-    assert gate.load == {"cost": 0, "requests": 0, "streams": 0, "bodies": 0}
+    assert gate.load == {"cost": 0, "wait": 0, "requests": 0, "streams": 0, "bodies": 0}
 
 
 @pytest.fixture

@@ -55,7 +55,7 @@ def test_the_proxy_is_told_what_it_reads() -> None:
 class Idle:
     """Workers and admission with nothing to do."""
 
-    load: Any = dict.fromkeys(("busy", "idle", "waiting", "cost", "requests", "streams", "bodies"), 0)
+    load: Any = dict.fromkeys(("busy", "idle", "waiting", "cost", "wait", "requests", "streams", "bodies"), 0)
 
 
 def test_the_metrics_are_all_there_and_no_others() -> None:
