@@ -39,18 +39,24 @@ def main(arguments: list[str] | None = None) -> int:
         settings.data_dir.mkdir(parents=True, exist_ok=True)
         listener = listen(options.host, options.port)
         app = _application(settings)
-    except (SettingsError, OSError) as error:
-        print(f"Ridelab does not start: {error}", file=sys.stderr)
-        return 2
+    except OSError as error:
+        return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+    except SettingsError as error:
+        return _refuse(str(error))
     telemetry.configure(settings.log_format, settings.log_level)
     return _serve(app, settings, listener, options.host)
 
 
+def _refuse(reason: str) -> int:
+    print(f"Ridelab does not start: {reason}", file=sys.stderr)
+    return 2
+
+
 def _application(settings: "Settings") -> "FastAPI":
-    """The application; its workers import the core while this process imports the web stack.
+    """The application; its workers import the core while this process imports the web stack and opens the database.
 
     Raises:
-        SettingsError: The database's URL names no database we know.
+        SettingsError: The database cannot be used.
     """
     from backend.compute import Workers
     from backend.settings import SettingsError
@@ -61,12 +67,15 @@ def _application(settings: "Settings") -> "FastAPI":
     from sqlalchemy.exc import SQLAlchemyError
 
     from backend.app import create_app
+    from backend.store.sqlite import UnusableDatabaseError
 
     try:
-        return create_app(settings, workers)
-    except (SQLAlchemyError, ImportError) as error:
+        app = create_app(settings, workers)
+        app.state.store.migrate()
+    except (UnusableDatabaseError, SQLAlchemyError, ImportError) as error:
         workers.abandon()
         raise SettingsError(str(error)) from None
+    return app
 
 
 def listen(host: str, port: int) -> socket.socket:

@@ -38,7 +38,10 @@ COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [byt
 
 
 def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
-    """A service with these settings; store and workers (its own, or these, which may be spawned) start with it."""
+    """A service with these settings; workers (its own, or these, which may be spawned) start with it.
+
+    Its database is as `app.state.store.migrate()` left it, which comes before: a start that fails has one thing to say.
+    """
     app = FastAPI(
         title="Ridelab",
         version=__version__,
@@ -87,7 +90,6 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     driver = Driver(store=store, settings=settings)
     tuner: TuningDriver | None = None
     try:
-        await store.call(store.migrate)
         warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
         admission = Admission(
             max_request_cost=settings.max_request_cost,

@@ -54,7 +54,7 @@ class Results:
         kept: Mapping[str, StoredResult] = {}
         if points is None:
             unknown = [key for each in keys for key in each.values() if self._memory.get(key, None) is None]
-            kept = await self._store.call(self._store.runs.load_results, unknown) if unknown else {}
+            kept = await self._store.read(self._store.runs.load_results, unknown) if unknown else {}
         found = [self._known(each, kept, points) for each in keys]
         missing = [
             {name: key for name, key in each.items() if name not in known}

@@ -1,5 +1,6 @@
 """Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
 
+import logging
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -25,6 +26,8 @@ from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import STRATEGIES
 from sim_core.study.roads import seeded
 
+logger = logging.getLogger(__name__)
+
 FIGURE_POINTS = 2000
 
 
@@ -36,14 +39,19 @@ class Runs:
         self._workers = workers
         self._results = results
         self._admission = admission
+        self._store_usable = True
 
     async def store_usable(self) -> bool:
-        """Whether the database answers."""
+        """Whether the database answers and can be written to; the log has why not, once."""
         try:
-            await self._store.call(self._store.ping)
-        except SQLAlchemyError:
-            return False
-        return True
+            await self._store.read(self._store.ping)
+        except SQLAlchemyError as error:
+            if self._store_usable:
+                logger.error("Not ready: %s", getattr(error, "orig", None) or type(error).__name__)
+            self._store_usable = False
+        else:
+            self._store_usable = True
+        return self._store_usable
 
     async def create(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
@@ -62,7 +70,7 @@ class Runs:
         self._admission.check(scenario, names * roads)
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
-        stored = await self._store.call(self._store.runs.load, run_id)
+        stored = await self._store.read(self._store.runs.load, run_id)
         if stored is not None:
             CACHE.labels("hit").inc(len(names) * roads)
             return run_answer(stored, cached=dict.fromkeys(names, True))
@@ -75,7 +83,7 @@ class Runs:
         ]
         if not all(item.outcome.lasting for each in found for item in each.values()):  # asked again, it is tried again
             run_id = digest.random_id()
-        saved = await self._store.call(
+        saved = await self._store.write(
             self._store.runs.save,
             run_id=run_id,
             core_version=CORE_VERSION,
@@ -237,7 +245,7 @@ class Runs:
         }
 
     async def _stored(self, run_id: str) -> StoredRun:
-        stored = await self._store.call(self._store.runs.load, run_id)
+        stored = await self._store.read(self._store.runs.load, run_id)
         if stored is None:
             raise ProblemError(404, "There is no run of this id.")
         return replace(stored, scenario=todays(stored))
@@ -253,7 +261,7 @@ class Runs:
         keys = {item.strategy: item.key for item in stored.shown}
         if stored.core_version == CORE_VERSION:
             return keys
-        pinned = await self._store.call(self._store.links.pinned, keys.values())
+        pinned = await self._store.read(self._store.links.pinned, keys.values())
         if not pinned:
             raise ProblemError(
                 410,
@@ -266,7 +274,7 @@ class Runs:
 
     async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
         """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
-        found = await self._store.call(self._store.links.load_pins, keys.values())
+        found = await self._store.read(self._store.links.load_pins, keys.values())
         return {name: found[key] for name, key in keys.items()} if set(keys.values()) <= set(found) else None
 
 

@@ -136,7 +136,7 @@ class Driver:
     async def _lead(self, leadership: Leadership) -> None:
         while True:
             await leadership.confirm()
-            if await self._store.call(self._store.batches.unfinished):
+            if await self._store.read(self._store.batches.unfinished):
                 await self._with_cluster(leadership)
             await self._report()
             await self._rest()
@@ -150,9 +150,13 @@ class Driver:
             await cluster.start()
             while cluster.connected:
                 await leadership.confirm()
-                await self._look(cluster)
-                await self._hand_out(cluster)
-                await self._report()
+                try:
+                    await self._look(cluster)
+                    await self._hand_out(cluster)
+                    await self._report()
+                except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
+                    logger.warning("The batches rest: %s", type(error).__name__)
+                    await asyncio.sleep(PAUSE)
                 await self._rest()
             logger.warning("The Dask scheduler is gone; its chunks are handed out again")
         except (ClusterLostError, OSError, TimeoutError) as error:
@@ -174,7 +178,7 @@ class Driver:
 
     async def _look(self, cluster: "Cluster") -> None:
         """Begin what was accepted, end what was cancelled, here or by another service."""
-        unfinished = {batch.id: batch for batch in await self._store.call(self._store.batches.unfinished)}
+        unfinished = {batch.id: batch for batch in await self._store.read(self._store.batches.unfinished)}
         for batch_id in self._driven.keys() - unfinished.keys():
             if self._driven.pop(batch_id).on_their_way:
                 await cluster.stop(batch_id)
@@ -182,7 +186,7 @@ class Driver:
             if batch_id not in self._driven:
                 if batch.core_version != CORE_VERSION:
                     await self._rekey(batch)
-                await self._store.call(self._store.batches.start, batch_id)
+                await self._store.write(self._store.batches.start, batch_id)
                 self._driven[batch_id] = Progress(batch=batch)
 
     async def _hand_out(self, cluster: "Cluster") -> None:
@@ -204,7 +208,7 @@ class Driver:
             return progress.returned.pop(0)
         while True:
             batch_id, size = progress.batch.id, progress.size(places)
-            last, runs = await self._store.call(self._store.batches.waiting, batch_id, progress.position, size)
+            last, runs = await self._store.write(self._store.batches.waiting, batch_id, progress.position, size)
             if last is None:
                 return None
             progress.position = last
@@ -212,7 +216,7 @@ class Driver:
                 return runs
 
     async def _finish(self, progress: Progress) -> None:
-        if await self._store.call(self._store.batches.finish, progress.batch.id):
+        if await self._store.write(self._store.batches.finish, progress.batch.id):
             self._driven.pop(progress.batch.id, None)
             told, self.ended = self.ended, asyncio.Event()
             told.set()
@@ -280,7 +284,7 @@ class Driver:
         """Store what a chunk gave, however long the database is away: it was computed and is not thrown away."""
         while True:
             try:
-                await self._store.call(self._store.batches.save, progress.batch.id, computed, CORE_VERSION, failures)
+                await self._store.write(self._store.batches.save, progress.batch.id, computed, CORE_VERSION, failures)
             except SQLAlchemyError as error:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE)
@@ -296,12 +300,12 @@ class Driver:
         logger.warning("Batch %s goes on with core %s", batch.id, CORE_VERSION)
         position = -1
         while True:
-            last, runs = await self._store.call(self._store.batches.waiting, batch.id, position, PAGE)
+            last, runs = await self._store.write(self._store.batches.waiting, batch.id, position, PAGE)
             if last is None:
                 return
             position = last
             keys = await asyncio.to_thread(rekeyed, batch.scenario, batch.schema_version, runs)
-            await self._store.call(self._store.batches.rekey, batch.id, keys)
+            await self._store.write(self._store.batches.rekey, batch.id, keys)
 
     async def _report(self) -> None:
         """Tell the metrics how many batches and runs there are, every few seconds."""
@@ -309,7 +313,7 @@ class Driver:
         if now - self._reported < REPORT:
             return
         self._reported = now
-        counts = await self._store.call(self._store.batches.counts)
+        counts = await self._store.read(self._store.batches.counts)
         for state in STATES:
             batches, runs = counts.get(state, (0, 0))
             telemetry.BATCHES.labels(state=state).set(batches)

@@ -58,7 +58,7 @@ class Leadership:
         if connection is None:
             return
         try:
-            await self._store.call(lambda: connection.execute(text("SELECT 1")).all())
+            await self._store.read(lambda: connection.execute(text("SELECT 1")).all())
         except SQLAlchemyError as error:
             raise LeadershipLostError from error
 
@@ -71,12 +71,12 @@ class Leadership:
         finally:
             self._connection = None
             # Closed, not given back to the pool: with the session its lock ends.
-            await self._store.call(_end, connection)
+            await self._store.read(_end, connection)
 
     async def _wait_for_session_lock(self) -> Connection:
         while True:
             with contextlib.suppress(SQLAlchemyError):  # a database that is down now may come back
-                connection = await self._store.call(_try_lock, self._store)
+                connection = await self._store.read(_try_lock, self._store)
                 if connection is not None:
                     return connection
             await asyncio.sleep(RETRY)

@@ -84,7 +84,7 @@ class Batches:
         body = digest.canonical({"scenario": base, "strategies": names, "sweep": sent})
         request_hash = hashlib.sha256(body).hexdigest()[:43]
         if key is not None:
-            known = await self._store.call(self._store.batches.by_idempotency_key, key)
+            known = await self._store.read(self._store.batches.by_idempotency_key, key)
             if known is not None:
                 return _same(known, request_hash)
         self._check_size(sweep, names)
@@ -110,7 +110,7 @@ class Batches:
             started_at=None,
             finished_at=None,
         )
-        stored, new = await self._store.call(self._store.batches.create, batch, planned.runs, key)
+        stored, new = await self._store.write(self._store.batches.create, batch, planned.runs, key)
         if not new:
             return _same(stored, request_hash)
         self._driver.wake()
@@ -126,7 +126,7 @@ class Batches:
 
     async def newest(self, limit: int) -> dict[str, Any]:
         """The batches accepted last, as `Batches`."""
-        return {"batches": [batch_answer(batch) for batch in await self._store.call(self._store.batches.newest, limit)]}
+        return {"batches": [batch_answer(batch) for batch in await self._store.read(self._store.batches.newest, limit)]}
 
     async def cancel(self, batch_id: str) -> dict[str, Any]:
         """Cancel what waits and what runs; what is finished stays. A finished batch is answered as it is.
@@ -135,7 +135,7 @@ class Batches:
             ProblemError: 404.
         """
         await self._stored(batch_id)
-        await self._store.call(self._store.batches.cancel, batch_id)
+        await self._store.write(self._store.batches.cancel, batch_id)
         self._driver.wake()
         return await self.get(batch_id)
 
@@ -152,7 +152,7 @@ class Batches:
 
         return await server_sent(
             ended=ended,
-            events=lambda number: self._store.call(self._store.batches.events, batch_id, number),
+            events=lambda number: self._store.read(self._store.batches.events, batch_id, number),
             after=after,
             admission=self._admission,
             client=client,
@@ -215,12 +215,12 @@ class Batches:
 
     async def _pages(self, batch_id: str) -> AsyncIterator[list[BatchRow]]:
         last = -1
-        while rows := await self._store.call(self._store.batches.rows, batch_id, last, PAGE):
+        while rows := await self._store.read(self._store.batches.rows, batch_id, last, PAGE):
             yield rows
             last = rows[-1].position
 
     async def _stored(self, batch_id: str) -> StoredBatch:
-        batch = await self._store.call(self._store.batches.load, batch_id)
+        batch = await self._store.read(self._store.batches.load, batch_id)
         if batch is None:
             raise ProblemError(404, "There is no batch of this id.")
         return batch
@@ -255,7 +255,7 @@ class Batches:
             raise _too_big(f"{total:.6g} runs are over the limit of {limit} runs a batch")
 
     async def _check_room(self) -> None:
-        counts = await self._store.call(self._store.batches.counts)
+        counts = await self._store.read(self._store.batches.counts)
         if sum(counts.get(state, (0, 0))[0] for state in UNFINISHED) >= self._settings.max_unfinished_batches:
             raise ProblemError(
                 503, "The service is full: too many batches are waiting.", kind="full", retry_after=RETRY_AFTER

@@ -35,12 +35,12 @@ class Links:
         Raises:
             ProblemError: 422 for an unknown run, 429; where computing is needed 503 too.
         """
-        stored = await self._store.call(self._store.runs.load, run_id)
+        stored = await self._store.read(self._store.runs.load, run_id)
         if stored is None:
             raise _unknown("run_id", "There is no run of this id")
         self._admission.linking(client)
         keys = _histories(stored)
-        present = await self._store.call(self._store.links.pinned, keys.values())
+        present = await self._store.read(self._store.links.pinned, keys.values())
         missing = {name: key for name, key in keys.items() if key not in present}
         made = await self._pin(stored, missing, client)
         slug = await self._save("run", run_id, view, made)
@@ -52,7 +52,7 @@ class Links:
         Raises:
             ProblemError: 422 for an unknown batch, or a view of a field that it does not sweep; 429.
         """
-        stored = await self._store.call(self._store.batches.load, batch_id)
+        stored = await self._store.read(self._store.batches.load, batch_id)
         if stored is None:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.get("x") not in (None, *stored.fields):
@@ -82,7 +82,7 @@ class Links:
             return {**head, **_opened_batch(await self._batch(link))}
         stored = await self._run(link)
         keys = set(_histories(stored).values())
-        pinned = await self._store.call(self._store.links.pinned, keys)
+        pinned = await self._store.read(self._store.links.pinned, keys)
         return {
             **head,
             "core_version": stored.core_version,
@@ -117,20 +117,20 @@ class Links:
     async def _save(self, kind: Any, target: str, view: Mapping[str, Any], made: Mapping[str, bytes]) -> str:
         slug = digest.random_id()
         link = StoredLink(slug=slug, kind=kind, target=target, view=dict(view), created_at=datetime.now(UTC))
-        await self._store.call(self._store.links.save, link, made)
+        await self._store.write(self._store.links.save, link, made)
         return slug
 
     async def _load(self, slug: str) -> StoredLink | None:
-        return await self._store.call(self._store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
+        return await self._store.read(self._store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
 
     async def _run(self, link: StoredLink) -> StoredRun:
-        stored = await self._store.call(self._store.runs.load, link.target)
+        stored = await self._store.read(self._store.runs.load, link.target)
         if stored is None:
             raise RuntimeError("A link's run is not there, though nothing removes runs")
         return replace(stored, scenario=todays(stored))
 
     async def _batch(self, link: StoredLink) -> StoredBatch:
-        stored = await self._store.call(self._store.batches.load, link.target)
+        stored = await self._store.read(self._store.batches.load, link.target)
         if stored is None:
             raise RuntimeError("A link's batch is not there, though nothing removes batches")
         return replace(stored, scenario=todays(stored))

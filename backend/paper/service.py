@@ -140,7 +140,7 @@ class Paper:
             ProblemError: 429 or 503.
         """
         key = _key(function, given, roads)
-        stored = await self._store.call(self._store.runs.load_results, [key])
+        stored = await self._store.read(self._store.runs.load_results, [key])
         if key in stored:
             rows: list[Any] = stored[key].summary["rows"]
             return rows
@@ -176,7 +176,7 @@ class Paper:
                 rows += await self._workers.call(function, *given, list(roads[begun : begun + AT_ONCE]))
         took = 1000 * (time.perf_counter() - begin)
         item = stored_rows(function, given, roads, rows, took)
-        await self._store.call(self._store.runs.save_result, item, CORE_VERSION)
+        await self._store.write(self._store.runs.save_result, item, CORE_VERSION)
         return rows
 
 

@@ -1,6 +1,6 @@
 """What is kept: one `Store` over one database, a file for each kind of thing it holds.
 
-Methods are synchronous and short; services run them through `Store.call`.
+Methods are synchronous and short; services run them through `Store.read` and `Store.write`.
 """
 
 from backend.store.batches import BatchStore, StoredBatch

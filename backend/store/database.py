@@ -2,79 +2,198 @@
 
 import asyncio
 import contextlib
-import sqlite3
-import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import AbstractContextManager
 from datetime import UTC, datetime
-from pathlib import Path
+from functools import partial
 from typing import Any, ParamSpec, TypeVar
 
 from alembic import command
 from alembic.config import Config
-from sqlalchemy import URL, Connection, Engine, Table, create_engine, event, make_url, select
+from alembic.migration import MigrationContext
+from alembic.script import ScriptDirectory
+from sqlalchemy import URL, Connection, Engine, Table, create_engine, event, inspect, make_url, select
 from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
+from backend.store.sqlite import (
+    COMMIT_PATIENCE,
+    PATIENCE,
+    DatabaseLockedError,
+    UnusableDatabaseError,
+    database_file,
+    is_locked,
+    reason,
+    sqlite_engine,
+    try_writing,
+)
 from backend.store.tables import runs
 
 P = ParamSpec("P")
 T = TypeVar("T")
 
-BUSY_TIMEOUT = 10.0  # waiting for another process's transaction [s]
+READERS = 4  # threads
+SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
+START_PATIENCE = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 CONNECT_TIMEOUT = 5  # to a PostgreSQL server [s]
 # A server that hears nothing from a client for so long frees what that client held, its advisory locks too.
 KEEPALIVES = {"tcp_keepalives_idle": 8, "tcp_keepalives_interval": 3, "tcp_keepalives_count": 3}
 
 
-class Database:
-    """Connections and transactions; safe for several threads, and several processes may share what is behind it."""
+class ReadOnlyError(SQLAlchemyError):
+    """The PostgreSQL server is a standby, or set to be read only."""
 
-    THREADS = 4
+
+class Database:
+    """Connections and transactions; safe for several threads, and several processes may share what is behind it.
+
+    Reads and writes have threads of their own, so that none waits to read while others wait to write. SQLite lets one
+    write at a time: its writers wait in line for their one thread, and those of other processes for the file's lock.
+    """
 
     def __init__(self, url: str) -> None:
-        self.engine = _engine(make_url(url))
-        self._writer = self.engine.execution_options(writing=True)
-        # SQLite lets one write at a time, and who waits looks again only now and then: our own queue is quicker.
-        self._turn = threading.Lock() if self.engine.dialect.name == "sqlite" else contextlib.nullcontext()
-        self._threads = ThreadPoolExecutor(self.THREADS, thread_name_prefix="store")
+        parsed = make_url(url)
+        self._file = database_file(parsed)
+        self._is_sqlite = parsed.get_backend_name() == "sqlite"
+        self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else _server_engine(parsed)
+        self._reads = _Line("read", READERS)
+        self._writes = _Line("write", 1 if self._is_sqlite else SERVER_WRITERS)
+        self._open_writes = 0
 
-    async def call(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run a method that reads or writes in a thread: it waits for the disk, the event loop must not."""
-        return await asyncio.get_running_loop().run_in_executor(self._threads, lambda: method(*args, **kwargs))
+    async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Run a method that reads in a thread: it waits for the disk, the event loop must not.
 
-    def reading(self) -> AbstractContextManager[Connection]:
+        Raises:
+            DatabaseLockedError: Another program keeps SQLite from being read.
+        """
+        return await self._reads.run(partial(method, *args, **kwargs), self._committing)
+
+    async def write(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Run a method that writes in a thread of its own; it may be called again, when it left nothing behind.
+
+        Raises:
+            DatabaseLockedError: Another program keeps SQLite from being written.
+        """
+        return await self._writes.run(partial(method, *args, **kwargs), lambda: False)
+
+    @contextlib.contextmanager
+    def reading(self) -> Iterator[Connection]:
         """A short transaction that reads; a long one would keep SQLite's writers waiting."""
-        return self.engine.connect()
+        if self._file is not None:
+            self._file.check()
+        with self.engine.connect() as connection:
+            yield connection
 
     @contextlib.contextmanager
     def writing(self) -> Iterator[Connection]:
         """A transaction that commits at the end of its block."""
-        with self._turn, self._writer.begin() as connection:
-            yield connection
+        if self._file is not None:
+            self._file.check()
+        with self.engine.connect().execution_options(patience=PATIENCE) as connection:
+            transaction = connection.begin()
+            self._open_writes += 1
+            try:
+                with transaction:
+                    yield connection
+            finally:
+                self._open_writes -= 1
 
     def migrate(self, revision: str = "head") -> None:
-        """Bring the database up to the newest schema, or that step; safe when several processes start at once."""
-        url = self.engine.url
-        if url.get_backend_name() == "sqlite" and url.database:
-            Path(url.database).parent.mkdir(parents=True, exist_ok=True)
-        config = Config()
-        config.set_main_option("script_location", "backend:migrations")
-        with self.writing() as connection:
-            if connection.dialect.name == "postgresql":
-                connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
-            config.attributes["connection"] = connection
-            command.upgrade(config, revision)
+        """Bring the database up to the newest schema, or that step; safe when several processes start at once.
+
+        Raises:
+            UnusableDatabaseError: It cannot be opened, is damaged, is another program's or a newer version's.
+        """
+        if self._file is not None:
+            self._file.create()
+        end = time.monotonic() + START_PATIENCE
+        while True:
+            try:
+                return self._migrate(revision)
+            except DBAPIError as error:
+                if not is_locked(error) or time.monotonic() > end:
+                    raise UnusableDatabaseError(f"{self._name}: {reason(error)}") from error
 
     def close(self) -> None:
         """Let the threads end and give every connection back."""
-        self._threads.shutdown()
+        self._reads.close()
+        self._writes.close()
         self.engine.dispose()
 
     def ping(self) -> None:
-        """Read something; raises SQLAlchemyError where the database is not usable."""
+        """Read something, and see that something can be written; raises SQLAlchemyError where that is not so."""
         with self.reading() as connection:
             connection.execute(select(runs.c.id).limit(1)).all()
+            if not self._is_sqlite and connection.exec_driver_sql("SHOW transaction_read_only").scalar_one() == "on":
+                raise ReadOnlyError
+        if self._is_sqlite:
+            try_writing(self.engine)
+
+    def _committing(self) -> bool:
+        """Whether a lock on SQLite is our own: while we write, no other program's can keep us from reading."""
+        return self._is_sqlite and self._open_writes > 0
+
+    @property
+    def _name(self) -> str:
+        """The database as messages name it, without a password."""
+        return "The database" if self._file is None else str(self._file.path)
+
+    def _migrate(self, revision: str) -> None:
+        config = Config()
+        config.set_main_option("script_location", "backend:migrations")
+        with self.writing() as connection:
+            if not self._is_sqlite:
+                connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
+            self._check_origin(connection, ScriptDirectory.from_config(config))
+            config.attributes["connection"] = connection
+            command.upgrade(config, revision)
+
+    def _check_origin(self, connection: Connection, script: ScriptDirectory) -> None:
+        known = {step.revision for step in script.walk_revisions()}
+        stored = MigrationContext.configure(connection).get_current_revision()
+        if stored is None and self._is_sqlite and inspect(connection).get_table_names():
+            raise UnusableDatabaseError(f"{self._name} is another program's database")
+        if stored is not None and stored not in known:
+            raise UnusableDatabaseError(
+                f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {max(known)}): "
+                "upgrade, or put the backup from before in its place"
+            )
+
+
+class _Line:
+    """Threads for one kind of transaction, and what waits for them."""
+
+    def __init__(self, name: str, threads: int) -> None:
+        self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
+        self._gave_up = 0.0
+
+    async def run(self, method: Callable[[], T], ours: Callable[[], bool]) -> T:
+        """What the method returns, called again until SQLite lets it or patience ends.
+
+        Args:
+            method: Leaves nothing behind where it fails.
+            ours: Whether the lock in the way is our own, which passes.
+        """
+        asked = time.monotonic()
+        return await asyncio.get_running_loop().run_in_executor(self._threads, self._patiently, method, ours, asked)
+
+    def close(self) -> None:
+        """Let the threads end."""
+        self._threads.shutdown()
+
+    def _patiently(self, method: Callable[[], T], ours: Callable[[], bool], asked: float) -> T:
+        end = time.monotonic() + PATIENCE
+        while asked > self._gave_up:  # else it stood in line behind the one that waited, and for the same lock
+            try:
+                return method()
+            except OperationalError as error:
+                if not is_locked(error):
+                    raise
+                if time.monotonic() > end and not ours():
+                    self._gave_up = time.monotonic()
+            time.sleep(COMMIT_PATIENCE / 2)  # those that read have their turn
+        raise DatabaseLockedError
 
 
 def utc(time: datetime) -> datetime:
@@ -93,15 +212,9 @@ def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, An
     connection.execute(insert(table).on_conflict_do_nothing(), ordered)
 
 
-def _engine(url: URL) -> Engine:
-    if url.get_backend_name() != "sqlite":
-        engine = create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": CONNECT_TIMEOUT})
-        event.listen(engine, "connect", _set_up_server)
-        return engine
-    # isolation_level None: the driver begins nothing on its own, the listener below does.
-    engine = create_engine(url, connect_args={"timeout": BUSY_TIMEOUT, "isolation_level": None})
-    event.listen(engine, "connect", _set_up_sqlite)
-    event.listen(engine, "begin", _begin_sqlite)
+def _server_engine(url: URL) -> Engine:
+    engine = create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": CONNECT_TIMEOUT})
+    event.listen(engine, "connect", _set_up_server)
     return engine
 
 
@@ -110,20 +223,3 @@ def _set_up_server(connection: Any, _: object) -> None:
         for name, value in KEEPALIVES.items():
             cursor.execute(f"SET {name} = {value}")
     connection.commit()
-
-
-def _set_up_sqlite(connection: sqlite3.Connection, _: object) -> None:
-    mode = "WAL" if wal_is_safe(sqlite3.sqlite_version_info) else "DELETE"
-    for pragma in (f"journal_mode={mode}", "synchronous=FULL", "foreign_keys=ON"):
-        connection.execute(f"PRAGMA {pragma}").close()
-
-
-def _begin_sqlite(connection: Connection) -> None:
-    """A writer takes its lock at once: one that upgrades a read lock may fail without waiting."""
-    writing = connection.get_execution_options().get("writing", False)
-    connection.exec_driver_sql("BEGIN IMMEDIATE" if writing else "BEGIN")
-
-
-def wal_is_safe(version: tuple[int, ...]) -> bool:
-    """Whether that SQLite has the fix of the WAL-reset race (3.51.3, and 3.50.7 and 3.44.6 on their branches)."""
-    return version >= (3, 51, 3) or (3, 50, 7) <= version < (3, 51) or (3, 44, 6) <= version < (3, 45)

@@ -36,7 +36,7 @@ class TuningBatches:
 
     async def find(self, tuning: StoredTuning, name: str) -> StoredBatch | None:
         """The tuning's batch of that name, if it was handed in."""
-        return await self._store.call(self._store.batches.by_idempotency_key, _key(tuning, name))
+        return await self._store.read(self._store.batches.by_idempotency_key, _key(tuning, name))
 
     async def submit(
         self, tuning: StoredTuning, name: str, strategy: str, sets: Sequence[Weights], seeds: Sequence[int]
@@ -70,7 +70,7 @@ class TuningBatches:
         """
         while True:
             ended = self._driver.ended
-            found = await self._store.call(self._store.batches.load, batch.id)
+            found = await self._store.read(self._store.batches.load, batch.id)
             if found is None or found.state in FINAL:
                 break
             with contextlib.suppress(TimeoutError):
@@ -112,7 +112,7 @@ class TuningBatches:
 
     async def _pages(self, batch_id: str) -> AsyncIterator[list[BatchRow]]:
         last = -1
-        while rows := await self._store.call(self._store.batches.rows, batch_id, last, PAGE):
+        while rows := await self._store.read(self._store.batches.rows, batch_id, last, PAGE):
             yield rows
             last = rows[-1].position
 

@@ -61,7 +61,7 @@ class TuningDriver:
         while True:
             try:
                 if self._batches.leads:
-                    self._begin(await self._store.call(self._store.tunings.unfinished))
+                    self._begin(await self._store.read(self._store.tunings.unfinished))
                 else:
                     self._leave()
             except SQLAlchemyError as error:
@@ -86,12 +86,12 @@ class TuningDriver:
     async def _drive(self, tuning_id: str) -> None:
         """Step by step to its end, or until something passing is in the way: a later look begins again."""
         try:
-            while (tuning := await self._store.call(self._store.tunings.load, tuning_id)) is not None:
+            while (tuning := await self._store.read(self._store.tunings.load, tuning_id)) is not None:
                 if tuning.state not in UNFINISHED:
                     return
                 reason = await self._step(tuning)
                 if reason is not None:
-                    await self._store.call(self._store.tunings.fail, tuning, reason)
+                    await self._store.write(self._store.tunings.fail, tuning, reason)
         except (SQLAlchemyError, OSError, WorkerLostError, WorkersBusyError, WorkerTimeoutError, ProblemError) as error:
             logger.warning("Tuning %s rests: %s", tuning_id, type(error).__name__)
             await asyncio.sleep(PAUSE)
@@ -133,4 +133,4 @@ class TuningDriver:
             scenario = restored(tuning.request["scenario"], tuning.schema_version).model_dump(mode="json")
         except (RidelabError, ValueError) as error:
             raise TuningFailedError(f"Core {CORE_VERSION} cannot read its scenario") from error
-        await self._store.call(self._store.tunings.restart, tuning, scenario, CORE_VERSION, SCHEMA_VERSION)
+        await self._store.write(self._store.tunings.restart, tuning, scenario, CORE_VERSION, SCHEMA_VERSION)

@@ -81,7 +81,7 @@ class Tunings:
         body = digest.canonical({**request, "trials": wanted.trials})
         request_hash = hashlib.sha256(body).hexdigest()[:43]
         if key is not None:
-            known = await self._store.call(self._store.tunings.by_idempotency_key, key)
+            known = await self._store.read(self._store.tunings.by_idempotency_key, key)
             if known is not None:
                 return await self._same(known, request_hash)
         _, cost = self._workload(request, wanted.trials)
@@ -108,7 +108,7 @@ class Tunings:
             started_at=None,
             finished_at=None,
         )
-        stored, new = await self._store.call(self._store.tunings.create, tuning, key)
+        stored, new = await self._store.write(self._store.tunings.create, tuning, key)
         if not new:
             return await self._same(stored, request_hash)
         self._driver.wake()
@@ -124,7 +124,7 @@ class Tunings:
 
     async def newest(self, limit: int) -> dict[str, Any]:
         """The tunings accepted last, as `Tunings`."""
-        found = await self._store.call(self._store.tunings.newest, limit)
+        found = await self._store.read(self._store.tunings.newest, limit)
         return {"tunings": [answers.summary(tuning) for tuning in found]}
 
     async def trials(self, tuning_id: str) -> dict[str, Any]:
@@ -134,7 +134,7 @@ class Tunings:
             ProblemError: 404.
         """
         tuning = await self._stored(tuning_id)
-        found = await self._store.call(self._store.tunings.trials, tuning.id)
+        found = await self._store.read(self._store.tunings.trials, tuning.id)
         return {"tuning": tuning.id, "trials": [answers.trial(each) for each in found]}
 
     async def cancel(self, tuning_id: str) -> dict[str, Any]:
@@ -144,7 +144,7 @@ class Tunings:
             ProblemError: 404.
         """
         await self._stored(tuning_id)
-        await self._store.call(self._store.tunings.cancel, tuning_id)
+        await self._store.write(self._store.tunings.cancel, tuning_id)
         tuning = await self._stored(tuning_id)
         if tuning.state == "cancelled" and tuning.batch_id is not None:
             await self._batches.cancel(tuning.batch_id)
@@ -175,7 +175,7 @@ class Tunings:
             raise ProblemError(409, "It is done: name a greater number of trials to go on.", kind="done")
         _, cost = self._workload(tuning.request, total)
         await self._check_room()
-        await self._store.call(self._store.tunings.resume, tuning_id, total, cost)
+        await self._store.write(self._store.tunings.resume, tuning_id, total, cost)
         self._driver.wake()
         return await self.get(tuning_id)
 
@@ -192,19 +192,19 @@ class Tunings:
 
         return await server_sent(
             ended=ended,
-            events=lambda number: self._store.call(self._store.tunings.events, tuning_id, number),
+            events=lambda number: self._store.read(self._store.tunings.events, tuning_id, number),
             after=after,
             admission=self._admission,
             client=client,
         )
 
     async def _answer(self, tuning: StoredTuning) -> dict[str, Any]:
-        trials = await self._store.call(self._store.tunings.trials, tuning.id)
-        history = await self._store.call(self._store.tunings.history, tuning.id)
+        trials = await self._store.read(self._store.tunings.trials, tuning.id)
+        history = await self._store.read(self._store.tunings.history, tuning.id)
         return await asyncio.to_thread(answers.tuning, tuning, trials, history)
 
     async def _stored(self, tuning_id: str) -> StoredTuning:
-        tuning = await self._store.call(self._store.tunings.load, tuning_id)
+        tuning = await self._store.read(self._store.tunings.load, tuning_id)
         if tuning is None:
             raise ProblemError(404, "There is no tuning of this id.")
         return tuning
@@ -247,7 +247,7 @@ class Tunings:
         return runs + passive, cost
 
     async def _check_room(self) -> None:
-        counts = await self._store.call(self._store.tunings.counts)
+        counts = await self._store.read(self._store.tunings.counts)
         if sum(counts.get(state, 0) for state in UNFINISHED) >= self._settings.max_unfinished_batches:
             raise ProblemError(
                 503, "The service is full: too many tunings are waiting.", kind="full", retry_after=RETRY_AFTER

@@ -40,7 +40,7 @@ class Steps:
             UndefinedObjectiveError: An objective cannot be told.
             ProblemError: As `Batches.create`.
         """
-        trials = await self._store.call(self._store.tunings.trials, tuning.id)
+        trials = await self._store.read(self._store.tunings.trials, tuning.id)
         aims = Aims(objectives=tuning.request["objectives"], limits=tuning.request["limits"])
         if len(trials) < tuning.total:
             await self._generation(tuning, trials, aims)
@@ -63,7 +63,7 @@ class Steps:
         if not trials and all(trial.values is None for trial in made):
             raise TuningFailedError(f"No set of weights could be run. {made[0].reason}")
         told = await asyncio.to_thread(_told, [*trials, *made], len(aims.objectives))
-        await self._store.call(self._store.tunings.add_generation, tuning, made, told)
+        await self._store.write(self._store.tunings.add_generation, tuning, made, told)
 
     async def _next_weights(self, tuning: StoredTuning, trials: list[StoredTrial], aims: Aims) -> list[Weights]:
         """The generation's sets of weights: first the paper's and the scenario's own, then what Optuna proposes."""
@@ -100,13 +100,13 @@ class Steps:
         seeds, fresh = request["seeds"], request["fresh_seeds"]
         points = comparison.compared(trials, roles, by_number, seeds, fresh, objectives)
         found = {"batch": batch.id, "figures": aims.figures, "points": points}
-        await self._store.call(self._store.tunings.finish, tuning, found)
+        await self._store.write(self._store.tunings.finish, tuning, found)
 
     async def _measured(
         self, tuning: StoredTuning, step: Step, batch: StoredBatch, aims: Aims, seeds: Sequence[int]
     ) -> list[Roads] | None:
         """What each set of weights of the batch gave on each road; None where the tuning has ended meanwhile."""
-        if not await self._store.call(self._store.tunings.waits_for, tuning, batch.id, step):
+        if not await self._store.write(self._store.tunings.waits_for, tuning, batch.id, step):
             await self._batches.cancel(batch)
             return None
         passive: dict[int, Summary] = {}

@@ -58,6 +58,7 @@ class Server(uvicorn.Server):
 
 def serve(settings: Settings) -> Iterator[Service]:
     app = create_app(settings)
+    app.state.store.migrate()
     server = Server(server_config(app, settings))
     with listen("127.0.0.1", 0) as listener:
         address = f"http://127.0.0.1:{listener.getsockname()[1]}"

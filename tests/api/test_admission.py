@@ -60,7 +60,7 @@ def test_streams_are_limited_and_come_free() -> None:
 
 def test_the_door_is_closed_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     gate = service.app.state.admission
-    looked_up: list[str] = []  # `store.call` stays as it is: what drives the batches beside needs it
+    looked_up: list[str] = []  # `store.read` stays as it is: what drives the batches beside needs it
     monkeypatch.setattr(service.app.state.store.runs, "load", looked_up.append)
     monkeypatch.setattr(service.app.state.store.runs, "load_results", looked_up.extend)
     with ExitStack() as held:

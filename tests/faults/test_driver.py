@@ -1,6 +1,8 @@
 """The driver with a cluster that misbehaves on purpose: what cannot be computed fails alone, all else completes."""
 
 import asyncio
+import contextlib
+import sqlite3
 import threading
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -15,8 +17,9 @@ from backend.batches.plan import plan
 from backend.batches.sweeps import Sweep
 from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun
 from backend.settings import Settings
-from backend.store import Store, StoredBatch
+from backend.store import Store, StoredBatch, database, sqlite
 from backend.store.batches import BatchRow
+from backend.store.sqlite import DatabaseLockedError
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.api.test_batch_store import BATCH
@@ -108,7 +111,7 @@ def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSIO
         driving.start()
         try:
             async with asyncio.timeout(60):
-                while (await store.call(store.batches.load, batch.id)).state != "done":  # type: ignore[union-attr]
+                while not await ended(store, batch.id):
                     await asyncio.sleep(0.02)
         finally:
             await driving.close()
@@ -117,6 +120,13 @@ def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSIO
         return rows
 
     return loops.run(run)
+
+
+async def ended(store: Store, batch_id: str) -> bool:
+    with contextlib.suppress(DatabaseLockedError):
+        batch = await store.read(store.batches.load, batch_id)
+        return batch is not None and batch.state == "done"
+    return False
 
 
 def test_every_run_is_handed_out_once(tmp_path: Path) -> None:
@@ -191,6 +201,27 @@ def test_results_wait_for_a_database_that_is_away(tmp_path: Path) -> None:
     assert {row.status for row in rows} == {"ok"}
     handed = sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk))
     assert handed == list(range(RUNS)), "computed once, committed when that was possible"
+
+
+def test_another_program_that_locks_the_database_stops_no_cluster(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Longer than a read or a write waits: what is computed by then is kept, and nothing is computed twice."""
+    for module in (database, sqlite):
+        monkeypatch.setattr(module, "PATIENCE", 0.1)
+    stranger: list[sqlite3.Connection] = []
+
+    def locked(chunk: Chunk) -> Answer:
+        if not stranger:
+            stranger.append(sqlite3.connect(tmp_path / "ridelab.sqlite", isolation_level=None, check_same_thread=False))
+            stranger[0].execute("BEGIN EXCLUSIVE")
+            threading.Timer(0.5, stranger[0].close).start()
+        return answered(chunk)
+
+    rows = drive(tmp_path, locked)
+    assert {row.status for row in rows} == {"ok"}
+    assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
+    assert Misbehaving.starts == 1
 
 
 def test_what_another_core_version_left_is_computed_under_this_ones_keys(tmp_path: Path) -> None:

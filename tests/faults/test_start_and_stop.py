@@ -18,6 +18,14 @@ def test_a_port_that_is_none_is_named(port: str) -> None:
     assert ended.stderr.splitlines()[-1].endswith("error: argument --port: a number from 0 to 65535")
 
 
+def test_a_database_that_cannot_be_used_ends_the_start_with_one_sentence(tmp_path: Path) -> None:
+    (tmp_path / "ridelab.sqlite").write_text("no database at all")
+    command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    said = f"Ridelab does not start: {tmp_path}/ridelab.sqlite: it is no SQLite database\n"
+    assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
+
+
 def test_ctrl_c_ends_it_in_order(tmp_path: Path) -> None:
     """The terminal sends it to every process of the group."""
     command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]

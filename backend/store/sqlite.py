@@ -1,0 +1,175 @@
+"""What only SQLite needs: its file, its locks, and what a start says of a database that cannot be used."""
+
+import os
+import sqlite3
+import tempfile
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+from sqlalchemy import URL, Connection, Engine, create_engine, event
+from sqlalchemy.exc import DBAPIError, OperationalError
+
+PATIENCE = 1.0  # with a lock that another program holds; a longer one is told, not waited for [s]
+# A commit waits until nobody reads, and meanwhile nobody begins to: it gives way after so long and is tried again [s].
+COMMIT_PATIENCE = 0.1
+APPLICATION_ID = int.from_bytes(b"Ride")  # in the file's header
+REASONS = {
+    sqlite3.SQLITE_BUSY: "another program holds a lock on it",
+    sqlite3.SQLITE_CANTOPEN: "it cannot be opened",
+    sqlite3.SQLITE_CORRUPT: "it is damaged; put a backup in its place",
+    sqlite3.SQLITE_FULL: "its disk is full",
+    sqlite3.SQLITE_NOTADB: "it is no SQLite database",
+    sqlite3.SQLITE_READONLY: "it or its folder cannot be written to",
+}
+
+
+class UnusableDatabaseError(Exception):
+    """A service cannot start on this database; the message says why, in one sentence for its operator."""
+
+
+class DatabaseLockedError(OperationalError):
+    """Another program has held a lock for longer than `PATIENCE`."""
+
+    def __init__(self) -> None:
+        reason = f"another program has held a lock on the SQLite database for more than {PATIENCE:g} s"
+        super().__init__(None, None, sqlite3.OperationalError(reason))
+
+
+class DatabaseGoneError(OperationalError):
+    """The file is not the one that was opened: what is written to that one nobody would find again."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(None, None, sqlite3.OperationalError(f"{path} was deleted or replaced since the start"))
+
+
+class DatabaseFile:
+    """The file of a database."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._opened: tuple[int, int] | None = None
+
+    def connect(self) -> sqlite3.Connection:
+        """A connection; unlike SQLite's own it makes no new file where there is none."""
+        return sqlite3.connect(
+            f"{self.path.absolute().as_uri()}?mode=rw",
+            uri=True,
+            timeout=PATIENCE,
+            isolation_level=None,  # the driver begins nothing on its own, `_begin` does
+            check_same_thread=False,  # the pool hands it from thread to thread, one at a time
+        )
+
+    def create(self) -> None:
+        """Make it where there is none, whole at once: an empty file is no crashed start of ours, but a lost database.
+
+        Raises:
+            UnusableDatabaseError: It is empty, or its folder cannot be written to.
+        """
+        try:
+            if not self.path.exists():
+                self.path.parent.mkdir(parents=True, exist_ok=True)
+                self._create()
+            empty = self.path.stat().st_size == 0
+        except OSError as error:
+            raise UnusableDatabaseError(f"{error.filename}: {error.strerror}") from error
+        if empty:
+            raise UnusableDatabaseError(f"{self.path} is empty: put a backup in its place, or delete it to begin anew")
+
+    def _create(self) -> None:
+        with tempfile.TemporaryDirectory(dir=self.path.parent, prefix=".new-") as folder:
+            new = Path(folder) / self.path.name
+            with closing(sqlite3.connect(new)) as connection:
+                connection.execute(f"PRAGMA application_id={APPLICATION_ID}")
+            try:
+                os.link(new, self.path)
+            except FileExistsError:
+                pass  # another process was quicker
+            except OSError:  # a file system without hard links
+                new.replace(self.path)
+
+    def check(self) -> None:
+        """Make sure it is the file that was there when this was called first.
+
+        Raises:
+            DatabaseGoneError: It is not.
+        """
+        try:
+            found = self.path.stat()
+        except OSError:
+            raise DatabaseGoneError(self.path) from None
+        self._opened = self._opened or (found.st_dev, found.st_ino)
+        if self._opened != (found.st_dev, found.st_ino):
+            raise DatabaseGoneError(self.path)
+
+
+def database_file(url: URL) -> DatabaseFile | None:
+    """The file of a database at that URL; None where it is in memory, or on a server."""
+    name = url.database
+    if url.get_backend_name() != "sqlite" or not name or name == ":memory:" or name.startswith("file:"):
+        return None
+    return DatabaseFile(Path(name))
+
+
+def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:
+    """Connections to it. A transaction's execution option `patience` says that it writes, and how long it may wait."""
+    if file is None:
+        engine = create_engine(url, connect_args={"isolation_level": None})
+    else:
+        engine = create_engine(url, creator=file.connect)
+    event.listen(engine, "connect", _set_up)
+    event.listen(engine, "begin", _begin)
+    return engine
+
+
+def _set_up(connection: sqlite3.Connection, _: object) -> None:
+    mode = "WAL" if wal_is_safe(sqlite3.sqlite_version_info) else "DELETE"
+    # A transaction that outgrows the cache would lock readers out before it commits: it may grow.
+    for pragma in (f"journal_mode={mode}", "synchronous=FULL", "foreign_keys=ON", "cache_spill=OFF"):
+        connection.execute(f"PRAGMA {pragma}").close()
+
+
+def _begin(connection: Connection) -> None:
+    """A writer takes its lock at once: one that upgrades a read lock may fail without waiting."""
+    patience: float | None = connection.get_execution_options().get("patience")
+    connection.exec_driver_sql(f"PRAGMA busy_timeout={1000 * (PATIENCE if patience is None else patience):.0f}")
+    connection.exec_driver_sql("BEGIN" if patience is None else "BEGIN IMMEDIATE")
+    if patience is not None:
+        connection.exec_driver_sql(f"PRAGMA busy_timeout={1000 * min(patience, COMMIT_PATIENCE):.0f}")
+
+
+def try_writing(engine: Engine) -> None:
+    """Begin to write and leave it; a tenth of a millisecond, and no wait: whoever holds the lock can write.
+
+    Raises:
+        SQLAlchemyError: Nothing can be written.
+    """
+    try:
+        with engine.connect().execution_options(patience=0) as connection:
+            version = connection.exec_driver_sql("PRAGMA user_version").scalar_one()
+            connection.exec_driver_sql(f"PRAGMA user_version={version}")  # opens the journal in the folder
+            connection.rollback()
+    except OperationalError as error:
+        if not is_locked(error):
+            raise
+
+
+def is_locked(error: DBAPIError) -> bool:
+    """Whether SQLite gave up waiting for a lock."""
+    return _code(error) == sqlite3.SQLITE_BUSY
+
+
+def reason(error: DBAPIError) -> str:
+    """Why the database cannot be used, without what was asked of it."""
+    text = str(error.orig).strip().splitlines()
+    return REASONS.get(_code(error), text[0] if text else type(error).__name__)
+
+
+def _code(error: DBAPIError) -> int:
+    extended: Any = getattr(error.orig, "sqlite_errorcode", 0)
+    return int(extended) & 0xFF
+
+
+def wal_is_safe(version: tuple[int, ...]) -> bool:
+    """Whether that SQLite has the fix of the WAL-reset race (3.51.3, and 3.50.7 and 3.44.6 on their branches)."""
+    return version >= (3, 51, 3) or (3, 50, 7) <= version < (3, 51) or (3, 44, 6) <= version < (3, 45)

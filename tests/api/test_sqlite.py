@@ -1,0 +1,211 @@
+"""SQLite's file: with other programs at it, gone, read-only, or one that no service can start on.
+
+A short lock is waited for, a long one is told, and readers go on.
+"""
+
+import asyncio
+import contextlib
+import shutil
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Awaitable, Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from backend.store import Store
+from backend.store.sqlite import DatabaseGoneError, DatabaseLockedError, UnusableDatabaseError
+from tests.api.test_store import save
+from tests.servers import loops
+from tests.servers.process import ROOT
+
+WRITE, READ, READ_WRITE = "BEGIN IMMEDIATE", "BEGIN", "BEGIN EXCLUSIVE"
+SHORT = 0.4  # [s], of the second that is waited
+
+
+@pytest.fixture
+def path(migrated_sqlite: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copy(migrated_sqlite, tmp_path))
+
+
+@pytest.fixture
+def store(path: Path) -> Iterator[Store]:
+    store = Store(f"sqlite:///{path}")
+    save(store, "before", "a")
+    yield store
+    store.close()
+
+
+@contextlib.contextmanager
+def foreign(path: Path, begin: str) -> Iterator[sqlite3.Connection]:
+    """Another program in the middle of a transaction."""
+    with contextlib.closing(sqlite3.connect(path, isolation_level=None, check_same_thread=False)) as connection:
+        connection.execute(begin)
+        connection.execute("SELECT count(*) FROM runs").fetchall()
+        yield connection
+
+
+def together(work: Callable[[], Awaitable[Any]]) -> Any:
+    async def run() -> Any:
+        return await work()
+
+    return loops.run(run)
+
+
+@pytest.mark.parametrize("begin", [WRITE, READ])
+def test_readers_go_on_while_writers_wait_and_are_told(store: Store, path: Path, begin: str) -> None:
+    async def work() -> None:
+        writers = [asyncio.create_task(store.write(save, store, f"run-{number}", "b")) for number in range(8)]
+        reads = 0
+        while not any(writer.done() for writer in writers):
+            assert await store.read(store.runs.load, "before") is not None
+            await store.read(store.ping)
+            reads += 1
+        assert reads > 5
+        told = await asyncio.gather(*writers, return_exceptions=True)
+        assert [type(error) for error in told] == [DatabaseLockedError] * 8, "those in line behind the first, too"
+
+    with foreign(path, begin):
+        together(work)
+    save(store, "after", "b")
+
+
+@pytest.mark.parametrize("begin", [WRITE, READ, READ_WRITE])
+def test_a_short_lock_fails_nothing(store: Store, path: Path, begin: str) -> None:
+    async def work() -> None:
+        writes = [store.write(save, store, f"run-{number}", "b") for number in range(4)]
+        reads = [store.read(store.runs.load, "before") for _ in range(8)]
+        assert None not in await asyncio.gather(*writes, *reads)
+
+    with foreign(path, begin) as connection:
+        threading.Timer(SHORT, connection.rollback).start()
+        together(work)
+
+
+def test_who_can_not_even_read_is_told(store: Store, path: Path) -> None:
+    async def work() -> None:
+        found = await asyncio.gather(*(store.read(store.ping) for _ in range(16)), return_exceptions=True)
+        assert {type(error) for error in found} == {DatabaseLockedError}
+
+    with foreign(path, READ_WRITE):
+        together(work)
+    store.ping()
+
+
+def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
+    """It outgrows SQLite's cache, which once locked every reader out until it ended."""
+    begun, may_end = threading.Event(), threading.Event()
+
+    def long() -> None:
+        with store.writing() as connection:
+            for number in range(200):
+                connection.exec_driver_sql(
+                    "INSERT INTO runs VALUES (?, '1', 1, ?, 0, 1, NULL)", (str(number), "x" * 50_000)
+                )
+            begun.set()
+            assert may_end.wait(30)
+
+    async def work() -> None:
+        writer = asyncio.create_task(store.write(long))
+        await asyncio.to_thread(begun.wait)
+        second = asyncio.create_task(store.write(save, store, "second", "b"))
+        assert await store.read(store.runs.load, "before") is not None
+        await asyncio.sleep(1.2)  # longer than any lock of a stranger is waited for
+        assert not second.done()
+        may_end.set()
+        await asyncio.gather(writer, second)
+
+    together(work)
+
+
+def test_a_file_that_is_gone_or_another_is_said(store: Store, path: Path, migrated_sqlite: Path) -> None:
+    aside = path.rename(path.with_name("aside"))
+    for _ in range(2):
+        with pytest.raises(DatabaseGoneError):
+            store.ping()
+        with pytest.raises(DatabaseGoneError):
+            save(store, "lost", "b")
+        assert list(path.parent.iterdir()) in ([aside], [aside, path], [path, aside])
+        shutil.copy(migrated_sqlite, path)
+    aside.rename(path)
+    store.ping()
+    assert store.runs.load("lost") is None
+
+
+READ_ONLY = """
+import os, sys
+from pathlib import Path
+from sqlalchemy.exc import SQLAlchemyError
+from backend.store import Store
+
+path = Path(sys.argv[1])
+store = Store(f"sqlite:///{path}")
+store.ping()
+path.parent.chmod(0o555)
+if os.geteuid() == 0:
+    os.seteuid(65534)  # root may write everywhere
+try:
+    store.ping()
+except SQLAlchemyError as error:
+    print(error.orig)
+"""
+
+
+def test_a_folder_that_cannot_be_written_to_is_said(path: Path) -> None:
+    with tempfile.TemporaryDirectory() as folder:  # pytest's own only its owner may enter
+        command = [sys.executable, "-c", READ_ONLY, shutil.copy(path, folder)]
+        ended = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert ended.stdout == "attempt to write a readonly database\n"
+
+
+def damaged(path: Path) -> None:
+    content = path.read_bytes()
+    path.write_bytes(content[:200] + b"\xff" * (len(content) - 200))
+
+
+def newer(path: Path) -> None:
+    changed(path, "UPDATE alembic_version SET version_num = '9999'")
+
+
+def strange(path: Path) -> None:
+    path.unlink()
+    changed(path, "CREATE TABLE bookmarks (id INTEGER)")
+
+
+def changed(path: Path, statement: str) -> None:
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        connection.execute(statement)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "reason"),
+    [
+        (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
+        (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
+        (damaged, "it is damaged; put a backup in its place"),
+        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0005)"),
+        (strange, "is another program's database"),
+        (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
+        (lambda path: (path.unlink(), path.symlink_to("/dev/null/ridelab.sqlite")), "Not a directory"),
+    ],
+    ids=["other", "empty", "damaged", "newer", "strange", "folder", "nowhere"],
+)
+def test_a_start_says_what_is_wrong_with_the_database(path: Path, spoil: Callable[[Path], None], reason: str) -> None:
+    spoil(path)
+    there = path.read_bytes() if path.is_file() else None
+    with contextlib.closing(Store(f"sqlite:///{path}")) as store, pytest.raises(UnusableDatabaseError) as caught:
+        store.migrate()
+    assert str(path) in str(caught.value)
+    assert reason in str(caught.value)
+    assert "\n" not in str(caught.value)
+    assert there is None or path.read_bytes() == there
+
+
+def test_a_start_waits_for_a_lock_longer_than_a_request_does(path: Path) -> None:
+    with contextlib.closing(Store(f"sqlite:///{path}")) as store, foreign(path, READ_WRITE) as connection:
+        threading.Timer(1.3, connection.rollback).start()
+        store.migrate()
