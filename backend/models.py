@@ -314,6 +314,26 @@ class ProblemPlace(BaseModel):
 class Problem(Answer):
     """RFC 9457; docs/api.md lists the kinds."""
 
+    model_config = ConfigDict(
+        json_schema_extra={
+            "examples": [
+                {
+                    "type": f"{TYPES}invalid-request",
+                    "title": KINDS["invalid-request"].title,
+                    "status": 422,
+                    "detail": KINDS["invalid-request"].meaning,
+                    "errors": [
+                        {
+                            "pointer": "/sweep/grids",
+                            "message": "Unknown field grids, perhaps grid; there are grid, latin_hypercube, list",
+                        }
+                    ],
+                    "request_id": "9b2d1f0c6e7a4f7c8f4f4f0c2f1f9a10",
+                }
+            ]
+        }
+    )
+
     type: Annotated[str, Field(json_schema_extra={"enum": [f"{TYPES}{name}" for name in KINDS]})]
     title: str = Field(description="Of every problem of that type the same")
     status: int

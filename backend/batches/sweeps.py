@@ -13,6 +13,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
+from backend.unknown_names import unknown
 from sim_core.errors import RidelabError
 from sim_core.scenario import dotted
 
@@ -178,9 +179,12 @@ def _whole(value: float) -> float | int:
 def _known(name: str, path: list[str | int], errors: Errors) -> dotted.DottedField | None:
     try:
         return dotted.field(name)
-    except RidelabError as error:
-        if not errors or errors[-1] != (path, error.message):
-            errors.append((path, error.message))
+    except RidelabError:
+        told = len(errors) >= MOST_ERRORS or (
+            bool(errors) and errors[-1][0] == path
+        )  # once for all of a field's values
+        if not told:
+            errors.append((path, unknown("field", name, dotted.offered(name))))
         return None
 
 
@@ -198,5 +202,5 @@ def _checked(name: str, value: Any, path: list[str | int], errors: Errors) -> An
 def _no_overlap(names: Sequence[str], errors: Errors) -> None:
     """A field and one of its own members in one sweep would fight over the value."""
     for name in names:
-        if any(other.startswith(name + ".") for other in names):
+        if name in dotted.fields() and any(other.startswith(name + ".") for other in names):
             errors.append(([], f"A sweep changes {name} either whole or in parts"))

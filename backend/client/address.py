@@ -12,7 +12,7 @@ def without_login(text: str) -> str:
     return _LOGIN.sub("", text)
 
 
-def parted(address: str) -> tuple[httpx.URL, httpx.BasicAuth | None]:
+def split_login(address: str) -> tuple[httpx.URL, httpx.BasicAuth | None]:
     """The address without its login, and the login.
 
     Raises:

@@ -13,7 +13,7 @@ from backend.client.address import without_login
 from backend.client.errors import RidelabAPIError, RidelabConnectionError
 
 FULL = (429, 503)
-NOT_LET_IN = (401, 403)
+UNAUTHORISED = (401, 403)
 FIRST_PAUSE = 0.2  # before the first repetition after a lost connection, then twice as long each time [s]
 LONGEST_WAIT = 60.0  # all waits for one answer together, and so the longest Retry-After obeyed [s]
 
@@ -148,8 +148,8 @@ class Http:
             problem = None
         if isinstance(problem, dict) and "status" in problem:
             return RidelabAPIError.of(response.status_code, problem)
-        if response.status_code in NOT_LET_IN:  # by a proxy before the service
-            said = f"{self.address} {_not_let_in(response)} (HTTP {response.status_code})"
+        if response.status_code in UNAUTHORISED:  # by a proxy, most often
+            said = f"{self.address} {_why_unauthorised(response)} (HTTP {response.status_code})"
             return RidelabAPIError(response.status_code, said)
         if response.status_code >= 500:  # a proxy before a service that is away
             return RidelabConnectionError(f"{self.address} answers {response.status_code} {response.reason_phrase}")
@@ -204,7 +204,7 @@ def plain(value: Any) -> Any:
     return value
 
 
-def _not_let_in(response: httpx.Response) -> str:
+def _why_unauthorised(response: httpx.Response) -> str:
     if response.status_code == 403:
         return "does not let this request in"
     if "Authorization" in response.request.headers:

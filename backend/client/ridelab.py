@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 import httpx
 
-from backend.client.address import parted
+from backend.client.address import split_login
 from backend.client.answers import Link, LinkedResult, RunResult
 from backend.client.batch import Batch
 from backend.client.errors import RidelabConnectionError
@@ -49,7 +49,7 @@ class Ridelab:
     def __init__(
         self, address: str, *, timeout: float = 120, retries: int = 5, transport: httpx.BaseTransport | None = None
     ) -> None:
-        url, login = parted(address)
+        url, login = split_login(address)
         if transport is None and url.host in _LOOPBACK:
             transport = httpx.HTTPTransport()  # a proxy does not know this machine's own services
         limits = httpx.Timeout(timeout, connect=min(timeout, 10))

@@ -55,7 +55,7 @@ def field(name: str) -> DottedField:
     try:
         return fields()[name]
     except KeyError:
-        raise UnknownNameError(f"Unknown field; there are {', '.join(_offered(name))}") from None
+        raise UnknownNameError(f"Unknown field; there are {', '.join(offered(name))}") from None
 
 
 def value(scenario: Mapping[str, Any], name: str) -> Any:
@@ -88,8 +88,8 @@ def _set(part: dict[str, Any], path: list[str], value: Any) -> None:
         part[key] = items
 
 
-def _offered(name: str) -> list[str]:
-    """Names below the deepest part that the unknown name begins with."""
+def offered(name: str) -> list[str]:
+    """What an unknown name may have meant: those below the deepest part that it begins with."""
     known = fields()
     steps = name.split(".")
     for length in range(len(steps), 0, -1):

@@ -222,7 +222,7 @@ def hypercube(name: str, low: float, high: float, **more: int) -> dict[str, Any]
         ({"list": []}, ["list"]),
         ({}, [""]),
         ({"grid": {"road.seed": [1]}, "list": [{}]}, [""]),
-        ({"random": {}}, [""]),
+        ({"random": {}}, ["random"]),
     ],
 )
 def test_what_a_sweep_cannot_use_is_named(client: httpx.Client, sweep: dict[str, Any], pointers: list[str]) -> None:

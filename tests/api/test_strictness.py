@@ -134,6 +134,18 @@ def test_no_error_echoes_what_was_sent(client: httpx.Client, body: str) -> None:
             "sed, perhaps seed; there are ranges, samples, seed",
         ),
         (
+            "batches",
+            {"sweep": {"grid": {"road.bump.hight": [0.1, 0.2]}}},
+            "/sweep/grid/road.bump.hight",
+            "road.bump.hight, perhaps road.bump.height or road.bump.",
+        ),
+        (
+            "batches",
+            {"sweep": {"list": [{"road.seed": 1}, {"rode.seed": 1}]}},
+            "/sweep/list/1/rode.seed",
+            "rode.seed, perhaps road.seed; there are vehicle.body_mass, ",
+        ),
+        (
             "tunings",
             {"objectives": [{"kind": "paper"}, {"kind": "peaks", "windows": "bump"}]},
             "/objectives/1/windows",
@@ -158,8 +170,10 @@ def test_an_unknown_name_is_told_with_those_there_are(
 
 def test_what_no_name_may_have_is_not_repeated_in_a_pointer(client: httpx.Client) -> None:
     """A sweep's keys are anything until they are looked up."""
-    answer = post(client, json.dumps({"strategies": ["lv"], "sweep": {"grid": {MARK: []}}}), "batches")
-    assert [error["pointer"] for error in answer.json()["errors"]] == ["/sweep/grid"]
+    for grid in ({MARK: []}, {MARK: [1], f"{MARK}.more": [1]}):
+        answer = post(client, json.dumps({"strategies": ["lv"], "sweep": {"grid": grid}}), "batches")
+        assert {error["pointer"] for error in answer.json()["errors"]} == {"/sweep/grid"}
+        assert MARK not in answer.text
 
 
 def test_json_with_a_charset_is_json(client: httpx.Client) -> None:

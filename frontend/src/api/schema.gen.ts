@@ -3148,6 +3148,19 @@ export interface components {
         /**
          * Problem
          * @description RFC 9457; docs/api.md lists the kinds.
+         * @example {
+         *       "detail": "The request has values that cannot be used; errors names each.",
+         *       "errors": [
+         *         {
+         *           "message": "Unknown field grids, perhaps grid; there are grid, latin_hypercube, list",
+         *           "pointer": "/sweep/grids"
+         *         }
+         *       ],
+         *       "request_id": "9b2d1f0c6e7a4f7c8f4f4f0c2f1f9a10",
+         *       "status": 422,
+         *       "title": "Invalid request",
+         *       "type": "urn:problem-type:ridelab:invalid-request"
+         *     }
          */
         Problem: {
             /** Detail */
@@ -5555,6 +5568,15 @@ export interface operations {
                     "application/json": components["schemas"]["Catalogue"];
                 };
             };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Internal Server Error */
             500: {
                 headers: {
@@ -5870,6 +5892,15 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["Figures"];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
             /** @description Internal Server Error */
@@ -6508,6 +6539,15 @@ export interface operations {
                     "application/json": components["schemas"]["PresetAnswer"][];
                 };
             };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Internal Server Error */
             500: {
                 headers: {
@@ -7055,6 +7095,15 @@ export interface operations {
                     };
                 };
             };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Internal Server Error */
             500: {
                 headers: {
@@ -7082,6 +7131,15 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["StrategyAnswer"][];
+                };
+            };
+            /** @description Unprocessable Entity */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
                 };
             };
             /** @description Internal Server Error */
