@@ -52,7 +52,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         redirect_slashes=False,  # the address it would send people to comes from the request
         middleware=[
             Middleware(TelemetryMiddleware),
-            Middleware(GuardMiddleware),
+            Middleware(GuardMiddleware, settings.hosts),
             Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1),
         ],
     )

@@ -36,6 +36,12 @@ _LIST = (
     _kind("malformed-request", 400, "Malformed request", "The request could not be read."),
     _kind("two-lengths", 400, "Two lengths", "The request has both Content-Length and Transfer-Encoding."),
     _kind("forbidden", 403, "Forbidden", "The proxy before the service does not pass this request on."),
+    _kind(
+        "cross-site",
+        403,
+        "Request of another site",
+        "Another site's page sent this request through a browser, and it would change something.",
+    ),
     _kind("not-found", 404, "Not found", "There is nothing at this address, or nothing of this id."),
     _kind(
         "method-not-allowed", 405, "Method not allowed", "This address does not answer that method; Allow names those."
@@ -63,6 +69,7 @@ _LIST = (
         "Unsupported media type",
         "The body has to be JSON as it is, with the header Content-Type: application/json.",
     ),
+    _kind("other-host", 421, "Other host", "The service does not answer to the name in the Host header."),
     _kind("invalid-request", 422, "Invalid request", "The request has values that cannot be used; errors names each."),
     _kind("refused", 422, "Refused", "The values fit one by one, but the simulation cannot work with them together."),
     _kind(

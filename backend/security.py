@@ -1,6 +1,8 @@
 """The outermost layer: security headers on every answer, and an answer even where the service has a bug."""
 
 import logging
+from collections.abc import Collection
+from urllib.parse import urlsplit
 
 from starlette.datastructures import MutableHeaders
 from starlette.requests import ClientDisconnect
@@ -41,14 +43,22 @@ HEADERS = {
 CLOSE = {"Connection": "close"}
 LONGEST_ADDRESS = 8192  # [bytes]
 LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
+SAFE = frozenset({"GET", "HEAD", "OPTIONS"})  # methods that change nothing
+ANY_HOST = frozenset({"/healthz", "/readyz", "/metrics"})  # asked from inside, by whatever name
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
 
 
 class GuardMiddleware:
-    """Adds the headers, answers HEAD where GET is, and turns an unforeseen exception into a 500 problem."""
+    """Adds the headers, answers HEAD where GET is, and turns an unforeseen exception into a 500 problem.
 
-    def __init__(self, app: ASGIApp) -> None:
+    Args:
+        app: ASGI.
+        hosts: Names by which the service may be asked, `*.` before one for all below it; none is any.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: Collection[str] = ()) -> None:
         self.app = app
+        self._hosts = hosts
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """ASGI entry."""
@@ -72,7 +82,7 @@ class GuardMiddleware:
 
         inner = {**scope, "method": "GET"} if head else scope
         try:
-            await (_refusal(scope) or self.app)(inner, receive, guarded)
+            await (self._refusal(scope) or self.app)(inner, receive, guarded)
         except ClientDisconnect:
             return  # nobody is left to answer
         except Exception:
@@ -83,15 +93,31 @@ class GuardMiddleware:
         finally:
             scope.update({key: inner[key] for key in MATCHED if key in inner})  # for those outside, HEAD or GET
 
+    def _refusal(self, scope: Scope) -> Response | None:
+        """The answer to a head that no well-meaning client sends."""
+        headers: list[tuple[bytes, bytes]] = scope["headers"]
+        if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
+            return problem(414, f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)
+        if sum(len(name) + len(value) + 4 for name, value in headers) > LONGEST_HEADERS:
+            return problem(431, f"The headers may have {LONGEST_HEADERS} bytes in all.", headers=CLOSE)
+        if {b"content-length", b"transfer-encoding"} <= {name for name, _ in headers}:
+            # A proxy before us may have believed the other one: what follows on this connection is anybody's.
+            return problem(400, "The request body has two lengths.", kind="two-lengths", headers=CLOSE)
+        if scope["method"] not in SAFE and (b"sec-fetch-site", b"cross-site") in headers:
+            return problem(403, kind="cross-site")
+        if self._hosts and scope["path"] not in ANY_HOST and not _is_among(self._hosts, _host(headers)):
+            return problem(421, kind="other-host")
+        return None
 
-def _refusal(scope: Scope) -> Response | None:
-    """The answer to a head that no well-meaning client sends."""
-    headers: list[tuple[bytes, bytes]] = scope["headers"]
-    if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
-        return problem(414, f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)
-    if sum(len(name) + len(value) + 4 for name, value in headers) > LONGEST_HEADERS:
-        return problem(431, f"The headers may have {LONGEST_HEADERS} bytes in all.", headers=CLOSE)
-    if {b"content-length", b"transfer-encoding"} <= {name for name, _ in headers}:
-        # A proxy before us may have believed the other one: what follows on this connection is anybody's.
-        return problem(400, "The request body has two lengths.", kind="two-lengths", headers=CLOSE)
-    return None
+
+def _host(headers: list[tuple[bytes, bytes]]) -> str:
+    """The name in the Host header, without a port; empty where it is none."""
+    value = next((value for name, value in headers if name == b"host"), b"")
+    try:
+        return urlsplit(f"//{value.decode('latin-1')}").hostname or ""
+    except ValueError:
+        return ""
+
+
+def _is_among(hosts: Collection[str], host: str) -> bool:
+    return any(host == name or (name.startswith("*.") and host.endswith(name[1:])) for name in hosts)

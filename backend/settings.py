@@ -1,15 +1,17 @@
 """Settings of the service: defaults, overridden by `RIDELAB_*` environment variables and the command line."""
 
 import os
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 PREFIX = "RIDELAB_"
 CLIENTS = {"RIDELAB_SERVER"}  # what the command line reads: whoever has it set may start a service all the same
 MEBIBYTE = 1024 * 1024
+HOST = re.compile(r"(\*\.)?[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]*:[0-9a-f:.]*:[0-9a-f:.]*")  # or an IPv6 address
 
 
 class SettingsError(ValueError):
@@ -67,6 +69,9 @@ class Settings(BaseModel):
     head_timeout: float = Field(10, gt=0, le=600, description="A request's head may take this long to come [s].")
     forwarded_allow_ips: str = Field(
         "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
+    )
+    allowed_hosts: str = Field(
+        "", description="Names the service answers to, with commas; *.example.com is all below it; none is any."
     )
     log_format: Literal["json", "console"] | None = Field(
         None, description="Without one text on a terminal, else JSON."
@@ -132,6 +137,20 @@ class Settings(BaseModel):
         _check_readable("database_password_file", self.database_password_file)
         return self
 
+    @field_validator("allowed_hosts")
+    @classmethod
+    def _check_hosts(cls, text: str) -> str:
+        """Names as a browser sends them, but for the port."""
+        for name in _listed(text):
+            if not HOST.fullmatch(name):
+                raise ValueError(f"{name} is no host's name: names and addresses without scheme and port, with commas")
+        return text
+
+    @property
+    def hosts(self) -> frozenset[str]:
+        """What `allowed_hosts` lists."""
+        return frozenset(_listed(self.allowed_hosts))
+
     @property
     def store_url(self) -> str:
         """The database's SQLAlchemy URL, its password included."""
@@ -143,6 +162,10 @@ class Settings(BaseModel):
 
         password = self.database_password_file.read_text().rstrip("\r\n")
         return make_url(self.database_url).set(password=password).render_as_string(hide_password=False)
+
+
+def _listed(text: str) -> list[str]:
+    return [item.strip().lower() for item in text.split(",") if item.strip()]
 
 
 def _variable(field: str) -> str:

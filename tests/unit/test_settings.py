@@ -36,6 +36,8 @@ def test_the_password_of_the_database_comes_from_a_file(tmp_path: Path) -> None:
         ({"RIDELAB_DATABASE_PASSWORD_FILE": "/dev/null"}, "RIDELAB_DATABASE_URL"),
         ({"RIDELAB_DATABASE_URL": URL, "RIDELAB_DATABASE_PASSWORD_FILE": "/absent"}, "RIDELAB_DATABASE_PASSWORD_FILE"),
         ({"RIDELAB_DATABASE_URL": "user:secret@host"}, "RIDELAB_DATABASE_URL"),
+        ({"RIDELAB_ALLOWED_HOSTS": "https://lab.example.com"}, "RIDELAB_ALLOWED_HOSTS"),
+        ({"RIDELAB_ALLOWED_HOSTS": "lab.example.com:8000"}, "RIDELAB_ALLOWED_HOSTS"),
         ({"RIDELAB_DASK_SCHEDULER": "tls://scheduler:8786"}, "RIDELAB_DASK_TLS_KEY_FILE"),
         ({"RIDELAB_DASK_TLS_CA_FILE": "/dev/null"}, "RIDELAB_DASK_TLS_CERT_FILE"),
     ],
