@@ -18,6 +18,7 @@ from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
 
+ROOT = Path(__file__).parents[2]
 OPERATIONS = {
     "createRun": ("post", "/api/v1/runs"),
     "getRun": ("get", "/api/v1/runs/{id}"),
@@ -112,6 +113,17 @@ def test_errors_are_described_as_problems(description: dict[str, Any]) -> None:
     statuses = set(description["paths"]["/api/v1/runs"]["post"]["responses"])
     assert {"200", "400", "413", "415", "422", "429", "503"} <= statuses
     assert "HTTPValidationError" not in description["components"]["schemas"]
+
+
+def test_every_address_is_documented_with_its_parameters(description: dict[str, Any]) -> None:
+    rows = re.findall(
+        r"^\| `([A-Z]+ /[^`]*)` \|([^|]*)\| [^|]+ \|$", (ROOT / "docs" / "api.md").read_text(), re.MULTILINE
+    )
+    assert {address: re.findall("`([^`]+)`", names) for address, names in rows} == {
+        f"{method.upper()} {path}": [item["name"] for item in operation.get("parameters", []) if item["in"] == "query"]
+        for path, methods in description["paths"].items()
+        for method, operation in methods.items()
+    }
 
 
 def test_answers_are_described_precisely(description: dict[str, Any]) -> None:
