@@ -95,11 +95,15 @@ def _document(content: bytes, name: str) -> Found:
 
 
 def _address(address: str, services: Services) -> Found:
-    parts = urlsplit(address)
+    wrong = InputError(f"{without_login(address)}: the address of a result ends with /r/ID or /s/ID")
+    try:
+        parts = urlsplit(address)
+    except ValueError:  # brackets that do not match
+        raise wrong from None
     before, _, rest = parts.path.rpartition("/")
     prefix, _, page = before.rpartition("/")
     if page not in _PAGES or not rest:
-        raise InputError(f"{without_login(address)}: the address of a result ends with /r/ID or /s/ID")
+        raise wrong
     ridelab = services.at(f"{parts.scheme}://{parts.netloc}{prefix}")
     return {"run": _run, "batch": _batch, "link": _link}[_PAGES[page]](rest, ridelab)
 

@@ -80,7 +80,12 @@ def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pyt
         assert isinstance(batch, Batch)
         told = Table(out="a.csv", server=ADDRESS, data_dir=Path("d")).command(batch)
     assert f"--server {SHOWN}" in told
-    for words in (["run", f"{ADDRESS}x"], ["run", "--server", f"ftp://ann:{SECRET}@host"], ["open", f"x{ADDRESS}"]):
+    for words in (
+        ["run", f"{ADDRESS}x"],
+        ["run", f"http://ann:{SECRET}@[::1/r/x"],
+        ["run", "--server", f"ftp://ann:{SECRET}@host"],
+        ["open", f"x{ADDRESS}"],
+    ):
         assert app.run(words) == 2
         told += capsys.readouterr().err
     assert "/lab/x: the address of a result ends with" in told
