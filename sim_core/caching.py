@@ -1,11 +1,11 @@
 """Results shared between runs, kept while they fit: caches bounded by the bytes of the arrays they hold."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
-from functools import wraps
+from functools import cache, wraps
 from threading import Lock
-from typing import ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 from cachetools import LRUCache
@@ -18,15 +18,22 @@ MEBIBYTE = 1024 * 1024
 _OVERHEAD = 1024  # counted for every entry, so that small ones do not pile up without end
 
 
-def size(value: object) -> int:
+def size(value: Any) -> int:
     """Bytes of the arrays in a value: an array, or dataclasses, tuples and dictionaries of such."""
     if isinstance(value, np.ndarray):
         return value.nbytes
-    if is_dataclass(value):
-        return sum(size(getattr(value, field.name)) for field in fields(value))
     if isinstance(value, dict):
         return sum(map(size, value.values()))
-    return sum(map(size, value)) if isinstance(value, tuple) else 0
+    if isinstance(value, tuple):
+        return sum(map(size, value))
+    names = _field_names(type(value))  # type: ignore[arg-type]  # a class can be hashed
+    return sum(map(size, [getattr(value, name) for name in names]))
+
+
+@cache
+def _field_names(kind: Hashable) -> tuple[str, ...]:
+    """Fields of a dataclass; of anything else none."""
+    return tuple(field.name for field in fields(kind)) if isinstance(kind, type) and is_dataclass(kind) else ()
 
 
 def cached_up_to(mebibytes: int) -> Callable[[Callable[P, T]], Callable[P, T]]:

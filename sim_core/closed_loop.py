@@ -68,46 +68,44 @@ class ClosedLoop:
         self._forcing = forcing
         self._most_change = most_change
         self._most_force = most_force
+        self._limited_actuator = most_change < np.inf or most_force < np.inf
 
     def run(self, stages: list[tuple[str, int, int]]) -> Trajectory:
         """Drive the stages (name, first step, one past the last) from rest, without a command before the first."""
         plant, steps = self._plant, len(self._forcing)
         n = plant.size
-        states, commands = np.empty((steps, n)), np.empty((steps, FORCES))
-        state, previous, limited = np.zeros(n), np.zeros(FORCES), 0
+        loop = np.zeros((steps + 1, n + FORCES))  # [plant state; previous command] at every control instant
+        limited = 0
         for stage, first, last in stages:
             law = self._controller.law(stage)
             feed = self._controller.feed(stage, first, last)
+            inputs = np.hstack([self._forcing[first:last] + feed @ plant.B.T, feed])
             k, block = first, _FIRST_BLOCK
             while k < last:
                 stop = min(k + block, last)
-                z = self._speculate(law, state, previous, feed[k - first : stop - first], k)
+                z = _free_run(plant, law).run(loop[k], inputs[k - first : stop - first])
                 exact, free = self._limits_met(stage, z, k)
                 count = len(free) if free.all() else int(free.argmin())
-                states[k : k + count], commands[k : k + count] = z[:count, :n], z[1 : count + 1, n:]
-                state, previous = z[count, :n], z[count, n:]
+                loop[k : k + count + 1] = z[: count + 1]
                 k += count
                 block = min(2 * block, _LONGEST_BLOCK)
                 if k < stop:
+                    state, previous = loop[k, :n], loop[k, n:]
                     by_law = exact[count]  # then only the actuator's limits bind
                     wanted = z[count + 1, n:] if by_law else self._controller.step(k, stage, state[:STATES], previous)
-                    change = np.clip(wanted - previous, -self._most_change, self._most_change)
-                    given = np.where(change == wanted - previous, wanted, previous + change)
-                    previous = np.clip(given, -self._most_force, self._most_force)
-                    states[k], commands[k] = state, previous
-                    state = plant.A @ state + plant.B @ previous + self._forcing[k]
+                    command = self._given(wanted, previous)
+                    loop[k + 1, :n] = plant.A @ state + plant.B @ command + self._forcing[k]
+                    loop[k + 1, n:] = command
                     limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
-        return Trajectory(states=states, commands=commands, limited=limited)
+        return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
-    def _speculate(
-        self, law: LinearLaw, state: FloatArray, previous: FloatArray, feed: FloatArray, k: int
-    ) -> FloatArray:
-        """[plant state; previous command] of a block as if no limit bound: row 0 is now, row i after i steps."""
-        count, n = len(feed), self._plant.size
-        inputs = np.empty((count, n + FORCES))
-        inputs[:, :n] = self._forcing[k : k + count] + feed @ self._plant.B.T
-        inputs[:, n:] = feed
-        return _free_run(self._plant, law).run(np.concatenate([state, previous]), inputs)
+    def _given(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
+        """What the actuator gives of a command after the one before (2,) [N]."""
+        if not self._limited_actuator:
+            return wanted
+        change = np.clip(wanted - previous, -self._most_change, self._most_change)
+        given = np.where(change == wanted - previous, wanted, previous + change)
+        return np.clip(given, -self._most_force, self._most_force)
 
     def _limits_met(self, stage: str, z: FloatArray, k: int) -> tuple[BoolArray, BoolArray]:
         """In which steps of a block speculated from step k on the law is exact, and no limit at all binds (n,) each."""
@@ -115,10 +113,9 @@ class ClosedLoop:
         now, commands = z[:-1], z[1:, n:]
         measured = now if n == STATES else np.hstack([now[:, :STATES], now[:, n:]])
         exact = free = self._controller.holds(k, stage, measured, commands)
-        if np.isfinite(self._most_change):
+        if self._limited_actuator:
             free = free & (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
-        if np.isfinite(self._most_force):
-            free = free & (np.abs(commands) <= self._most_force).all(axis=1)
+            free &= (np.abs(commands) <= self._most_force).all(axis=1)
         return exact, free
 
 

@@ -24,7 +24,8 @@ from sim_core.windows import SNAP, Windows, segments_of, weights_of, windows_of
 
 _ROW = {signal: row for row, signal in enumerate(RECORDED)}  # the first are METRIC_SIGNALS
 _JUMPING = ("body_acceleration", "pitch_acceleration")  # with the force; steep lines in between
-_TYRE_LOADS = ("front_tyre_load", "rear_tyre_load")
+_LOAD_ROWS = _ROW["front_tyre_load"], _ROW["rear_tyre_load"]
+_LOADS = slice(_LOAD_ROWS[0], _LOAD_ROWS[1] + 1)
 
 
 def evaluate(
@@ -98,13 +99,8 @@ def _by_window(
     samples = table.reshape(len(table), -1)
     rms = _rms(table, places.weights, places.segments)
     peaks = [_peaks(table, part) for part in places.within]
+    _add_kinks(peaks, table[_LOADS], tyres, places, road_input)
     following = table.shape[2]  # the next sample of a command
-    for axle, signal in enumerate(_TYRE_LOADS):
-        row, at, share = _ROW[signal], places.kinks[axle].samples, road_input.drive.axles[axle].kink_share
-        before = samples[row].take(at)
-        there = before + share * (samples[row].take(at + following) - before) + tyres[axle] * road_input.kink_rise[axle]
-        for peak, part in zip(peaks, places.kinks[axle].within, strict=True):
-            peak[row] = max(peak[row], there[part].max(initial=0), -there[part].min(initial=0))
     arrival, leaving, end = (
         np.abs(samples[:, i] + share * (samples[:, i + following] - samples[:, i])) if share else np.zeros(len(samples))
         for i, share in places.ends
@@ -163,6 +159,49 @@ def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatA
     return found
 
 
+def _add_kinks(
+    peaks: Sequence[FloatArray],
+    loads: FloatArray,
+    tyres: tuple[float, float],
+    places: Windows,
+    road_input: RoadInput,
+) -> None:
+    """Raise the peaks of the tyre loads to what they reach where the road kinks between two samples.
+
+    There a load leaves the line between them by the tyre's stiffness times the height of the kink. Only kinks under
+    commands whose load comes near the peak are looked at, and those of the bump.
+
+    Args:
+        peaks: Of METRIC_SIGNALS at the samples, in each of Windows.within.
+        loads: Front and rear (2, fine steps of a command + 1, commands) [N].
+        tyres: Stiffness, front and rear [N/m].
+        places: Where the windows lie.
+        road_input: The road under the axles.
+    """
+    kinks, commands = road_input.drive.kinks, loads.shape[2]
+    bump, move = road_input.surface.bump, road_input.drive.longest_move
+    missed = max(tyres) * road_input.surface.most_bulge(move)
+    highest = np.maximum(loads.max(axis=1), -loads.min(axis=1)).take(places.kink_command)
+    looked_at = np.zeros(len(highest), dtype=bool)
+    for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
+        for peak, part in zip(peaks, axle, strict=True):
+            looked_at[part] |= highest[part] >= peak[row] - missed
+    for part in (slice(kinks.rear), slice(kinks.rear, None)):
+        first, last = kinks.position[part].searchsorted((bump.start - move, bump.start + bump.width + move))
+        looked_at[part][first:last] = True
+
+    near = np.flatnonzero(looked_at)
+    axles, step = kinks.axle[near], kinks.step[near] % (loads.shape[1] - 1)
+    command = places.kink_command[near] % commands
+    share, height = road_input.at_kinks(near)
+    before, after = loads[axles, step, command], loads[axles, step + 1, command]
+    there = np.abs(before + share * (after - before) + np.take(tyres, axles) * height)
+    for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
+        for peak, part in zip(peaks, axle, strict=True):
+            first, last = near.searchsorted((part.start, part.stop))
+            peak[row] = max(peak[row], there[first:last].max(initial=0))
+
+
 def _power(table: FloatArray) -> FloatArray:
     """|u·ḋ| summed over both axles (fine steps of a command + 1, commands) [W]."""
     front, rear = (
@@ -173,7 +212,7 @@ def _power(table: FloatArray) -> FloatArray:
 
 def _airborne(table: FloatArray, places: Windows, static: tuple[float, float]) -> dict[str, float]:
     """Time with a tyre pulling on the road, which only the linear model can [ms]."""
-    loads = [table[_ROW[signal]].ravel() for signal in _TYRE_LOADS]
+    loads = table[_LOADS].reshape(2, -1)
     if all(load.min() >= -rest for load, rest in zip(loads, static, strict=True)):
         return {"airborne_ms": 0.0, "front_airborne_ms": 0.0, "rear_airborne_ms": 0.0}
     front, rear = (load < -rest for load, rest in zip(loads, static, strict=True))

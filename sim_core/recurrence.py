@@ -31,10 +31,14 @@ class Recurrence:
         """All states (steps + 1, n), the first being `start` (n,), for inputs (steps, n)."""
         steps, n = inputs.shape
         groups = -(-steps // _GROUP)
-        padded = np.zeros((groups * _GROUP, n))
-        padded[:steps] = inputs
-        after = padded.reshape(groups, -1) @ self.own
-        before = np.vstack([start, after[:-1, -n:]])
+        if steps < groups * _GROUP:
+            inputs = np.concatenate([inputs, np.zeros((groups * _GROUP - steps, n))])
+        states = np.empty((groups * _GROUP + 1, n))
+        states[0] = start
+        after = states[1:].reshape(groups, -1)
+        np.matmul(inputs.reshape(groups, -1), self.own, out=after)
+        before = np.empty((groups, n))
+        before[0], before[1:] = start, after[:-1, -n:]
         stride = 1
         for power in self.strides:
             if stride >= groups:
@@ -42,7 +46,7 @@ class Recurrence:
             before[stride:] += before[:-stride] @ power
             stride *= 2
         after += before @ self.onward
-        return np.vstack([start, after.reshape(-1, n)[:steps]])
+        return states[: steps + 1]
 
 
 def recurrence(matrix: FloatArray, most_steps: int) -> Recurrence:

@@ -11,22 +11,11 @@ from numpy.typing import NDArray
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.catalogue import WINDOWS
-from sim_core.drive.sampling import AxlePath, SampledDrive
+from sim_core.drive.sampling import SampledDrive
 from sim_core.drive.speed_profile import Drive
 
 SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
 _NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at it
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class AxleKinks:
-    """The sample before each kink of an axle's road (k,), and which are met on rough road, bump and after.
-
-    Samples are numbered as in a signal of the record, flattened; the next one in time lies a whole row further.
-    """
-
-    samples: NDArray[np.intp]
-    within: tuple[slice, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -38,7 +27,8 @@ class Windows:
         segments: Share of each line from a sample to the next of its command in the same (windows, lines).
         within: The samples of the rough road, of the bump, and of what follows it, in blocks of samples and commands.
         ends: Of the windows' ends between two samples, the one before, flattened, and how far on to the next.
-        kinks: Where each axle meets the kinks of its road.
+        kink_command: Under which command each kink is met (k,); a rear one's is counted on from the front's last.
+        kinks: Those met on the rough road, on the bump, and after it, by axle.
         duration: Of the whole record [s].
     """
 
@@ -46,7 +36,8 @@ class Windows:
     segments: FloatArray
     within: tuple[tuple[tuple[slice, slice], ...], ...]
     ends: tuple[tuple[int, float], ...]
-    kinks: tuple[AxleKinks, ...]
+    kink_command: NDArray[np.intp]
+    kinks: tuple[tuple[slice, ...], ...]
     duration: float
 
 
@@ -72,18 +63,21 @@ def windows_of(
     def sample(step: int) -> int:
         return step % fine * commands + step // fine
 
-    def axle_kinks(axle: AxlePath) -> AxleKinks:
-        met = axle.kink_step + axle.kink_share
-        inside = (slice(*met.searchsorted((first - _NEAR, last + _NEAR))) for first, last in spans)
-        samples = axle.kink_step % fine * commands + axle.kink_step // fine
-        return AxleKinks(samples=samples, within=tuple(inside))
+    kinks, driven = sampled.kinks, sampled.position[:, sampled.on_record.start :]
+    low, high = driven[kinks.axle, kinks.step], driven[kinks.axle, kinks.step + 1]
+    met = kinks.step + (kinks.position - low) / (high - low)
+
+    def met_within(axle: slice) -> tuple[slice, ...]:
+        edges = [met[axle].searchsorted((first - _NEAR, last + _NEAR)) + axle.start for first, last in spans]
+        return tuple(slice(first, last) for first, last in edges)
 
     return Windows(
         weights=weights_of(segments).reshape(len(WINDOWS), -1),
         segments=segments.reshape(len(WINDOWS), -1),
         within=tuple(_blocks(ceil(first), floor(last), fine) for first, last in spans),
         ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),
-        kinks=tuple(axle_kinks(axle) for axle in sampled.axles),
+        kink_command=kinks.step // fine + kinks.axle * commands,
+        kinks=(met_within(slice(0, kinks.rear)), met_within(slice(kinks.rear, len(met)))),
         duration=(edges[-1] - edges[0]) * h,
     )
 

@@ -50,9 +50,13 @@ def grid_between(first: float, last: float) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RoadProfile:
-    """Height of the road over distance: roughness samples, linear in between, and the bump's formula."""
+    """Height of the road over distance: roughness samples, linear in between, and the bump's formula.
+
+    `rise` is from each sample to the next [m].
+    """
 
     roughness: FloatArray
+    rise: FloatArray
     bump: Bump
 
     def height(self, position: FloatArray) -> FloatArray:
@@ -61,13 +65,16 @@ class RoadProfile:
 
     def height_at(self, position: FloatArray, place: GridPlace) -> FloatArray:
         """The same at positions whose place on the grid is known."""
-        rise = self.roughness[1:] - self.roughness[:-1]
         height = self.roughness.take(place.cell)
-        height += place.share * rise.take(place.cell)
+        height += place.share * self.rise.take(place.cell)
         if self.bump.height:
             inside = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
             height[inside] += bump_height(self.bump, position[inside])
         return height
+
+    def most_bulge(self, length: float) -> float:
+        """How far the roughness lies above or below a chord of at most that length [m]: its slopes allow no more."""
+        return float(max(self.rise.max(), 0.0) - min(self.rise.min(), 0.0)) / GRID * length / 4
 
 
 def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
@@ -120,8 +127,8 @@ def _fade(keep: float, count: int) -> FloatArray:
 
 
 @cached_up_to(16)
-def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
-    """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points.
+def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, FloatArray]:
+    """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points, and their differences.
 
     Var(w) = 1/(2Δx) makes the one-sided PSD Gd(n0) n0² / (n² + n00²) (ISO 8608 with a cut-off). The same
     seed gives the same road for every length: a longer one only goes on.
@@ -134,10 +141,11 @@ def _roughness(roughness: float, seed: int, length: float) -> FloatArray:
     noise[1:] *= deviation * sqrt(1 - keep**2)
     fade = _fade(keep, count)
     samples: FloatArray = fade * (noise / fade).cumsum()  # each sample is `keep` of the one before, and its noise
-    samples.flags.writeable = False
-    return samples
+    rise = samples[1:] - samples[:-1]
+    samples.flags.writeable = rise.flags.writeable = False
+    return samples, rise
 
 
 def profile(road: Road) -> RoadProfile:
     """The road of a scenario."""
-    return RoadProfile(_roughness(road.roughness, road.seed, road.length), road.bump)
+    return RoadProfile(*_roughness(road.roughness, road.seed, road.length), road.bump)

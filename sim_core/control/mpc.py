@@ -18,11 +18,12 @@ from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.lqr import regulator
 from sim_core.control.qp import SOLVERS, QpShape, QpSolver
-from sim_core.drive.preview import flattened
+from sim_core.drive.preview import Forecast, flattened
 from sim_core.scenario import Mpc, Vehicle
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm
-_CLEAR = 0.99  # of a limit in single precision, whose rounding is 1e-5 of the terms added: clear of it
+_CLEAR = 0.99  # of a limit, by a bound in single precision, whose rounding is 1e-6 of the terms added: clear of it
+_FEW = 16  # steps, for which the bound costs more than the checks
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
 
@@ -31,8 +32,10 @@ class MpcDesign:
     """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
 
     The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
-    b = limit - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each force and
-    deflection of the horizon on [the same], each over its bound, and `screen` is their transpose in single precision.
+    b = row_limits - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each
+    force and deflection of the horizon on [the same], each over its bound. In single precision, `coarse` (rows, 11) are
+    the same on [state; previous command; mean deceleration of the preview] and `reach` (rows, 3) the norms of the rest:
+    with `Forecast.spread` they bound each check (Cauchy-Schwarz).
     """
 
     shape: QpShape
@@ -43,7 +46,8 @@ class MpcDesign:
     feed: FloatArray
     checks: FloatArray
     bounds: FloatArray
-    screen: NDArray[np.float32]
+    coarse: NDArray[np.float32]
+    reach: NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -131,6 +135,7 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         [np.full(free, horizon.force_limit), np.full(2 * horizon.prediction, terms.deflection_limit)]
     )
     checks /= bounds[:, None]
+    by_disturbance = checks[:, MEASURED:].reshape(len(checks), DISTURBANCES, -1)
     return MpcDesign(
         shape=_shape(H, travel_moves, horizon.prediction, horizon.force_limit),
         linear=2 * linear,
@@ -140,7 +145,8 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         feed=optimum[:FORCES, STATES + FORCES :] * KILO,
         checks=checks,
         bounds=bounds,
-        screen=np.ascontiguousarray(checks.T, dtype=np.float32),
+        coarse=np.hstack([checks[:, :MEASURED], by_disturbance[:, 2].sum(axis=1)[:, None]]).astype(np.float32),
+        reach=np.linalg.norm(by_disturbance, axis=2).astype(np.float32),
     )
 
 
@@ -164,11 +170,12 @@ def _shape(H: FloatArray, travel_moves: FloatArray, horizon: int, force_limit: f
 class MpcController(Controller):
     """MPC over a known preview: the law where it holds, else a QP, verified; else the other solver; else hold."""
 
-    def __init__(self, designs: Mapping[str, MpcDesign], windows: FloatArray, mpc: Mpc) -> None:
-        """Over `preview`'s windows (3, steps, Np)."""
+    def __init__(self, designs: Mapping[str, MpcDesign], preview: Forecast, mpc: Mpc) -> None:
         super().__init__()
         self._designs = designs
-        self._windows = windows
+        self._windows = preview.windows
+        self._mean = preview.braking
+        self._spread = preview.spread.astype(np.float32)
         self._limit = mpc.force_limit
         self._order = (mpc.solver, *(name for name in SOLVERS if name != mpc.solver))
         self._solvers: dict[tuple[str, str], QpSolver] = {}
@@ -184,20 +191,25 @@ class MpcController(Controller):
     def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
         """Where every force and deflection of the horizon is within its limit.
 
-        Single precision rules most steps out; those near a limit are judged again in double.
+        A bound rules most steps out; those near a limit are judged by the checks themselves.
         """
         chosen, count = self._designs[stage], len(measured)
-        ahead = self._windows[:, first : first + count]
-        given = np.empty((count, len(chosen.screen)), dtype=np.float32)
-        given[:, :MEASURED] = measured
-        given[:, MEASURED:].reshape(count, len(ahead), -1)[...] = ahead.transpose(1, 0, 2)
-        share = given @ chosen.screen
-        held = np.abs(share, out=share).max(axis=1) <= _CLEAR
+        held = self._clear(chosen, measured, first) if count > _FEW else np.zeros(count, dtype=bool)
         near = np.flatnonzero(~held)
         if len(near):
-            given_near = np.hstack([measured[near], flattened(ahead[:, near])])
-            held[near] = (np.abs(given_near @ chosen.checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
-        return np.asarray(held)
+            given = np.hstack([measured[near], flattened(self._windows[:, first + near])])
+            held[near] = (np.abs(given @ chosen.checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
+        return held
+
+    def _clear(self, chosen: MpcDesign, measured: FloatArray, first: int) -> BoolArray:
+        """In which steps from the first on no check comes near its limit, by a bound (n,)."""
+        steps = slice(first, first + len(measured))
+        coarse = np.empty((MEASURED + 1, len(measured)), dtype=np.float32)
+        coarse[:-1], coarse[-1] = measured.T, self._mean[steps]
+        bound = chosen.coarse @ coarse
+        np.abs(bound, out=bound)
+        bound += chosen.reach @ self._spread[:, steps]
+        return np.asarray(bound.max(axis=0) <= _CLEAR)
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
         """The first force of the constrained optimum."""

@@ -50,14 +50,14 @@ def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multip
     """
     n = len(y)
     box, rows = multipliers[:n], multipliers[n:]
-    gradient = shape.H @ y + f
-    stationary = (np.abs(gradient + box + shape.A.T @ rows) / (1 + np.abs(f))).max()
-    slack_high, slack_low, slack_rows = shape.high - y, y - shape.low, b - shape.A @ y
-    primal = max(0.0, -slack_high.min(), -slack_low.min(), -slack_rows.min(initial=0.0))
+    gradient = shape.H @ y + f + box + rows @ shape.A
+    stationary = (np.abs(gradient) / (1 + np.abs(f))).max()
+    above, slack = y - shape.low, np.concatenate([shape.high - y, b - shape.A @ y])
+    primal = max(0.0, -above.min(), -slack.min())
     force = 1 + np.abs(multipliers).max()
     wrong_sign = max(0.0, -rows.min(initial=0.0)) / force
-    gap = np.abs(np.where(box > 0, box * slack_high, box * slack_low)).max(initial=0.0)
-    gap = max(gap, np.abs(rows * slack_rows).max(initial=0.0)) / force
+    slack[:n] = np.where(box < 0, above, slack[:n])
+    gap = np.abs(multipliers * slack).max() / force
     return float(max(stationary, primal, wrong_sign, gap)) if np.isfinite(y).all() else float("nan")
 
 

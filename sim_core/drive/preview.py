@@ -4,6 +4,8 @@ none: the road ahead is taken as level. wheelbase: the rear axle will meet what 
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
@@ -19,6 +21,22 @@ EXACT = Mismatch()
 _NOISE_STREAM = 2  # a generator of its own beside the road's
 
 
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Forecast:
+    """What is expected over the horizon at each control step.
+
+    Attributes:
+        windows: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration
+            [m/s^2] (3, steps, horizon); perhaps a view.
+        braking: Mean of each window's deceleration (steps,) [m/s^2].
+        spread: Norm over each window of both velocities, and of the deceleration's difference from its mean (3, steps).
+    """
+
+    windows: FloatArray
+    braking: FloatArray
+    spread: FloatArray
+
+
 def preview_windows(
     mode: Preview,
     road: Road,
@@ -28,9 +46,8 @@ def preview_windows(
     wheelbase: float,
     mismatch: Mismatch = EXACT,
 ) -> FloatArray:
-    """`preview`, flattened: (steps, 3 · horizon)."""
-    windows = preview(mode, road, drive, road_input, horizon, wheelbase, mismatch)
-    return flattened(windows)
+    """The windows of `preview`, flattened: (steps, 3 · horizon)."""
+    return flattened(preview(mode, road, drive, road_input, horizon, wheelbase, mismatch).windows)
 
 
 def flattened(windows: FloatArray) -> FloatArray:
@@ -46,10 +63,8 @@ def preview(
     horizon: int,
     wheelbase: float,
     mismatch: Mismatch = EXACT,
-) -> FloatArray:
-    """Disturbances over the horizon as expected at each control step (3, steps, horizon); perhaps a view.
-
-    Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration [m/s^2].
+) -> Forecast:
+    """The disturbances over the horizon as expected at each control step.
 
     Args:
         mode: none, wheelbase or lookahead.
@@ -61,16 +76,29 @@ def preview(
         mismatch: How the sensors that look ahead err.
     """
     if mode == "lookahead":
-        ahead = _ahead(road, drive, road_input, horizon, wheelbase, mismatch)
-        return sliding_window_view(ahead, horizon, axis=1)  # a window is the one before, moved on
+        return _ahead(road, drive, road_input, horizon, wheelbase, mismatch)
     return _behind(mode, road, drive, road_input, horizon, wheelbase)
+
+
+def sliding(ahead: FloatArray, horizon: int) -> Forecast:
+    """Windows each of which is the one before, moved on, over every interval to come (3, steps + horizon - 1)."""
+    sums = np.zeros((2, DISTURBANCES, ahead.shape[1] + 1))
+    np.cumsum([ahead, ahead * ahead], axis=2, out=sums[:, :, 1:])
+    total, squares = sums[:, :, horizon:] - sums[:, :, :-horizon]
+    braking = total[2] / horizon
+    squares[2] -= total[2] * braking
+    return Forecast(
+        windows=sliding_window_view(ahead, horizon, axis=1),
+        braking=braking,
+        spread=np.sqrt(np.maximum(squares, 0)),
+    )
 
 
 @cached_up_to(16)
 def _ahead(
     road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float, mismatch: Mismatch
-) -> FloatArray:
-    """What sensors and speed plan tell of every interval to come (3, steps + horizon - 1)."""
+) -> Forecast:
+    """What sensors and speed plan tell of every interval to come."""
     surface, time, h = profile(road), road_input.time, road_input.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
     position, _ = drive.at(further - mismatch.preview_delay)
@@ -83,21 +111,21 @@ def _ahead(
             height = height + mismatch.preview_noise * noise.standard_normal(len(height))
         ahead[axle] = np.diff(height) / h
     ahead[2] = drive.sample(drive.braking, further[:-1] + h / 2)
-    return ahead
+    return sliding(ahead, horizon)
 
 
 @cached_up_to(48)
-def _behind(
-    mode: Preview, road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float
-) -> FloatArray:
+def _behind(mode: Preview, road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float) -> Forecast:
     """Windows without sensors ahead: what the front axle has driven, or nothing; braking stays what it is."""
     surface, time, h = profile(road), road_input.time, road_input.step
     windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
     position, speed = drive.at(time[:-1])
-    windows[2] = drive.sample(drive.braking, time[:-1])[:, None]
+    braking = drive.sample(drive.braking, time[:-1])
+    windows[2] = braking[:, None]
     if mode == "wheelbase":
         ahead = speed[:, None] * h * np.arange(horizon + 1)
         driven = ahead[:, 1:] <= wheelbase
         heights = surface.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
         windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
-    return windows
+    spread = np.stack([np.zeros(len(braking)), np.linalg.norm(windows[1], axis=1), np.zeros(len(braking))])
+    return Forecast(windows=windows, braking=braking, spread=spread)

@@ -13,7 +13,17 @@ from numpy.typing import NDArray
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached_up_to
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.road import GRID, GridPlace, detail, grid_between, grid_place, grid_samples, kinks, profile
+from sim_core.car.road import (
+    GRID,
+    GridPlace,
+    RoadProfile,
+    detail,
+    grid_between,
+    grid_place,
+    grid_samples,
+    kinks,
+    profile,
+)
 from sim_core.drive.speed_profile import KMH, Drive, run_in_steps
 from sim_core.scenario import Road, Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
@@ -22,24 +32,20 @@ FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class AxlePath:
-    """One axle over the fine grid, and where on the record it meets a kink of the road.
+class Kinks:
+    """Where both axles meet the kinks of the road, from x = 0 to its end: the roughness' samples and the bump's own.
 
     Attributes:
-        position: At every fine instant (n + 1,) [m].
-        place: The same on the road's grid.
-        kink: Positions of the kinks from x = 0 to the road's end (k,) [m]: the roughness' samples and the bump's own.
-        kink_place: The same on the road's grid.
-        kink_step: The fine step from x = 0 in which each is met (k,).
-        kink_share: And the share of it that has passed by then (k,).
+        position: Of the kinks (k,) [m], the front axle's, then the rear's, each in the order they are met.
+        axle: 0 front, 1 rear (k,).
+        step: The fine step from x = 0 in which each is met (k,).
+        rear: Index of the rear axle's first.
     """
 
     position: FloatArray
-    place: GridPlace
-    kink: FloatArray
-    kink_place: GridPlace
-    kink_step: NDArray[np.intp]
-    kink_share: FloatArray
+    axle: NDArray[np.intp]
+    step: NDArray[np.intp]
+    rear: int
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -50,8 +56,11 @@ class SampledDrive:
         time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
         fine: Fine steps in each control step.
         before: Control steps before x = 0.
-        axles: The front and the rear.
+        position: Of the front and the rear axle at every fine instant (2, n + 1) [m].
+        place: The same on the road's grid.
+        kinks: Where they meet kinks of the road.
         braking: Deceleration, held over a fine step (n,) [m/s^2].
+        longest_move: Greatest distance driven in a fine step [m].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
     """
@@ -59,8 +68,11 @@ class SampledDrive:
     time: FloatArray
     fine: int
     before: int
-    axles: tuple[AxlePath, AxlePath]
+    position: FloatArray
+    place: GridPlace
+    kinks: Kinks
     braking: FloatArray
+    longest_move: float
     on_record: slice
     series: dict[str, FloatArray]
 
@@ -84,14 +96,14 @@ class RoadInput:
         position: Of the front axle at the control instants that begin a step (steps,) [m].
         disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
             (steps, 3 · fine), fine step after fine step.
-        kink_rise: How far each kink of the road lies above the line between its fine step's ends, by axle [m].
+        surface: The road.
         series: The record's signals that no suspension changes (catalogue.SIGNALS).
     """
 
     drive: SampledDrive
     position: FloatArray
     disturbance: FloatArray
-    kink_rise: tuple[FloatArray, FloatArray]
+    surface: RoadProfile
     series: dict[str, FloatArray]
 
     @property
@@ -118,6 +130,15 @@ class RoadInput:
     def fine_step(self) -> float:
         """Fine step [s]."""
         return self.drive.fine_step
+
+    def at_kinks(self, chosen: NDArray[np.intp]) -> tuple[FloatArray, FloatArray]:
+        """Share of its fine step after which each of these kinks is met, and its height above that step's chord [m]."""
+        kinks, driven = self.drive.kinks, self.drive.position
+        axle, step = kinks.axle[chosen], kinks.step[chosen] + self.on_record.start
+        position = np.stack([driven[axle, step], kinks.position[chosen], driven[axle, step + 1]])
+        low, there, high = self.surface.height(position)
+        share = (position[1] - position[0]) / (position[2] - position[0])
+        return share, there - low - share * (high - low)
 
 
 def fine_step(scenario: Scenario, strategy: Strategy) -> float:
@@ -159,23 +180,17 @@ def sample_road(
     fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
     sampled = _sampled(drive, road.length, wheelbase, step, fine, kinks(road.bump))
     surface, h = profile(road), sampled.fine_step
-    heights, rises = [], []
+    height = surface.height_at(sampled.position, sampled.place)
     held = np.empty((len(sampled.braking), DISTURBANCES))
-    for i, axle in enumerate(sampled.axles):
-        height = surface.height_at(axle.position, axle.place)
-        held[:, i] = (height[1:] - height[:-1]) * (1 / h)
-        record = height[sampled.on_record.start :]
-        low, high = record.take(axle.kink_step), record.take(axle.kink_step + 1)
-        rises.append(surface.height_at(axle.kink, axle.kink_place) - low - axle.kink_share * (high - low))
-        heights.append(height[sampled.on_record])
+    held[:, :2] = ((height[:, 1:] - height[:, :-1]) * (1 / h)).T
     held[:, 2] = sampled.braking
-    for values in heights:
-        values.flags.writeable = False
+    heights = height[:, sampled.on_record]
+    heights.flags.writeable = False
     return RoadInput(
         drive=sampled,
-        position=sampled.axles[0].position[: -1 : sampled.fine],
+        position=sampled.position[0, : -1 : sampled.fine],
         disturbance=held.reshape(len(sampled.time) - 1, sampled.fine * DISTURBANCES),
-        kink_rise=(rises[0], rises[1]),
+        surface=surface,
         series=sampled.series | {"front_road": heights[0], "rear_road": heights[1]},
     )
 
@@ -203,33 +218,32 @@ def _sampled(
     }
     for values in series.values():
         values.flags.writeable = False
+    axles = np.stack([position, position - wheelbase])
     return SampledDrive(
         time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
         fine=fine,
         before=before,
-        axles=(
-            _path(position, first, length, bump_kinks),
-            _path(position - wheelbase, first, length, bump_kinks),
-        ),
+        position=axles,
+        place=grid_place(axles, grid_samples(length)),
+        kinks=_kinks(axles[:, first:], bump_kinks),
         braking=drive.sample(drive.braking, time[:-1] + h / 2),
+        longest_move=float((position[1:] - position[:-1]).max()),
         on_record=record,
         series=series,
     )
 
 
-def _path(position: FloatArray, first: int, length: float, bump_kinks: tuple[float, ...]) -> AxlePath:
-    """An axle at those positions (n + 1,) [m], on record from the sample `first` on."""
-    record, samples = position[first:], grid_samples(length)
-    begin, end = float(record[0]), float(record[-1])
-    kink = np.sort(np.concatenate([grid_between(begin, end), bump_kinks]))
-    kink = kink[(kink > begin) & (kink < end)]
-    step = record.searchsorted(kink) - 1
-    low = record.take(step)
-    return AxlePath(
-        position=position,
-        place=grid_place(position, samples),
-        kink=kink,
-        kink_place=grid_place(kink, samples),
-        kink_step=step,
-        kink_share=(kink - low) / (record.take(step + 1) - low),
+def _kinks(position: FloatArray, bump_kinks: tuple[float, ...]) -> Kinks:
+    """Of axles at those positions from x = 0 on (2, n + 1) [m]."""
+    met, steps = [], []
+    for driven in position:
+        begin, end = float(driven[0]), float(driven[-1])
+        kink = np.sort(np.concatenate([grid_between(begin, end), bump_kinks]))
+        met.append(kink[(kink > begin) & (kink < end)])
+        steps.append(driven.searchsorted(met[-1]) - 1)
+    return Kinks(
+        position=np.concatenate(met),
+        axle=np.repeat([0, 1], [len(each) for each in met]),
+        step=np.concatenate(steps),
+        rear=len(met[0]),
     )
