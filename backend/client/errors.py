@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any, Self
 
 _SWEEPS = ("grid", "latin_hypercube", "list")
+_TYPES = "urn:problem-type:ridelab"
 
 
 class RidelabClientError(Exception):
@@ -54,16 +55,23 @@ class RidelabAPIError(RidelabClientError):
         detail: What is wrong, for a person to read.
         errors: Each place concerned.
         request_id: What the service's log calls the request.
+        kind: Which kind of problem, such as `not-found` (docs/api.md lists them); None where it is not the service's.
     """
 
     def __init__(
-        self, status: int, detail: str, errors: Sequence[ErrorPlace] = (), request_id: str | None = None
+        self,
+        status: int,
+        detail: str,
+        errors: Sequence[ErrorPlace] = (),
+        request_id: str | None = None,
+        kind: str | None = None,
     ) -> None:
-        super().__init__(status, detail, errors, request_id)
+        super().__init__(status, detail, errors, request_id, kind)
         self.status = status
         self.detail = detail
         self.errors = list(errors)
         self.request_id = request_id
+        self.kind = kind
 
     @classmethod
     def of(cls, status: int, problem: Mapping[str, Any]) -> Self:
@@ -77,7 +85,8 @@ class RidelabAPIError(RidelabClientError):
             for item in problem.get("errors") or []
         ]
         detail = str(problem.get("detail") or problem.get("title") or f"HTTP {status}")
-        return cls(status, detail, places, problem.get("request_id"))
+        prefix, _, kind = str(problem.get("type", "")).rpartition(":")
+        return cls(status, detail, places, problem.get("request_id"), kind if prefix == _TYPES else None)
 
     @property
     def lines(self) -> list[str]:

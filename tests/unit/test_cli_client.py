@@ -150,6 +150,8 @@ def test_an_errors_text_is_its_places() -> None:
     error = RidelabAPIError.of(422, problem)
     assert error.lines == ["road.length: too long", "strategy: unknown", "not like that"]
     assert RidelabAPIError.of(404, {"status": 404, "detail": "Nothing."}).lines == ["Nothing."]
+    kinds = ["urn:problem-type:ridelab:not-found", "about:blank", "urn:problem-type:other:not-found", None]
+    assert [RidelabAPIError.of(404, {"type": kind}).kind for kind in kinds] == ["not-found", None, None, None]
     broken = {"status": 500, "detail": "Something went wrong.", "errors": [], "request_id": "abc"}
     assert str(RidelabAPIError.of(500, broken)) == "Something went wrong. (request abc)"
 
