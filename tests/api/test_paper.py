@@ -2,7 +2,7 @@
 
 import socket
 import statistics
-from collections.abc import Iterator
+from collections.abc import Awaitable, Iterator, Mapping
 from typing import Any
 
 import httpx
@@ -142,18 +142,25 @@ def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
         assert (one["our_value"] == other["our_value"]) == (one["window"] == "bump")
 
 
-def test_fresh_roads_are_asked_for_by_their_first_seed(client: httpx.Client) -> None:
-    runs = [
-        client.post("/api/v1/runs", json={"scenario": {"road": {"seed": seed}}, "strategies": ["passive"]}).json()
-        for seed in range(21, 41)
-    ]
-    found = client.get(PAPER, params={"first_seed": 21}).json()
-    assert (found["first_seed"], found["seeds"]) == (21, 20)
+def test_fresh_roads_are_asked_for_by_their_first_seed(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the roads asked for, only the first few are driven here."""
+    paper, asked = service.app.state.paper, []
+    reproduction = paper.reproduction
+
+    def of_few(choices: Mapping[str, str], roads: range, client: str) -> Awaitable[dict[str, Any]]:
+        asked.append(roads)
+        return reproduction(choices, roads[:FEW], client)
+
+    monkeypatch.setattr(paper, "reproduction", of_few)
+    found = service.client.get(PAPER, params={"first_seed": 21, "seeds": 30}).json()
+    assert asked == [range(21, 51)]
+    assert (found["first_seed"], found["seeds"]) == (21, FEW)
     (base,) = {
         cell["our_base"]
         for cell in found["cells"]
         if cell["against"] == "passive" and cell["table"] == 5 and cell["signal"] == "rear_tyre_load"
     }
+    runs = [service.run(["passive"], {"road": {"seed": seed}}).json() for seed in range(21, 21 + FEW)]
     peaks = [run["strategies"]["passive"]["metrics"]["bump"]["rear_tyre_load"]["peak"] for run in runs]
     assert base == pytest.approx(statistics.fmean(peaks), rel=1e-9)
 

@@ -11,9 +11,8 @@ import pytest
 
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
-from sim_core.study import causes
 from sim_core.study.interpretations import INTERPRETATIONS
-from sim_core.study.paper import SEEDS, WINDOW
+from sim_core.study.paper import WINDOW
 from sim_core.study.readings import READINGS
 
 PAGE = Path(__file__).parents[2] / "docs" / "paper.md"
@@ -155,12 +154,3 @@ def test_the_readme_names_both_counts(client: httpx.Client) -> None:
     ):
         assert said in text
     assert default["agreement"]["in_interval"] == favourable["agreement"]["in_interval"] == 0
-
-
-def test_the_page_shows_what_the_command_of_the_causes_prints() -> None:
-    page = PAGE.read_text(encoding="utf-8")
-    block = {"causes": causes.page(range(1, SEEDS + 1))}
-    if os.environ.get("UPDATE_DOCS"):
-        PAGE.write_text(with_blocks(page, block), encoding="utf-8")
-    else:
-        assert with_blocks(page, block) == page

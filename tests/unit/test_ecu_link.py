@@ -95,8 +95,11 @@ MISBEHAVIOURS = {
 
 @pytest.mark.parametrize(("body", "reason"), MISBEHAVIOURS.values(), ids=MISBEHAVIOURS.keys())
 def test_a_peer_that_misbehaves_is_an_error_and_never_a_wait(
-    tmp_path: Path, calibration: Calibration, body: str, reason: str
+    tmp_path: Path, calibration: Calibration, monkeypatch: pytest.MonkeyPatch, body: str, reason: str
 ) -> None:
+    monkeypatch.setattr(link, "END", 0.2)
+    if "connect in time" in reason:
+        monkeypatch.setattr(link, "START", 1.0)
     begin = time.monotonic()
     program = peer(tmp_path, calibration, body)
     with pytest.raises(EcuError, match=reason), connected(calibration, program, patience=1.0) as ecu:
