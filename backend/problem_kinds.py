@@ -88,7 +88,7 @@ _LIST = (
     _kind("internal-error", 500, "Internal error", "Something went wrong in the service. It is in its log."),
     _kind("unavailable", (503, 502, 504), "Unavailable", "The service, or the proxy before it, cannot answer now."),
     _kind("full", 503, "Full", "The service has too much to do at the moment."),
-    _kind("connections", 503, "Too many connections", "The service is full: too many connections are open."),
+    _kind("connections", 503, "Too many connections", "Too many connections are open, of this client or of all."),
     _kind("store-unavailable", 503, "Database unavailable", "The database does not answer."),
     _kind("worker-lost", 503, "Computation lost", "The computation ended unexpectedly, twice."),
     _kind("timeout", 503, "Timeout", "The computation took longer than the limit and was ended."),

@@ -9,16 +9,19 @@ import logging
 import socket
 import struct
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 from uuid import uuid4
 
 import h11
 import orjson
 import uvicorn
+from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
+from backend.connections import Admitted, Connections
+from backend.limits import RETRY_AFTER
 from backend.problems import problem
-from backend.security import HEADERS
+from backend.security import HEADERS, HEALTH_ONLY
 from backend.settings import Settings
 from backend.telemetry.requests import HEADER
 
@@ -36,7 +39,7 @@ class GuardedProtocol(H11Protocol):
 
     HEAD_TIMEOUT = 10.0  # [s]
     WRITE_TIMEOUT = 60.0  # for which a client may take nothing of its answer [s]
-    MAX_CONNECTIONS = 800
+    OPEN = Connections(per_client=200, total=800)
 
     _timer: asyncio.TimerHandle | None = None
     _stuck: asyncio.TimerHandle | None = None
@@ -44,13 +47,17 @@ class GuardedProtocol(H11Protocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # uvicorn's own type
         """Count it, and begin to wait for a request."""
         super().connection_made(transport)
-        if len(self.connections) > self.MAX_CONNECTIONS:
-            self._refuse(503, "connections")
-            return
+        match self.OPEN.add(self, self.client[0] if self.client else ""):
+            case Admitted.FULL:
+                self._refuse(503, "connections")
+                return
+            case Admitted.HEALTH_ONLY:
+                self.app_state = {**self.app_state, HEALTH_ONLY: True}
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Nothing is waited for any more."""
+        self.OPEN.remove(self)
         self._relax()
         self._unstick()
         super().connection_lost(exc)
@@ -69,9 +76,19 @@ class GuardedProtocol(H11Protocol):
         It is read and dropped: a connection closed at once would be reset, and the client, still sending, would never
         see its answer.
         """
+        self.OPEN.used(self)
         super().on_response_complete()
         if self.conn.their_state is h11.SEND_BODY and not self._answering():
             self._watch()
+
+    @property
+    def idle(self) -> bool:
+        """Whether nobody waits for an answer on it, or still takes one."""
+        return not self._answering() and not self.transport.get_write_buffer_size()
+
+    def make_room(self) -> None:
+        """Close it for another one."""
+        self.transport.close()
 
     def pause_writing(self) -> None:
         """The client takes less than it is sent."""
@@ -134,7 +151,7 @@ class GuardedProtocol(H11Protocol):
         headers = {**HEADERS, HEADER: name, "Content-Type": str(response.media_type), "Cache-Control": "no-store"}
         headers |= {"Content-Length": str(len(body)), "Connection": "close"}
         if status == 503:
-            headers["Retry-After"] = "2"
+            headers["Retry-After"] = str(RETRY_AFTER)
         logger.warning("Refused a connection: %d %s", status, kind, extra={"request_id": name})
         for event in (h11.Response(status_code=status, headers=list(headers.items())), h11.Data(data=body)):
             self.transport.write(self.conn.send(event) or b"")
@@ -144,7 +161,11 @@ class GuardedProtocol(H11Protocol):
 
 def server_config(app: "FastAPI", settings: Settings) -> uvicorn.Config:
     """How uvicorn serves that application: these limits, our own logs, the client's address only from known proxies."""
-    limits = {"HEAD_TIMEOUT": settings.head_timeout, "MAX_CONNECTIONS": settings.max_connections}
+    proxies = ProxyHeadersMiddleware(cast(Any, app), settings.forwarded_allow_ips).trusted_hosts  # as uvicorn reads it
+    connections = Connections(
+        per_client=settings.max_client_connections, total=settings.max_connections, is_proxy=proxies.__contains__
+    )
+    limits = {"HEAD_TIMEOUT": settings.head_timeout, "OPEN": connections}
     return uvicorn.Config(
         app,
         http=type("ConfiguredProtocol", (GuardedProtocol,), limits),

@@ -9,6 +9,7 @@ from starlette.requests import ClientDisconnect
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from backend.limits import RETRY_AFTER
 from backend.problems import problem
 
 logger = logging.getLogger(__name__)
@@ -44,7 +45,8 @@ CLOSE = {"Connection": "close"}
 LONGEST_ADDRESS = 8192  # [bytes]
 LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
 SAFE = frozenset({"GET", "HEAD", "OPTIONS"})  # methods that change nothing
-ANY_HOST = frozenset({"/healthz", "/readyz", "/metrics"})  # asked from inside, by whatever name
+HEALTH = frozenset({"/healthz", "/readyz", "/metrics"})  # asked from inside, by whatever name
+HEALTH_ONLY = "health_only"  # in a scope's state: of a connection that may ask for nothing else
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
 
 
@@ -105,7 +107,9 @@ class GuardMiddleware:
             return problem(400, "The request body has two lengths.", kind="two-lengths", headers=CLOSE)
         if scope["method"] not in SAFE and (b"sec-fetch-site", b"cross-site") in headers:
             return problem(403, kind="cross-site")
-        if self._hosts and scope["path"] not in ANY_HOST and not _is_among(self._hosts, _host(headers)):
+        if scope["path"] not in HEALTH and HEALTH_ONLY in scope.get("state", ()):
+            return problem(503, kind="connections", headers={**CLOSE, "Retry-After": str(RETRY_AFTER)})
+        if self._hosts and scope["path"] not in HEALTH and not _is_among(self._hosts, _host(headers)):
             return problem(421, kind="other-host")
         return None
 

@@ -64,6 +64,11 @@ class Settings(BaseModel):
     max_streams: int = Field(256, ge=1, description="Event streams open at once; beyond it 503.")
     max_client_streams: int = Field(16, ge=1, description="Event streams one client may have open; then 429.")
     max_connections: int = Field(800, ge=8, description="Connections open at once; beyond it 503.")
+    max_client_connections: int = Field(
+        200,
+        ge=1,
+        description="Connections one client may have open; beyond it its oldest idle one is closed, else 503.",
+    )
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
     body_timeout: float = Field(20, gt=0, le=600, description="A request body may take this long to come [s].")
     head_timeout: float = Field(10, gt=0, le=600, description="A request's head may take this long to come [s].")

@@ -17,7 +17,6 @@ from starlette.datastructures import State
 
 from backend.protocol import GuardedProtocol, server_config
 from backend.security import HEADERS
-from tests.servers.process import wait_until
 
 Address = tuple[str, int]
 JSON = b"Content-Type: application/json\r\n"
@@ -154,30 +153,6 @@ def test_a_client_that_takes_nothing_of_its_answer_is_cut_off(service: Any, monk
         connection.settimeout(0.5)
         with pytest.raises(ConnectionError):
             ask_on_and_on(connection, request, seconds=60)
-
-
-def test_one_connection_too_many_is_answered_503(service: Any) -> None:
-    with impatient(service.app, max_connections=8) as (address, server), contextlib.ExitStack() as held:
-        for _ in range(8):
-            held.enter_context(connect(address))
-        wait_until(lambda: len(server.server_state.connections) == 8, "the server has taken them all", 10)
-        refused = rest(held.enter_context(connect(address)))
-        check_problem(refused, 503)
-        assert "retry-after" in head(refused)[1]
-        held.close()
-        wait_until(lambda: not server.server_state.connections, "the server has seen them go", 10)
-        assert httpx.get(f"http://127.0.0.1:{address[1]}/healthz").status_code == 200
-
-
-def test_many_idle_connections_keep_nobody_out(service: Any, client: httpx.Client) -> None:
-    address = (client.base_url.host, client.base_url.port)
-    with contextlib.ExitStack() as held:
-        for index in range(200):
-            connection = held.enter_context(connect(address))
-            if index % 2:
-                connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 99\r\n")
-        assert client.get("/healthz").status_code == 200
-        assert service.run(["passive"]).status_code == 200
 
 
 def ask_on_and_on(connection: socket.socket, request: bytes, seconds: float) -> None:

@@ -1,0 +1,97 @@
+"""Open connections by client: idle ones go first where there are too many, so that nobody's keep others out."""
+
+from collections.abc import Callable
+from enum import Enum, auto
+from typing import Protocol
+
+from backend.limits import client_key
+
+HEALTH_ROOM = 16  # beyond all others, for whoever asks how the service is
+PROXIES, HEALTH = "proxies", "health"  # groups beside those of clients
+
+
+class Connection(Protocol):
+    """What is counted."""
+
+    @property
+    def idle(self) -> bool:
+        """Whether it waits for a request."""
+
+    def make_room(self) -> None:
+        """End, as idle as it is."""
+
+
+class Admitted(Enum):
+    """What becomes of a new connection."""
+
+    SERVED = auto()
+    HEALTH_ONLY = auto()
+    FULL = auto()
+
+
+class Connections:
+    """Which connections are open, each client's with the longest idle one first.
+
+    Args:
+        per_client: How many one client may have; many people may be behind one address.
+        total: How many there may be in all. Beyond either there are some more that may only ask for health.
+        is_proxy: Whether an address is no client: its connections count in the total, and never close to make room.
+    """
+
+    def __init__(self, *, per_client: int, total: int, is_proxy: Callable[[str], bool] = lambda _: False) -> None:
+        self._per_client = per_client
+        self._total = total
+        self._is_proxy = is_proxy
+        self._groups: dict[str, dict[Connection, None]] = {}  # by client, the longest unused first
+        self._group_of: dict[Connection, str] = {}
+
+    def add(self, connection: Connection, address: str) -> Admitted:
+        """Count a new one, where there is room or an idle one goes."""
+        group = PROXIES if self._is_proxy(address) else client_key(address)
+        if self._has_room(group):
+            self._enter(connection, group)
+            return Admitted.SERVED
+        if self._size(HEALTH) < HEALTH_ROOM or self._close_idle(HEALTH):
+            self._enter(connection, HEALTH)
+            return Admitted.HEALTH_ONLY
+        return Admitted.FULL
+
+    def used(self, connection: Connection) -> None:
+        """It answered a request: of its client's idle ones it is the last to go."""
+        if connection in self._group_of:
+            group = self._groups[self._group_of[connection]]
+            group[connection] = group.pop(connection)
+
+    def remove(self, connection: Connection) -> None:
+        """It has ended."""
+        name = self._group_of.pop(connection, None)
+        if name is not None:
+            del self._groups[name][connection]
+            if not self._groups[name]:
+                del self._groups[name]
+
+    def _has_room(self, group: str) -> bool:
+        """Whether one more of that group is within the limits, or an idle one could be closed for it."""
+        if group != PROXIES and self._size(group) >= self._per_client and not self._close_idle(group):
+            return False
+        return len(self._group_of) - self._size(HEALTH) < self._total or self._close_idle_of_greediest()
+
+    def _size(self, group: str) -> int:
+        return len(self._groups.get(group, ()))
+
+    def _enter(self, connection: Connection, group: str) -> None:
+        self._groups.setdefault(group, {})[connection] = None
+        self._group_of[connection] = group
+
+    def _close_idle_of_greediest(self) -> bool:
+        clients = self._groups.keys() - {PROXIES, HEALTH}
+        return any(self._close_idle(group) for group in sorted(clients, key=self._size, reverse=True))
+
+    def _close_idle(self, group: str) -> bool:
+        """Close the one that has been idle for longest; False where none is idle."""
+        connection = next((each for each in self._groups.get(group, ()) if each.idle), None)
+        if connection is None:
+            return False
+        self.remove(connection)
+        connection.make_room()
+        return True
