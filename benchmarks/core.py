@@ -77,15 +77,24 @@ def against_plain_loop() -> None:
 
 
 def by_strategy() -> None:
-    """Each strategy alone and three together: first in a new process, on a new road, the same again."""
+    """Each strategy alone and three together: first in a process, all of it new, on a new road, the same again."""
     rows, imports, seed = [], [], 2000
     for names in (("passive",), ("speed_only",), ("lqr",), ("suspension_only",), ("lv",), TOGETHER):
         cold = [fresh_process(_COLD.format(names=names)) for _ in range(3)]
         imports += [importing for importing, _ in cold]
+        others = [
+            changed(changed(scenario, "vehicle", body_mass=1300.0 + i), "speed", target_speed_kmh=24 + i / 100)
+            for i, scenario in enumerate(new_roads(PAPER, 7, seed + 50))
+        ]
+        all_new = median_ms(runs(*names), others)
         new, again = median_ms(runs(*names), new_roads(PAPER, 7, seed)), median_ms(runs(*names), [PAPER] * 7)
-        rows.append([" + ".join(names), median(first for _, first in cold), new, again])
+        rows.append([" + ".join(names), median(first for _, first in cold), all_new, new, again])
         seed += 100
-    table("Milliseconds a run (imports apart)", ["", "first in a process", "new road", "same again"], rows)
+    table(
+        "Milliseconds a run (imports apart)",
+        ["", "first in a process", "car, speed and road new", "new road", "same again"],
+        rows,
+    )
     print(f"  importing the core takes {median(imports):.0f} ms")
 
 
