@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from backend.cli.backup import backup
 from backend.cli.browse import open_
 from backend.cli.compare import compare
 from backend.cli.controller import controller, hil
@@ -23,8 +24,8 @@ from sim_core import __version__
 HELP = """Ridelab: what-ifs of active suspension over bumps.
 
 SCENARIO is a JSON file, - for standard input, a preset such as "paper", the id of a stored run, or the address of a run
-or shared link. What it leaves out takes the paper's value. Every command but serve works with the service at --server;
-without one it starts its own for as long as it runs.
+or shared link. What it leaves out takes the paper's value. Commands work with the service at
+--server; without one they start their own for as long as they run.
 """
 EPILOG = "Exit codes: 0 well; 1 failed runs, or different (compare); 2 bad input; 3 no service, or it failed."
 
@@ -50,6 +51,7 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "compare": compare,
     "open": open_,
     "export": export,
+    "backup": backup,
 }
 for name, command in COMMANDS.items():
     app.command(name, cls=Command)(command)

@@ -25,6 +25,12 @@ DataDir = Annotated[
         show_default=False,
     ),
 ]
+DatabaseDir = Annotated[
+    Path | None,
+    typer.Option(
+        envvar="RIDELAB_DATA_DIR", metavar="DIR", help="Where the database is [default: data].", show_default=False
+    ),
+]
 Scenario = Annotated[
     str, typer.Argument(metavar="SCENARIO", help="File, - for standard input, preset, run id, or address of a result.")
 ]

@@ -1,21 +1,29 @@
-"""The backup commands of docs/operations.md, run against a database in use."""
+"""The backup commands of docs/operations.md, run against a database in use.
+
+That a batch goes on from a copy is shown in tests/faults/test_restored.py.
+"""
 
 import os
 import re
 import shlex
 import subprocess
-import sys
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 from sqlalchemy import make_url
 
 from backend.store import Store, StoredResult, StoredRun
+from tests.api.cli import Cli
 from tests.servers.postgres import Postgres, program
+from tests.servers.process import wait_until
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs/operations.md").read_text()
+
+Backup = Callable[..., str]
 
 
 def save(store: Store, run_id: str) -> StoredRun:
@@ -37,17 +45,63 @@ def sqlite_store(tmp_path: Path) -> Iterator[Store]:
     store.close()
 
 
-def test_a_copy_of_sqlite_is_a_whole_database(sqlite_store: Store, tmp_path: Path) -> None:
-    saved = save(sqlite_store, "before")
-    words = documented(r"\.venv/bin/python -c")
-    with sqlite_store.writing():  # the service is in the middle of something
-        subprocess.run([sys.executable, *words[1:]], cwd=tmp_path, check=True)
-    save(sqlite_store, "after")
+@pytest.fixture
+def backup(tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Backup:
+    """The page's command, in a folder with the default's data directory; gives what it says."""
+    (_, *words) = documented(r"\.venv/bin/ridelab backup")
+    monkeypatch.chdir(tmp_path)
+    cli = Cli(capfdbinary)
+    return lambda *more, code=0: cli(*words, *more, code=code) + cli.error
+
+
+def test_a_copy_of_sqlite_under_writes_is_a_whole_database(sqlite_store: Store, tmp_path: Path, backup: Backup) -> None:
+    save(sqlite_store, "before")
+    copied = threading.Event()
+
+    def write() -> int:
+        written = 0
+        while not copied.is_set():
+            save(sqlite_store, f"beside-{written}")
+            written += 1
+        return written
+
+    with ThreadPoolExecutor(1) as threads:
+        writing = threads.submit(write)
+        try:
+            wait_until(lambda: sqlite_store.runs.load("beside-9"), "somebody writes")
+            assert "writes waited" in backup()
+        finally:
+            copied.set()
     copy = Store(f"sqlite:///{tmp_path}/copy.sqlite")
     copy.migrate()
-    assert copy.runs.load("before") == saved
-    assert copy.runs.load("after") is None
+    there = [copy.runs.load(f"beside-{number}") is not None for number in range(writing.result())]
+    assert copy.runs.load("before") == sqlite_store.runs.load("before")
+    assert there == sorted(there, reverse=True), "as it was at one moment"
+    assert there[9]
     copy.close()
+    assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
+
+
+def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, backup: Backup) -> None:
+    save(sqlite_store, "before")
+    sqlite_store.close()
+    (tmp_path / "copy.sqlite").write_text("older")
+    assert "is there already; --force replaces it" in backup(code=2)
+    database = tmp_path / "data/ridelab.sqlite"
+    whole = database.read_bytes()
+    database.write_bytes(whole[:-4096] + b"\xff" * 4096)
+    assert "damaged" in backup("--force", code=2)
+    assert (tmp_path / "copy.sqlite").read_text() == "older"
+    database.write_bytes(whole)
+    backup("--force")
+    assert (tmp_path / "copy.sqlite").stat().st_size == len(whole)
+    assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
+
+
+def test_what_cannot_be_copied_is_said(backup: Backup, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert "There is no database at" in backup(code=2)
+    monkeypatch.setenv("RIDELAB_DATABASE_URL", "postgresql://host/ridelab")
+    assert "pg_dump" in backup(code=2)
 
 
 def test_a_dump_of_postgresql_brings_everything_back(postgres: Postgres, tmp_path: Path) -> None:
