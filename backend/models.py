@@ -154,6 +154,10 @@ class StrategyFailure(Answer):
     status: Literal["failed"]
     compute_ms: float
     reason: str
+    kind: Literal["refused", "too-expensive"] = Field(
+        "refused", description="`too-expensive` where less computing would do: change one of `fields`"
+    )
+    fields: list[str] = Field([], description="Dotted names of scenario fields that make it cheaper")
 
 
 class CachedResult(StrategyResult):

@@ -77,6 +77,9 @@ _LIST = (
     ),
     _kind("cost-limit", 422, "Cost limit", "The estimated cost or the number of runs is over the limit."),
     _kind(
+        "too-expensive", 422, "Too expensive", "A run takes more computing than one may; errors names what to change."
+    ),
+    _kind(
         "strict-json",
         (422, 400, 413),
         "Strict JSON",
@@ -91,7 +94,6 @@ _LIST = (
     _kind("connections", 503, "Too many connections", "Too many connections are open, of this client or of all."),
     _kind("store-unavailable", 503, "Database unavailable", "The database does not answer."),
     _kind("worker-lost", 503, "Computation lost", "The computation ended unexpectedly, twice."),
-    _kind("timeout", 503, "Timeout", "The computation took longer than the limit and was ended."),
     _kind("newer-schema", 503, "Newer schema", "A newer version of the service stored this; it is being updated."),
     _kind(
         "ecu-unavailable",

@@ -16,7 +16,7 @@ from backend.hil.drive import EcuUnavailableError
 from backend.problem_kinds import KINDS, OF_STATUS, TYPES
 from backend.telemetry import REFUSED, STORE_ERRORS, request_id
 from backend.unknown_names import in_body, shown_path, unknown
-from sim_core.errors import RidelabError
+from sim_core.errors import RidelabError, TooExpensiveError
 
 logger = logging.getLogger(__name__)
 
@@ -84,6 +84,7 @@ def register(app: FastAPI) -> None:
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(RidelabError, _refused)
+    app.add_exception_handler(TooExpensiveError, _too_expensive)
     app.add_exception_handler(EcuUnavailableError, _ecu_unavailable)
     app.add_exception_handler(SQLAlchemyError, _store)
     app.add_exception_handler(WorkerLostError, _lost)
@@ -140,8 +141,19 @@ async def _busy(_: Request, __: Exception) -> Response:
     return problem(503, "No worker came free in time.", kind="full", headers={"Retry-After": "10"})
 
 
+async def _too_expensive(_: Request, error: Exception) -> Response:
+    error = cast(TooExpensiveError, error)
+    places = [{"pointer": pointer(["scenario", *field.split(".")]), "message": error.message} for field in error.fields]
+    return problem(422, f"{error.message}.", kind="too-expensive", errors=places)
+
+
 async def _slow(_: Request, __: Exception) -> Response:
-    return problem(503, "The computation took longer than the limit and was ended.", kind="timeout")
+    # Not 503: the same again would hold a worker as long again.
+    text = (
+        "The computation took longer than the limit and was ended; fewer or shorter roads, a higher speed, a longer "
+        "sample time or shorter horizons cost less."
+    )
+    return problem(422, text, kind="too-expensive", errors=[{"pointer": "/scenario", "message": text}])
 
 
 def _place(item: Mapping[str, Any], model: Any) -> dict[str, str]:

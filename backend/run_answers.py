@@ -9,6 +9,8 @@ from backend.worker import Outcome
 from sim_core.study.intervals import Interval
 from sim_core.study.roads import Comparison, Numbers, compare, numbers
 
+_REFUSED: Mapping[str, Any] = {"kind": "refused", "fields": []}  # unless the failure says otherwise
+
 
 def run_answer(
     stored: StoredRun, *, cached: Mapping[str, bool] | None = None, baseline: str | None = None
@@ -56,7 +58,8 @@ def default_baseline(strategies: Sequence[str]) -> str:
 
 
 def _entry(item: Outcome | StoredResult, cache_field: Mapping[str, bool]) -> dict[str, Any]:
-    return {"status": item.status, **cache_field, "compute_ms": item.compute_ms, **item.summary}
+    head: dict[str, Any] = {"status": item.status, **cache_field, "compute_ms": item.compute_ms}
+    return {**head, **(_REFUSED if item.status == "failed" else {}), **item.summary}
 
 
 def _entry_over_roads(
@@ -68,7 +71,7 @@ def _entry_over_roads(
     if failures:
         seed, failure = failures[0]
         reason = f"Road seed {seed}: {failure.summary['reason']}"
-        return {"status": failure.status, **cache_field, "compute_ms": head["compute_ms"], "reason": reason}
+        return {**_entry(failure, cache_field), "compute_ms": head["compute_ms"], "reason": reason}
     means = _plain(found.means[items[0].strategy])
     return {**head, "comfort": means.pop("comfort"), "metrics": means}
 

@@ -12,7 +12,7 @@ import orjson
 
 from backend.hil.drive import EcuUnavailableError, simulate
 from backend.series import SeriesArray, pack
-from sim_core.errors import RidelabError
+from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 
@@ -22,7 +22,7 @@ class Outcome:
     """One strategy's computed result.
 
     Attributes:
-        summary: `StrategyResult.summary()` as plain JSON values, or `{"reason": …}` where the core refused.
+        summary: `StrategyResult.summary()` as plain JSON values, or `refusal` where the core refused.
         compute_ms: The worker's own time [ms]; work shared between strategies is counted at the first.
         lasting: Whether the scenario is to blame for a failure; else it is not kept, and tried again when asked again.
         points: About how many samples `series` has; None where none were asked for.
@@ -59,12 +59,19 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
         result = simulate(scenario, strategy)
     except RidelabError as error:
         elapsed, lasting = elapsed_ms(begin), not isinstance(error, EcuUnavailableError)
-        summary = {"reason": error.message}
+        summary = refusal(error)
         return Outcome(status="failed", summary=summary, compute_ms=elapsed, lasting=lasting, points=points)
     summary = orjson.loads(summary_json(result))
     elapsed = elapsed_ms(begin)
     series = None if points is None else pack(result, points)
     return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
+
+
+def refusal(error: RidelabError) -> dict[str, Any]:
+    """Why there is no result, as it is stored: the reason, and where less would do, what kind that is and of what."""
+    if isinstance(error, TooExpensiveError):
+        return {"reason": error.message, "kind": "too-expensive", "fields": list(error.fields)}
+    return {"reason": error.message}
 
 
 def summary_json(result: StrategyResult) -> bytes:

@@ -25,3 +25,17 @@ class UnknownNameError(RidelabError):
 
 class UnstableVehicleError(RidelabError):
     """The passive car has no stationary response, so a normalised cost cannot be formed."""
+
+
+class TooExpensiveError(RidelabError):
+    """The run would do more than one run may; the same scenario always does.
+
+    Args:
+        message: What there is too much of.
+        fields: Dotted names of the fields that make it less.
+    """
+
+    def __init__(self, message: str, *, fields: tuple[str, ...] = ()) -> None:
+        cheaper = f"; change {' or '.join(fields)}" if fields else ""
+        super().__init__(f"{message}{cheaper}", field=fields[0] if fields else None)
+        self.fields = fields

@@ -13,6 +13,7 @@ from sim_core.metrics import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy, strategy_named
+from sim_core.workload import check_affordable
 
 
 def simulate(
@@ -31,11 +32,13 @@ def simulate(
 
     Raises:
         UnknownNameError: No such strategy.
+        TooExpensiveError: It does more than one run may.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     if isinstance(strategy, str):
         strategy = strategy_named(strategy)
     motion = drive(scenario, strategy.speed)
+    check_affordable(scenario, strategy, motion.time_at(scenario.road.length))
     stages = spans(scenario, strategy, motion)
     step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
     by_ecu = strategy.suspension is SuspensionPolicy.ECU

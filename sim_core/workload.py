@@ -1,60 +1,143 @@
-"""What a run will cost, told from the scenario alone, so that a service can refuse it before starting."""
+"""What a run costs: estimated from the scenario alone, and the most that one run may do.
 
+Seconds are those of one core of the machine on which `python -m benchmarks.cost fit` was run last. A run's own limits
+count its work and not its time, so that whether it is too expensive depends on the scenario alone.
+"""
+
+from collections.abc import Mapping
+from math import sqrt
+
+from sim_core.control.qp import OsqpSolver
 from sim_core.drive.sampling import fine_step
-from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND
+from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
+from sim_core.errors import TooExpensiveError
+from sim_core.limits import LimitShares, expected_limits
 from sim_core.scenario import Scenario
-from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy_named
+from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, strategy_named
 
-# Seconds of one core, rounded up from `make bench`; coefficients of a worst case, not of a typical run.
-_START = 0.005
-_PER_PLAN_STEP = 3e-6
-_PER_FINE_STEP = 4e-7
-_PER_PREDICTED_NUMBER = 1e-9  # control step × checked row × preview column
-_PER_QP = {"daqp": 1e-4, "osqp": 4e-3}  # at 20 moves and 30 steps; grows as below
-_PER_LIMITED_STEP = 1e-4  # decided singly, without a QP
-_START_ECU = 0.1  # its process, and the tables for it
-_PER_EXCHANGE = 2e-4  # a frame to the ECU and its answer back
-_PER_SHORT_STEP = 1e-5
-_PER_ITERATED_ROW = 3e-8  # solver iteration × checked row
-_PER_NOISE = 3e-8
+MOST_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their own, `control.qp.MOST_EFFORT`
+
+# Seconds of each unit of `work`.
+SECONDS: Mapping[str, float] = {
+    "run": 0.0037,
+    "plan": 0.0012,
+    "design": 0.0039,
+    "designed numbers": 5.9e-10,
+    "fine steps": 2.7e-07,
+    "checked numbers": 9.2e-11,
+    "limited steps": 3.6e-05,
+    "QPs": 6.6e-05,
+    "QP numbers": 4e-09,
+    "OSQP": 0.96,
+    "ECU": 0.01,
+    "exchanges": 6.4e-05,
+    "short steps": 1.8e-06,
+    "ECU numbers": 7e-10,
+    "ECU iterations": 3e-10,
+}
 
 
 def duration(scenario: Scenario, name: str) -> float:
-    """Longest time the strategy can take from x = 0 to the road's end [s]."""
+    """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
     speed, road = scenario.speed, scenario.road
     initial = speed.initial_speed_kmh * KMH
     if strategy_named(name).speed is SpeedPolicy.CONSTANT:
         return road.length / initial
-    slowest = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
-    detection = max(0.0, road.bump.start - speed.detection_distance)
+    floor = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
+    # What is left of the brake pressure where braking ends still takes that much off the speed.
+    slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
+    if slowest < floor / 2:
+        return drive(scenario, SpeedPolicy.PLANNED).time_at(road.length)
+    detection = _detection(scenario)
     return detection / initial + (road.length - detection) / slowest
 
 
 def estimate(scenario: Scenario, name: str) -> float:
-    """Upper estimate of one strategy's cost [s of one core].
+    """What to expect of one strategy's cost [s of one core].
 
     Raises:
         UnknownNameError: No such strategy.
     """
-    chosen, mpc, time = strategy_named(name), scenario.mpc, duration(scenario, name)
-    cost = _START + time / fine_step(scenario, chosen) * _PER_FINE_STEP
-    if chosen.speed is SpeedPolicy.PLANNED:
-        cost += time / CONTROL_STEP * _PER_PLAN_STEP
-    if chosen.suspension is SuspensionPolicy.LQR:
-        cost += time / mpc.sample_time * _PER_LIMITED_STEP
-    if chosen.suspension in (SuspensionPolicy.MPC_BY_ROAD, SuspensionPolicy.MPC_BY_STAGE):
-        steps = time / mpc.sample_time
-        rows, columns = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
-        longer, further = max(1.0, mpc.control_horizon / 20), max(1.0, mpc.prediction_horizon / 30)
-        qp = _PER_QP[mpc.solver] * longer**1.5 * further**0.75
-        cost += steps * (rows * columns * _PER_PREDICTED_NUMBER + qp)  # as if a limit bound in every step
-    if chosen.suspension is SuspensionPolicy.ECU:
-        steps = time / mpc.sample_time
-        rows, columns = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
-        each = _PER_EXCHANGE + _PER_SHORT_STEP * short_steps(mpc.sample_time) + rows * columns * _PER_PREDICTED_NUMBER
-        each += scenario.hil.iterations * rows * _PER_ITERATED_ROW
-        if scenario.hil.noise:
-            each += columns * _PER_NOISE
-        cost += _START_ECU + steps * each
-    return cost
+    strategy = strategy_named(name)
+    time = expected_time(scenario, strategy)
+    return _cost(work(scenario, strategy, time, expected_limits(scenario, strategy, time)))
+
+
+def check_affordable(scenario: Scenario, strategy: Strategy, time: float) -> None:
+    """Refuse a run whose steps alone are too many, at the time it takes over the road [s].
+
+    Raises:
+        TooExpensiveError: They are.
+    """
+    if _cost(work(scenario, strategy, time, LimitShares(limited=1.0))) > MOST_COST:
+        raise TooExpensiveError("The run has too many steps", fields=_fields(strategy))
+
+
+def expected_time(scenario: Scenario, strategy: Strategy) -> float:
+    """About what the strategy takes from x = 0 to the road's end [s]; braking as hard as it may."""
+    speed, road, brake = scenario.speed, scenario.road, scenario.brake
+    initial = speed.initial_speed_kmh * KMH
+    if strategy.speed is SpeedPolicy.CONSTANT:
+        return road.length / initial
+    detection = _detection(scenario)
+    way, target = road.bump.start - detection, min(initial, speed.target_speed_kmh * KMH)
+    braked = max(0.0, way - brake.pressure_lag * initial)
+    arrival = max(target, sqrt(max(0.0, initial**2 - 2 * brake.maximum_deceleration * braked)))
+    return detection / initial + way / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
+
+
+def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitShares) -> dict[str, float]:
+    """How much there is to do, by units of `SECONDS`, over that time on the road [s]."""
+    mpc, policy = scenario.mpc, strategy.suspension
+    done = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
+    if strategy.speed is SpeedPolicy.PLANNED:
+        done["plan"] = 1.0
+    if policy is SuspensionPolicy.PASSIVE:
+        return done
+    steps = time / mpc.sample_time
+    limited = expected.limited * steps
+    done |= {"design": 1.0, "limited steps": limited}
+    if policy is SuspensionPolicy.LQR:
+        return done
+    checks, given = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
+    done["designed numbers"] = checks * given**2
+    if policy is SuspensionPolicy.ECU:
+        return done | {
+            "limited steps": 0.0,
+            "ECU": 1.0,
+            "exchanges": steps,
+            "short steps": steps * short_steps(mpc.sample_time),
+            "ECU numbers": steps * checks * given,
+            "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
+        }
+    free, solved = 2 * mpc.control_horizon + 2, expected.solved * steps
+    done |= {
+        "checked numbers": (1.3 * steps + 8 * limited) * checks * given,
+        "QPs": solved,
+        "QP numbers": solved * free * given,
+    }
+    if mpc.solver == "osqp":
+        done["OSQP"] = solved * OsqpSolver.effort(expected.iterations, free, 4 * mpc.prediction_horizon)
+    return done
+
+
+def _cost(done: Mapping[str, float]) -> float:
+    return sum(SECONDS[unit] * count for unit, count in done.items())
+
+
+def _detection(scenario: Scenario) -> float:
+    """Where braking begins [m]."""
+    return max(0.0, scenario.road.bump.start - scenario.speed.detection_distance)
+
+
+def _fields(strategy: Strategy) -> tuple[str, ...]:
+    """What makes a run's steps fewer or cheaper."""
+    fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
+    if strategy.speed is SpeedPolicy.PLANNED:
+        fields += ("speed.target_speed_kmh",)
+    if strategy.suspension is not SuspensionPolicy.PASSIVE:
+        fields += ("mpc.sample_time",)
+    if strategy.suspension not in (SuspensionPolicy.PASSIVE, SuspensionPolicy.LQR):
+        fields += ("mpc.prediction_horizon", "mpc.control_horizon")
+    return fields

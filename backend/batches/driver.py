@@ -35,7 +35,7 @@ CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
 SHORTEST_CHUNK = 0.1  # and no shorter where the rest of a batch is shared out [s]
 CHUNK_BUDGET = 2.0  # and is cut short after this, where its runs take longer than those before [s]
 FIRST_CHUNK = 8  # runs at most, while it is not known how long one takes
-FIRST_COST = 2.0  # their estimated cost [s]; an ordinary run takes a small part of its estimate
+FIRST_COST = 2.0  # their estimated cost [s]
 LONGEST_CHUNK = 1000  # runs
 AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
 LOOK = 0.4  # between two looks at what other services accepted or cancelled [s]
@@ -47,7 +47,7 @@ STATES: tuple[State, ...] = get_args(State)
 
 REASONS: dict[Trouble, str] = {
     "lost": "The computation ended unexpectedly, twice",
-    "timeout": "The computation took longer than the limit and was ended",
+    "timeout": "The computation took longer than the limit and was ended; a shorter road or shorter horizons cost less",
     "bug": "The computation failed with an unforeseen error; it is in the service's log",
 }
 

@@ -55,7 +55,7 @@ class Batch(Answer):
     strategies: list[str]
     sweep: dict[str, Any]
     fields: list[BatchField]
-    estimated_cost: float = Field(description="Upper estimate [s of one core]")
+    estimated_cost: float = Field(description="Estimate [s of one core]")
     created_at: datetime
     started_at: datetime | None
     finished_at: datetime | None
@@ -67,7 +67,7 @@ class Estimate(Answer):
     points: int
     total: int = Field(description="Runs: points times strategies")
     contradictory: int = Field(description="Runs whose fields contradict each other: they would be failed rows")
-    estimated_cost: float = Field(description="Upper estimate, which the limit is held against [s of one core]")
+    estimated_cost: float = Field(description="Estimate, which the limit is held against [s of one core]")
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
 
 
@@ -95,6 +95,10 @@ class BatchRow(Answer):
     strategy: str
     status: Literal["ok", "failed", "waiting", "cancelled"]
     reason: Annotated[str | None, Field(description="Of a failed run")] = None
+    kind: Annotated[
+        Literal["too-expensive"] | None, Field(description="Of a failed run that less computing would do for")
+    ] = None
+    fields: Annotated[list[str] | None, Field(description="Which scenario fields make such a run cheaper")] = None
 
 
 class BatchResults(Answer):

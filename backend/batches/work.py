@@ -9,7 +9,7 @@ import orjson
 from backend.batches.plan import scenario_at
 from backend.chunk import ComputedRun, WaitingRun
 from backend.hil.drive import EcuUnavailableError, simulate
-from backend.worker import elapsed_ms, summary_json
+from backend.worker import elapsed_ms, refusal, summary_json
 from sim_core.errors import RidelabError
 
 
@@ -34,7 +34,7 @@ def run_chunk(
         try:
             status, summary = "ok", summary_json(simulate(scenario, run.strategy)).decode()
         except RidelabError as error:
-            status, summary = "failed", orjson.dumps({"reason": error.message}).decode()
+            status, summary = "failed", orjson.dumps(refusal(error)).decode()
             lasting = not isinstance(error, EcuUnavailableError)
         elapsed = elapsed_ms(begin)
         computed[run.key] = ComputedRun(

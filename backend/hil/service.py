@@ -50,7 +50,7 @@ class Controllers:
         Raises:
             ProblemError: 422, 429 or 503.
         """
-        time = duration(scenario, STRATEGY)
+        time = await self._workers.call(duration, scenario, STRATEGY)
         if time > self._longest:
             message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
             errors = [{"pointer": "/scenario", "message": message}]

@@ -36,7 +36,7 @@ class StoredTuning:
         core_version: That computed every trial.
         schema_version: Of the scenario in the request.
         request: What was asked, defaults written out; without the number of trials, which resuming may change.
-        estimated_cost: Upper estimate [s of one core].
+        estimated_cost: Estimate [s of one core].
         total: Trials wanted.
         done: Trials that have values.
         failed: Trials that could not be computed.

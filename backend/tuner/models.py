@@ -286,7 +286,7 @@ class TuningSummary(Answer):
     generation: int = Field(description="Generations that are complete")
     batch: str | None = Field(description="The batch it waits for, or waited for last")
     core_version: str
-    estimated_cost: float = Field(description="Upper estimate [s of one core]")
+    estimated_cost: float = Field(description="Estimate [s of one core]")
     created_at: datetime
     started_at: datetime | None
     finished_at: datetime | None
@@ -323,5 +323,5 @@ class TuningEstimate(Answer):
 
     runs: int = Field(description="Of the search and the comparison, the passive car's included")
     generations: int
-    estimated_cost: float = Field(description="Upper estimate, which the limit is held against [s of one core]")
+    estimated_cost: float = Field(description="Estimate, which the limit is held against [s of one core]")
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")

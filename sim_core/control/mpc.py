@@ -17,8 +17,9 @@ from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.lqr import regulator
-from sim_core.control.qp import SOLVERS, QpShape, QpSolver
+from sim_core.control.qp import MOST_EFFORT, SOLVERS, QpShape, QpSolver
 from sim_core.drive.preview import Forecast, flattened
+from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Mpc, Vehicle
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm
@@ -179,6 +180,8 @@ class MpcController(Controller):
         self._limit = mpc.force_limit
         self._order = (mpc.solver, *(name for name in SOLVERS if name != mpc.solver))
         self._solvers: dict[tuple[str, str], QpSolver] = {}
+        faster = () if mpc.solver == "daqp" else ("mpc.solver",)
+        self._cheaper = (*faster, "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length")
 
     def law(self, stage: str) -> LinearLaw:
         """The stage's unconstrained optimum."""
@@ -212,7 +215,13 @@ class MpcController(Controller):
         return np.asarray(bound.max(axis=0) <= _CLEAR)
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
-        """The first force of the constrained optimum."""
+        """The first force of the constrained optimum.
+
+        Raises:
+            TooExpensiveError: The run's QPs have taken all that one run's may.
+        """
+        if sum(solver.spent for solver in self._solvers.values()) > MOST_EFFORT:
+            raise TooExpensiveError("The run's QPs take too many iterations", fields=self._cheaper)
         chosen = self._designs[stage]
         given = np.concatenate([state, previous, self._windows[:, step].ravel()])
         f = np.zeros(len(chosen.shape.H))

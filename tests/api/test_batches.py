@@ -241,7 +241,11 @@ def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_sto
     assert answer.status_code == 422
     assert "400000 runs are over the limit of 100000" in answer.json()["detail"]
     dear = {"grid": {"mpc.sample_time": [0.01, 0.002]}}
-    heavy = {"road": {"length": 1500, "bump": {"start": 800}}, "mpc": {"solver": "osqp", "prediction_horizon": 200}}
+    heavy = {
+        "road": {"length": 3000},
+        "speed": {"initial_speed_kmh": 20},
+        "mpc": {"solver": "osqp", "prediction_horizon": 200, "control_horizon": 100},
+    }
     answer = submit(client, dear, scenario=heavy)
     assert answer.status_code == 422
     assert "over the limit of 30 s" in answer.json()["detail"]

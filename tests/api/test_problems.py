@@ -14,11 +14,15 @@ from backend.models import Problem
 from backend.problem_kinds import KINDS
 from backend.problems import ProblemError, pointer
 from backend.security import HEADERS
-from sim_core.errors import RidelabError
+from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Mpc, Scenario
 from sim_core.workload import estimate
 
-HARD = {"mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100}}
+HARD = {
+    "road": {"length": 3000},
+    "speed": {"initial_speed_kmh": 20},
+    "mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100, "solver": "osqp"},
+}
 
 
 def check(response: httpx.Response, status: int, kind: str) -> Problem:
@@ -73,7 +77,8 @@ def test_head_is_get_without_the_body(client: httpx.Client, path: str) -> None:
         (OperationalError("secret statement", {}, Exception()), 503, "store-unavailable", True),
         (WorkerLostError(), 503, "worker-lost", True),
         (WorkersBusyError(), 503, "full", True),
-        (WorkerTimeoutError(), 503, "timeout", False),
+        (WorkerTimeoutError(), 422, "too-expensive", False),
+        (TooExpensiveError("Too much", fields=("road.length",)), 422, "too-expensive", False),
         (EcuUnavailableError("No compiler"), 503, "ecu-unavailable", False),
         (RidelabError("Out of reach", field="road.length"), 422, "refused", False),
     ],
@@ -91,7 +96,8 @@ def test_what_goes_wrong_inside_tells_nothing_of_the_inside(
     assert "secret" not in response.text
     assert ("retry-after" in response.headers) is retry
     if status == 422:
-        assert [place.pointer for place in problem.errors] == ["/scenario/road/length"]
+        places = [place.pointer for place in problem.errors]
+        assert places == ["/scenario" if isinstance(error, WorkerTimeoutError) else "/scenario/road/length"]
     monkeypatch.undo()
     assert service.run(["passive"]).status_code == 200
 

@@ -160,7 +160,7 @@ def test_what_cannot_be_is_refused_where_it_stands(service: Any, more: dict[str,
 
 
 def test_the_cost_is_that_of_all_roads(service: Any) -> None:
-    body = {"scenario": {"road": {"length": 300}}, "strategies": ["lv_hil"]}
+    body = {"scenario": {"road": {"length": 1000}}, "strategies": ["lv_hil"]}
     response = post(service, **body, roads=50)
     assert response.status_code == 422
     assert response.json()["type"].endswith("cost-limit")

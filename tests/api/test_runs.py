@@ -205,6 +205,8 @@ def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: 
         "cached": False,
         "compute_ms": 1.0,
         "reason": "no controller",
+        "kind": "refused",
+        "fields": [],
     }
     assert answer["strategies"]["passive"]["status"] == "ok"
     stored = service.client.get(f"/api/v1/runs/{answer['id']}").json()
@@ -233,3 +235,18 @@ def test_a_run_of_another_core_version_keeps_its_metrics_only(service: Any, run:
         assert gone.status_code == 410
         assert "0.0.1" in gone.json()["detail"]
         assert __version__ in gone.json()["detail"]
+
+
+def test_a_run_that_would_take_too_much_says_what_to_change_and_is_stored(service: Any) -> None:
+    scenario = {
+        "road": {"length": 3000},
+        "speed": {"initial_speed_kmh": 20},
+        "mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100},
+    }
+    created = service.run(["suspension_only"], scenario)
+    assert created.status_code == 200, created.text
+    outcome = created.json()["strategies"]["suspension_only"]
+    assert (outcome["status"], outcome["kind"]) == ("failed", "too-expensive")
+    assert "road.length" in outcome["fields"]
+    assert "road.length" in outcome["reason"]
+    assert service.run(["suspension_only"], scenario).json()["strategies"]["suspension_only"]["cached"] is True

@@ -82,6 +82,10 @@ def test_infeasible_and_broken_problems_give_none() -> None:
 
 
 class _Refusing(QpSolver):
+    @staticmethod
+    def effort(iterations: float, free: int, rows: int) -> float:
+        return 0.0
+
     def _attempt(self, f: FloatArray, b: FloatArray) -> None:
         return None
 

@@ -1,4 +1,4 @@
-"""`python -m sim_core`, the margins' rule, and the estimate of a run's cost."""
+"""`python -m sim_core`, and the margins' rule."""
 
 import json
 from pathlib import Path
@@ -6,11 +6,10 @@ from pathlib import Path
 import pytest
 
 from sim_core.__main__ import main
-from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Road, Scenario
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from sim_core.study.margins import PAPER_MARGINS, Means, change, margins
-from sim_core.workload import duration, estimate
 
 
 def test_table_of_the_paper_preset(capsys: pytest.CaptureFixture[str]) -> None:
@@ -74,31 +73,10 @@ def test_margins_are_the_papers_its_misprint_mended() -> None:
     assert list(PAPER_MARGINS.values()) == [mended["follows"], *rough[1:], *bump]
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
-@pytest.mark.parametrize(
-    "scenario",
-    [
-        Scenario(),
-        Scenario(road=Road(length=400), speed=Speed(initial_speed_kmh=20, target_speed_kmh=10)),
-        Scenario(road=Road(bump=Bump(start=10)), speed=Speed(target_speed_kmh=80)),
-    ],
-)
-def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> None:
-    assert simulate(scenario, strategy).travel_time <= duration(scenario, strategy) + 1e-6
-
-
 def test_a_road_that_ends_on_the_bump_is_told() -> None:
     on_it = Scenario(road=Road(length=105))
     assert simulate(on_it, "passive").events["bump_complete"] is False
     assert simulate(Scenario(), "passive").events["bump_complete"] is True
-
-
-def test_estimate_grows_with_what_costs() -> None:
-    plain = estimate(Scenario(), "lv")
-    assert estimate(Scenario(road=Road(length=1500)), "lv") > 5 * plain
-    assert estimate(Scenario(mpc=Mpc(prediction_horizon=120)), "lv") > 2 * plain
-    assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 10 * plain
-    assert estimate(Scenario(), "passive") < plain
 
 
 @pytest.mark.parametrize(("command", "name"), [("fields", "scenario.md"), ("errata", "errata.md")])

@@ -20,7 +20,7 @@ test("a run over several roads reads as its means, with the intervals beside", (
         metrics: { bump: { body_acceleration: { rms: interval(2), peak: interval(5) } } },
         comfort: { weighted_rms: interval(0.5) },
       },
-      lqr: { status: "failed", compute_ms: 1, reason: "Road seed 2: no" },
+      lqr: { status: "failed", compute_ms: 1, reason: "Road seed 2: no", kind: "refused", fields: [] },
     },
   };
   const run = readRun(answer);

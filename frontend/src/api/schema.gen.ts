@@ -873,7 +873,7 @@ export interface components {
             done: number;
             /**
              * Estimated Cost
-             * @description Upper estimate [s of one core]
+             * @description Estimate [s of one core]
              */
             estimated_cost: number;
             /** Failed */
@@ -1140,6 +1140,16 @@ export interface components {
          */
         BatchRow: {
             /**
+             * Fields
+             * @description Which scenario fields make such a run cheaper
+             */
+            fields?: string[] | null;
+            /**
+             * Kind
+             * @description Of a failed run that less computing would do for
+             */
+            kind?: "too-expensive" | null;
+            /**
              * Reason
              * @description Of a failed run
              */
@@ -1311,6 +1321,19 @@ export interface components {
             cached: boolean;
             /** Compute Ms */
             compute_ms: number;
+            /**
+             * Fields
+             * @description Dotted names of scenario fields that make it cheaper
+             * @default []
+             */
+            fields: string[];
+            /**
+             * Kind
+             * @description `too-expensive` where less computing would do: change one of `fields`
+             * @default refused
+             * @enum {string}
+             */
+            kind: "refused" | "too-expensive";
             /** Reason */
             reason: string;
             /**
@@ -2061,7 +2084,7 @@ export interface components {
             contradictory: number;
             /**
              * Estimated Cost
-             * @description Upper estimate, which the limit is held against [s of one core]
+             * @description Estimate, which the limit is held against [s of one core]
              */
             estimated_cost: number;
             /**
@@ -3183,7 +3206,7 @@ export interface components {
              * Type
              * @enum {string}
              */
-            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:timeout" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
+            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
         };
         /**
          * ProblemPlace
@@ -4145,6 +4168,19 @@ export interface components {
         StrategyFailure: {
             /** Compute Ms */
             compute_ms: number;
+            /**
+             * Fields
+             * @description Dotted names of scenario fields that make it cheaper
+             * @default []
+             */
+            fields: string[];
+            /**
+             * Kind
+             * @description `too-expensive` where less computing would do: change one of `fields`
+             * @default refused
+             * @enum {string}
+             */
+            kind: "refused" | "too-expensive";
             /** Reason */
             reason: string;
             /**
@@ -4412,7 +4448,7 @@ export interface components {
             created_at: string;
             /**
              * Estimated Cost
-             * @description Upper estimate [s of one core]
+             * @description Estimate [s of one core]
              */
             estimated_cost: number;
             /** Finished At */
@@ -4486,7 +4522,7 @@ export interface components {
         TuningEstimate: {
             /**
              * Estimated Cost
-             * @description Upper estimate, which the limit is held against [s of one core]
+             * @description Estimate, which the limit is held against [s of one core]
              */
             estimated_cost: number;
             /**
@@ -4782,7 +4818,7 @@ export interface components {
             created_at: string;
             /**
              * Estimated Cost
-             * @description Upper estimate [s of one core]
+             * @description Estimate [s of one core]
              */
             estimated_cost: number;
             /** Finished At */
@@ -6828,6 +6864,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Too Many Requests */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Internal Server Error */
             500: {
                 headers: {
@@ -6895,6 +6940,15 @@ export interface operations {
             };
             /** @description Unprocessable Entity */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -7048,6 +7102,15 @@ export interface operations {
             };
             /** @description Unprocessable Entity */
             422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests */
+            429: {
                 headers: {
                     [name: string]: unknown;
                 };

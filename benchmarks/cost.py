@@ -1,0 +1,174 @@
+"""Estimates of a run's cost against what runs cost, over random scenarios within the sliders; and their coefficients.
+
+`python -m benchmarks.cost [draws]` prints the quantiles of real cost over estimate, `python -m benchmarks.cost fit
+[draws]` the coefficients of sim_core/limits.py and sim_core/workload.py as fitted anew.
+"""
+
+import multiprocessing
+import os
+import resource
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, get_args
+
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")
+
+import numpy as np  # noqa: E402 - after the thread limits above
+from pydantic import BaseModel, ValidationError  # noqa: E402
+
+from backend.hil.drive import simulate  # noqa: E402
+from benchmarks.timing import table  # noqa: E402
+from sim_core.control import qp  # noqa: E402
+from sim_core.errors import TooExpensiveError  # noqa: E402
+from sim_core.scenario import Scenario  # noqa: E402
+from sim_core.strategies import STRATEGIES  # noqa: E402
+from sim_core.workload import estimate  # noqa: E402
+
+JUDGED, FITTED = 101, 2  # seeds of the draws: none is fitted that is judged
+QUANTILES = (0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0)
+FACTOR = 3.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured:
+    """A run of a strategy: its cost, what was estimated [s of one core], and what there was of it.
+
+    `time` is the time over the road [s], `limited`, `solved` are control steps at a limit and with a QP, `iterations`
+    OSQP's of all QPs. None of them where it was too expensive.
+    """
+
+    scenario: Scenario
+    strategy: str
+    cost: float
+    estimated: float
+    too_expensive: bool = False
+    time: float = 0.0
+    limited: int = 0
+    solved: int = 0
+    iterations: int = 0
+
+    @property
+    def kind(self) -> str:
+        """Strategy, and its solver where it has one."""
+        return f"{self.strategy}, {self.scenario.mpc.solver}" if self.strategy in _SOLVING else self.strategy
+
+
+_SOLVING = ("lv", "suspension_only")
+
+
+def drawn(seed: int, number: int, strategies: Sequence[str] = tuple(STRATEGIES)) -> tuple[Scenario, str]:
+    """A scenario with every field anywhere on its slider, and a strategy; the same for the same numbers."""
+    rng = np.random.default_rng((seed, number))
+    while True:
+        try:
+            return Scenario.model_validate(_part(Scenario, rng)), str(rng.choice(strategies))
+        except ValidationError:  # fields that contradict each other
+            continue
+
+
+def _part(model: type[BaseModel], rng: np.random.Generator) -> dict[str, Any]:
+    return {key: _value(info, rng) for key, info in model.model_fields.items()}
+
+
+def _value(info: Any, rng: np.random.Generator) -> Any:
+    if isinstance(info.annotation, type) and issubclass(info.annotation, BaseModel):
+        return _part(info.annotation, rng)
+    choices = get_args(info.annotation)
+    if choices and all(isinstance(choice, str) for choice in choices):
+        return str(rng.choice(choices))
+    low, high = info.json_schema_extra["soft_range"]
+    if "item_titles" in info.json_schema_extra:
+        return tuple(rng.uniform(low, high, 3).tolist())
+    if type(None) in choices and rng.random() < 0.5:
+        return None
+    return int(rng.integers(low, high + 1)) if info.annotation is int else float(rng.uniform(low, high))
+
+
+def measured(case: tuple[Scenario, str]) -> Measured:
+    """Drive it; processor time of this process and of the ECU's program."""
+    scenario, strategy = case
+    estimated, iterations = estimate(scenario, strategy), _CountedOsqp.iterations
+    qp.SOLVERS["osqp"] = _CountedOsqp
+    before = _processor_time()
+    try:
+        result = simulate(scenario, strategy)
+    except TooExpensiveError:
+        cost = _processor_time() - before
+        return Measured(scenario=scenario, strategy=strategy, cost=cost, estimated=estimated, too_expensive=True)
+    return Measured(
+        scenario=scenario,
+        strategy=strategy,
+        cost=_processor_time() - before,
+        estimated=estimated,
+        time=result.travel_time,
+        limited=int(result.events["limited_steps"] or 0),
+        solved=int(result.events["qp_solves"] or 0),
+        iterations=_CountedOsqp.iterations - iterations,
+    )
+
+
+class _CountedOsqp(qp.OsqpSolver):
+    """The solver, its iterations counted."""
+
+    iterations = 0
+
+    def _spend(self, iterations: int) -> None:
+        super()._spend(iterations)
+        _CountedOsqp.iterations += iterations
+
+
+def _processor_time() -> float:
+    usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def measure(cases: Iterable[tuple[Scenario, str]], processes: int = 2) -> list[Measured]:
+    """All of them, in fresh processes that have built the ECU's program and imported all there is."""
+    with multiprocessing.get_context("spawn").Pool(processes, initializer=_warm_up) as pool:
+        return list(pool.imap_unordered(measured, cases, chunksize=4))
+
+
+def _warm_up() -> None:
+    for name in STRATEGIES:
+        simulate(Scenario(), name)
+    osqp = Scenario.model_validate({"mpc": {"solver": "osqp", "deflection_limit": 0.03}})
+    simulate(osqp, "lv")
+
+
+def within(runs: Sequence[Measured]) -> float:
+    """Share of the runs whose cost is within the factor of its estimate."""
+    return float(np.mean([1 / FACTOR <= run.cost / run.estimated <= FACTOR for run in runs]))
+
+
+def report(runs: Sequence[Measured]) -> None:
+    """Print the quantiles of real cost over estimate, by strategy and solver."""
+    kinds: Mapping[str, list[Measured]] = {kind: [] for kind in sorted({run.kind for run in runs})}
+    for run in runs:
+        kinds[run.kind].append(run)
+    rows = []
+    for kind, chosen in {**kinds, "all": list(runs)}.items():
+        ratios = np.quantile([run.cost / run.estimated for run in chosen], QUANTILES)
+        costs = [run.cost for run in chosen]
+        ends = (float(np.mean(costs)), max(costs))
+        rows.append([kind, len(chosen), f"{within(chosen):.1%}", *map(float, ratios), *ends])
+    head = ["", "runs", f"within {FACTOR:g}", *(f"{share:.1%}" for share in QUANTILES), "mean, s", "most, s"]
+    table("Real cost over estimate: quantiles", head, rows)
+    print(f"  too expensive: {sum(run.too_expensive for run in runs)} of {len(runs)}")
+
+
+def main(arguments: Sequence[str]) -> None:
+    """What the module's documentation says."""
+    if arguments[:1] == ["fit"]:
+        from benchmarks.cost_fit import fit
+
+        count = int(arguments[1]) if len(arguments) > 1 else 1500
+        fit(measure(drawn(FITTED, number, ("lv", "suspension_only", "lqr", "lv_hil")) for number in range(count)))
+    else:
+        count = int(arguments[0]) if arguments else 500
+        report(measure(drawn(JUDGED, number) for number in range(count)))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

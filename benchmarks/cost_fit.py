@@ -1,0 +1,126 @@
+"""Coefficients of the estimate, fitted to measured runs (`python -m benchmarks.cost fit`)."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from scipy.optimize import least_squares, nnls
+
+from benchmarks.cost import Measured
+from sim_core.arrays import FloatArray
+from sim_core.limits import LimitShares, bump_share, combined, terms
+from sim_core.strategies import STRATEGIES
+from sim_core.workload import SECONDS, expected_time, work
+
+SHARE = 0.01  # shares are told apart down to this
+PRIOR = 0.1  # how much a coefficient's deviation weighs beside a run's
+START = {  # of each cause's first coefficient
+    "force": -1.0,
+    "travel": -3.0,
+    "actuator": -2.0,
+    "bump": 0.0,
+    "unstable": -2.0,
+    "lqr": -1.0,
+    "lqr actuator": -2.0,
+    "lqr unstable": -2.0,
+}
+
+
+def fit(runs: Sequence[Measured]) -> None:
+    """Print both tables as they stand in sim_core."""
+    usable = [run for run in runs if not run.too_expensive]
+    seconds = fit_seconds(usable)
+    print("SECONDS = {")
+    for unit, value in seconds.items():
+        print(f'    "{unit}": {value:.2g},')
+    print("}\nCOEFFICIENTS = {")
+    for chosen in (("lv", "suspension_only"), ("lqr",)):
+        for cause, row in fit_limits([run for run in usable if run.strategy in chosen], seconds).items():
+            print(f'    "{cause}": ({", ".join(f"{value:.3g}" for value in row)}),')
+    print("}")
+
+
+def fit_seconds(runs: Sequence[Measured]) -> dict[str, float]:
+    """What each unit of work takes, where what there was to do is known: least squares of relative errors."""
+    units = list(SECONDS)
+    rows, costs = [], []
+    for run in runs:
+        done = _done(run)
+        rows.append([done.get(unit, 0.0) for unit in units])
+        costs.append(run.cost)
+    matrix, cost = np.array(rows), np.array(costs)
+    scale = matrix.max(axis=0) + 1e-300
+    weight = 1 / (cost + 0.01)
+    found, _ = nnls(matrix / scale * weight[:, None], cost * weight)
+    return dict(zip(units, (found / scale).tolist(), strict=True))
+
+
+def _done(run: Measured) -> dict[str, float]:
+    steps = run.time / run.scenario.mpc.sample_time
+    seen = LimitShares(
+        limited=run.limited / steps,
+        solved=run.solved / steps,
+        iterations=run.iterations / max(run.solved, 1),
+    )
+    return work(run.scenario, STRATEGIES[run.strategy], run.time, seen)
+
+
+def fit_limits(runs: Sequence[Measured], seconds: Mapping[str, float]) -> dict[str, FloatArray]:
+    """Coefficients by cause: costs count most, then the shares and iterations they come from; outliers little."""
+    times = np.array([expected_time(run.scenario, STRATEGIES[run.strategy]) for run in runs])
+    rows = [terms(run.scenario, STRATEGIES[run.strategy], time) for run, time in zip(runs, times, strict=True)]
+    inputs = {cause: np.array([row[cause] for row in rows]) for cause in rows[0]}
+    means = {cause: np.r_[0.0, matrix[:, 1:].mean(axis=0)] for cause, matrix in inputs.items()}
+    spreads = {cause: np.r_[1.0, matrix[:, 1:].std(axis=0)] for cause, matrix in inputs.items()}
+    scaled = {cause: (matrix - means[cause]) / spreads[cause] for cause, matrix in inputs.items()}
+    ends = np.cumsum([0, *(matrix.shape[1] for matrix in inputs.values())])
+    places = {cause: slice(first, last) for cause, first, last in zip(inputs, ends[:-1], ends[1:], strict=True)}
+    start = np.zeros(ends[-1])
+    for cause, place in places.items():
+        start[place.start] = START.get(cause, np.log(250.0))
+    bump = np.array([bump_share(run.scenario, time) for run, time in zip(runs, times, strict=True)])
+    free, each_limited, each_solved, each_iteration = _parts(runs, times, seconds)
+    steps = np.array([run.time / run.scenario.mpc.sample_time for run in runs])
+    limited, solved = np.array([run.limited for run in runs]) / steps, np.array([run.solved for run in runs]) / steps
+    cost = np.array([run.cost for run in runs])
+    by_osqp = np.array([run.scenario.mpc.solver == "osqp" for run in runs])
+    counted = np.array([run.iterations / max(run.solved, 1) for run in runs])
+
+    def residuals(values: FloatArray) -> FloatArray:
+        sums = {cause: scaled[cause] @ values[place] for cause, place in places.items()}
+        at_limit, with_qp, iterations = combined(sums, bump)
+        total = free + at_limit * each_limited + with_qp * (each_solved + iterations * each_iteration)
+        misses = [
+            np.log(cost / total) * np.where(by_osqp, 2.5, 1.5),
+            0.3 * np.log((limited + SHARE) / (at_limit + SHARE)),
+            0.3 * np.log((solved + SHARE) / (with_qp + SHARE)),
+            PRIOR * (values - start),
+        ]
+        if "iterations" in places:
+            misses.append(np.where(counted > 0, 0.4 * np.log(np.maximum(counted, 1.0) / iterations), 0.0))
+        return np.concatenate(misses)
+
+    values = least_squares(residuals, start, loss="cauchy", f_scale=1.5).x
+    found = {}
+    for cause, place in places.items():
+        row = values[place] / spreads[cause]
+        row[0] -= row[1:] @ means[cause][1:]
+        found[cause] = row
+    return found
+
+
+def _parts(runs: Sequence[Measured], times: FloatArray, seconds: Mapping[str, float]) -> tuple[FloatArray, ...]:
+    """Cost [s] without any limit; and beside it of all steps at a limit, with a QP, with one iteration a QP."""
+
+    def cost(**shares: float) -> FloatArray:
+        return np.array(
+            [
+                sum(
+                    seconds[unit] * count
+                    for unit, count in work(run.scenario, STRATEGIES[run.strategy], time, LimitShares(**shares)).items()
+                )
+                for run, time in zip(runs, times, strict=True)
+            ]
+        )
+
+    free, solved = cost(), cost(solved=1.0)
+    return free, cost(limited=1.0) - free, solved - free, cost(solved=1.0, iterations=1.0) - solved

@@ -1,0 +1,86 @@
+"""What a run costs: bounds that hold, an estimate that grows with what costs, and an end where it is too much."""
+
+import pickle
+
+import pytest
+
+from sim_core.control import mpc as mpc_module
+from sim_core.errors import TooExpensiveError
+from sim_core.scenario import Brake, Bump, Mpc, Road, Scenario, Speed
+from sim_core.simulate import simulate
+from sim_core.strategies import STRATEGIES
+from sim_core.workload import duration, estimate
+
+AT_LIMITS = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(solver="osqp", deflection_limit=0.03, force_limit=1500))
+ENDLESS = Scenario(
+    road=Road(length=3000),
+    speed=Speed(initial_speed_kmh=20),
+    mpc=Mpc(sample_time=0.002, prediction_horizon=200, control_horizon=100),
+)
+
+
+@pytest.mark.parametrize("strategy", ["speed_only", "passive"])
+@pytest.mark.parametrize(
+    "scenario",
+    [
+        Scenario(),
+        Scenario(road=Road(length=400), speed=Speed(initial_speed_kmh=20, target_speed_kmh=10)),
+        Scenario(road=Road(bump=Bump(start=10)), speed=Speed(target_speed_kmh=80)),
+        *(
+            # What the lagging brakes still hold takes the car far below the band.
+            Scenario(
+                road=Road(length=130, bump=Bump(start=30, width=0.3)),
+                speed=Speed(initial_speed_kmh=speed, target_speed_kmh=10, detection_distance=20),
+                brake=Brake(maximum_deceleration=8, pressure_lag=lag),
+            )
+            for speed in (20, 30, 40)
+            for lag in (0.1, 0.4)
+        ),
+    ],
+)
+def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> None:
+    assert simulate(scenario, strategy).travel_time <= duration(scenario, strategy) + 1e-6
+
+
+def test_estimate_grows_with_what_costs() -> None:
+    plain = estimate(Scenario(), "lv")
+    assert estimate(Scenario(road=Road(length=1500)), "lv") > 3 * plain
+    assert estimate(Scenario(mpc=Mpc(prediction_horizon=120)), "lv") > 2 * plain
+    assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 3 * plain
+    assert estimate(AT_LIMITS, "lv") > 3 * estimate(Scenario(mpc=Mpc(solver="osqp")), "lv")
+    assert estimate(Scenario(), "passive") < plain
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
+    if strategy in ("lv", "suspension_only", "lv_hil"):
+        with pytest.raises(TooExpensiveError) as refused:
+            simulate(ENDLESS, strategy)
+        assert "road.length" in refused.value.fields
+        assert all(field in refused.value.message for field in refused.value.fields)
+    else:
+        assert estimate(ENDLESS, strategy) < 1
+
+
+def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = simulate(AT_LIMITS, "lv").events["qp_solves"]
+    assert whole is not None
+    monkeypatch.setattr(mpc_module, "MOST_EFFORT", 0.05)
+    solved = []
+    for _ in range(2):
+        counted = []
+        step = mpc_module.MpcController.step
+
+        def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
+            counted.append(1)
+            return step(*arguments)  # type: ignore[operator]
+
+        with monkeypatch.context() as patched:
+            patched.setattr(mpc_module.MpcController, "step", counting)
+            with pytest.raises(TooExpensiveError) as refused:
+                simulate(AT_LIMITS, "lv")
+        solved.append(len(counted))
+    assert 1 < solved[0] == solved[1] < whole
+    assert refused.value.fields[0] == "mpc.solver"
+    sent = pickle.loads(pickle.dumps(refused.value))  # noqa: S301 - our own, as between processes
+    assert (sent.message, sent.fields) == (refused.value.message, refused.value.fields)
