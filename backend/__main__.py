@@ -8,7 +8,6 @@ import os
 import socket
 import sys
 import threading
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -27,7 +26,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument(
         "--port", type=_port, default=8000, help="port to listen on, 0 for a free one (default %(default)s)"
     )
-    parser.add_argument("--data-dir", type=Path, help="where the database lives (default data, or RIDELAB_DATA_DIR)")
+    parser.add_argument("--data-dir", help="where the database lives (default data, or RIDELAB_DATA_DIR)")
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
     options = parser.parse_args(arguments)
 

@@ -1,17 +1,29 @@
 """Settings of the service: defaults, overridden by `RIDELAB_*` environment variables and the command line."""
 
+import ipaddress
 import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal, Self
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    DirectoryPath,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 
 PREFIX = "RIDELAB_"
 CLIENTS = {"RIDELAB_SERVER"}  # what the command line reads: whoever has it set may start a service all the same
 MEBIBYTE = 1024 * 1024
 HOST = re.compile(r"(\*\.)?[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]*:[0-9a-f:.]*:[0-9a-f:.]*")  # or an IPv6 address
+SCHEDULER = re.compile(r"(tcp|tls)://([\w.-]+|\[[0-9a-fA-F:.]+\]):(\d{1,5})")
 
 
 class SettingsError(ValueError):
@@ -23,17 +35,45 @@ def _default_workers() -> int:
     return max(2, min(4, os.cpu_count() or 1))
 
 
+def _folder(path: Path) -> Path:
+    """It may be missing, but a file it is not."""
+    if path.exists() and not path.is_dir():
+        raise ValueError(f"{path} is no folder")
+    return path
+
+
+def _scheduler(address: str) -> str:
+    found = SCHEDULER.fullmatch(address)
+    if found is None or not 0 < int(found[3]) < 65536:
+        raise ValueError(f"{address} is no address of a scheduler, such as tcp://HOST:8786 or tls://HOST:8786")
+    return address
+
+
+def _proxies(text: str) -> str:
+    for item in _listed(text) if text.strip() != "*" else ():
+        try:
+            ipaddress.ip_network(item)
+        except ValueError:
+            raise ValueError(f"{item} is neither an address nor a network, such as 10.0.0.0/8, nor *") from None
+    return text
+
+
+NewFolder = Annotated[Path, AfterValidator(_folder)]
+SchedulerAddress = Annotated[str, AfterValidator(_scheduler)]
+Proxies = Annotated[str, AfterValidator(_proxies)]
+
+
 class Settings(BaseModel):
     """Everything an operator may change; the variable's name is `RIDELAB_` and the field's in capitals."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
-    data_dir: Path = Field(Path("data"), description="Where the SQLite database lives.")
+    data_dir: NewFolder = Field(Path("data"), description="Where the SQLite database lives.")
     database_url: str | None = Field(None, description="SQLAlchemy URL; without one SQLite in data_dir.")
     database_password_file: Path | None = Field(
         None, description="File with the database's password, so that the URL needs none."
     )
-    frontend_dir: Path = Field(
+    frontend_dir: DirectoryPath = Field(
         Path(__file__).parent.parent / "frontend" / "dist", description="The built frontend and the API page's assets."
     )
     workers: int = Field(default_factory=_default_workers, ge=1, le=64, description="Warm worker processes.")
@@ -57,7 +97,9 @@ class Settings(BaseModel):
         100_000, gt=0, description="Greatest estimated cost of one batch [s of one core]; beyond it 422."
     )
     max_unfinished_batches: int = Field(1000, ge=1, description="Batches waiting or running; beyond it 503.")
-    dask_scheduler: str | None = Field(None, description="Address of a Dask scheduler; without one it is embedded.")
+    dask_scheduler: SchedulerAddress | None = Field(
+        None, description="Address of a Dask scheduler; without one it is embedded."
+    )
     dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
     dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
     dask_tls_key_file: Path | None = Field(None, description="Its key (PEM).")
@@ -72,7 +114,7 @@ class Settings(BaseModel):
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
     body_timeout: float = Field(20, gt=0, le=600, description="A request body may take this long to come [s].")
     head_timeout: float = Field(10, gt=0, le=600, description="A request's head may take this long to come [s].")
-    forwarded_allow_ips: str = Field(
+    forwarded_allow_ips: Proxies = Field(
         "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
     )
     allowed_hosts: str = Field(
@@ -83,7 +125,7 @@ class Settings(BaseModel):
     )
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
     series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for time histories.")
-    ecu_dir: Path | None = Field(
+    ecu_dir: NewFolder | None = Field(
         None, description="Where the ECU's program is built and kept; without one below the system's temporary folder."
     )
 
@@ -109,6 +151,14 @@ class Settings(BaseModel):
             ]
             raise SettingsError("; ".join(reasons)) from None
 
+    @field_validator("*", mode="before")
+    @classmethod
+    def _check_there(cls, value: Any, field: ValidationInfo) -> Any:
+        """Nothing is no value, and an empty path would be the working directory."""
+        if value == "" and cls.model_fields[str(field.field_name)].default != "":
+            raise ValueError("it is empty; leave it out for the default")
+        return value
+
     @model_validator(mode="after")
     def _check_dask(self) -> Self:
         """TLS needs its three files; a scheduler's address and those files go together."""
@@ -123,11 +173,13 @@ class Settings(BaseModel):
                 raise ValueError(f"{_variable('dask_scheduler')} has to start with tls:// where TLS files are named")
         for name, path in files.items():
             _check_readable(name, path)
+        if encrypted:
+            _check_certificates(files)
         return self
 
     @model_validator(mode="after")
     def _check_database(self) -> Self:
-        """The URL is one, and a password has somewhere to go."""
+        """The URL is one of a kind we know, and a password has somewhere to go."""
         if self.database_url is None:
             if self.database_password_file is not None:
                 raise ValueError(f"{_variable('database_password_file')} needs {_variable('database_url')}")
@@ -136,9 +188,11 @@ class Settings(BaseModel):
         from sqlalchemy.exc import ArgumentError
 
         try:
-            make_url(self.database_url)
-        except ArgumentError:
+            url = make_url(self.database_url)
+        except (ArgumentError, ValueError):
             raise ValueError(f"{_variable('database_url')} is not an SQLAlchemy URL") from None
+        if url.get_backend_name() not in ("sqlite", "postgresql") or not url.database or url.database == ":memory:":
+            raise ValueError(f"{_variable('database_url')} names neither a database of PostgreSQL nor a file of SQLite")
         _check_readable("database_password_file", self.database_password_file)
         return self
 
@@ -165,7 +219,7 @@ class Settings(BaseModel):
             return self.database_url
         from sqlalchemy import make_url
 
-        password = self.database_password_file.read_text().rstrip("\r\n")
+        password = self.database_password_file.read_text(encoding="utf-8").rstrip("\r\n")
         return make_url(self.database_url).set(password=password).render_as_string(hide_password=False)
 
 
@@ -178,10 +232,25 @@ def _variable(field: str) -> str:
 
 
 def _check_readable(field: str, path: Path | None) -> None:
-    if path is not None and not os.access(path, os.R_OK):
-        raise ValueError(f"{_variable(field)} names a file that cannot be read: {path}")
+    try:
+        if path is not None:
+            path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        raise ValueError(f"{_variable(field)} names a file that cannot be read: {path}") from None
+
+
+def _check_certificates(files: Mapping[str, Path | None]) -> None:
+    import ssl  # as make_url above
+
+    authority, certificate, key = (str(path) for path in files.values())
+    try:
+        ssl.create_default_context(cafile=authority).load_cert_chain(certificate, key)
+    except ssl.SSLError:
+        names = ", ".join(_variable(name) for name in files)
+        raise ValueError(f"{names}: they are no authority, certificate and key in PEM that belong together") from None
 
 
 def _reason(place: tuple[int | str, ...], message: str) -> str:
     """What is wrong with a variable, or with several together, which then name themselves."""
-    return f"{_variable(str(place[0]))}: {message}" if place else message.removeprefix("Value error, ")
+    message = message.removeprefix("Value error, ")
+    return f"{_variable(str(place[0]))}: {message}" if place else message

@@ -7,6 +7,13 @@ import typer
 
 SERVER_VARIABLE = "RIDELAB_SERVER"
 
+
+def _folder(text: str) -> Path:
+    if not text:
+        raise typer.BadParameter("it is empty; leave it out for the default")
+    return Path(text)
+
+
 Server = Annotated[
     str | None,
     typer.Option(
@@ -21,6 +28,7 @@ DataDir = Annotated[
     typer.Option(
         envvar="RIDELAB_DATA_DIR",
         metavar="DIR",
+        parser=_folder,
         help="Where the private service keeps its database [default: data].",
         show_default=False,
     ),
@@ -28,7 +36,11 @@ DataDir = Annotated[
 DatabaseDir = Annotated[
     Path | None,
     typer.Option(
-        envvar="RIDELAB_DATA_DIR", metavar="DIR", help="Where the database is [default: data].", show_default=False
+        envvar="RIDELAB_DATA_DIR",
+        metavar="DIR",
+        parser=_folder,
+        help="Where the database is [default: data].",
+        show_default=False,
     ),
 ]
 Scenario = Annotated[

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.servers.process import ROOT
+
 
 @pytest.mark.parametrize("port", ["99999", "-1", "http"])
 def test_a_port_that_is_none_is_named(port: str) -> None:
@@ -16,6 +18,16 @@ def test_a_port_that_is_none_is_named(port: str) -> None:
     )
     assert ended.returncode == 2
     assert ended.stderr.splitlines()[-1].endswith("error: argument --port: a number from 0 to 65535")
+
+
+def test_a_setting_that_is_none_ends_the_start_with_one_sentence(tmp_path: Path) -> None:
+    environment = {**os.environ, "RIDELAB_DATA_DIR": "", "PYTHONPATH": str(ROOT)}
+    ended = subprocess.run(
+        [sys.executable, "-m", "backend"], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    said = "Ridelab does not start: RIDELAB_DATA_DIR: it is empty; leave it out for the default\n"
+    assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
+    assert list(tmp_path.iterdir()) == [], "nothing is written to where it was started"
 
 
 def test_a_database_that_cannot_be_used_ends_the_start_with_one_sentence(tmp_path: Path) -> None:
