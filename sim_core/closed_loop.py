@@ -6,11 +6,11 @@ controller, and so on. Only steps at a limit cost a call each (docs/decisions/00
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
+from sim_core.caching import cached
 from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.plant import Plant, plant
 from sim_core.control.controller import Controller, LinearLaw
@@ -43,7 +43,7 @@ def closed_loop_matrix(plant: Plant, law: LinearLaw) -> FloatArray:
     return np.vstack([free + plant.B @ gain, gain])
 
 
-@lru_cache(maxsize=64)
+@cached
 def _free_run(plant: Plant, law: LinearLaw) -> Recurrence:
     """The loop over a block while no limit binds."""
     return recurrence(closed_loop_matrix(plant, law), _LONGEST_BLOCK)
@@ -80,10 +80,11 @@ class ClosedLoop:
             law = self._controller.law(stage)
             feed = self._controller.feed(stage, first, last)
             inputs = np.hstack([self._forcing[first:last] + feed @ plant.B.T, feed])
+            free_run = _free_run(plant, law)
             k, block = first, _FIRST_BLOCK
             while k < last:
                 stop = min(k + block, last)
-                z = _free_run(plant, law).run(loop[k], inputs[k - first : stop - first])
+                z = free_run.run(loop[k], inputs[k - first : stop - first])
                 exact, free = self._limits_met(stage, z, k)
                 count = len(free) if free.all() else int(free.argmin())
                 loop[k : k + count + 1] = z[: count + 1]

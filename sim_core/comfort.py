@@ -1,13 +1,13 @@
 """ISO 2631-1 frequency weighting Wk of vertical acceleration, weighted RMS and vibration dose value."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import pi, sqrt
 
 import numpy as np
 from scipy.linalg import expm
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import cached
 from sim_core.recurrence import Recurrence, recurrence
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
@@ -53,7 +53,7 @@ class _Weighting:
     between: Recurrence
 
 
-@lru_cache(maxsize=32)
+@cached
 def _weighting(step: float, samples: int, rows: int) -> _Weighting:
     """For at most so many rows of so many samples, `step` [s] apart."""
     A, B, C = _wk_states()

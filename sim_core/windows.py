@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached_up_to
+from sim_core.caching import cached
 from sim_core.catalogue import WINDOWS
 from sim_core.drive.sampling import SampledDrive
 from sim_core.drive.speed_profile import Drive
@@ -41,7 +41,7 @@ class Windows:
     duration: float
 
 
-@cached_up_to(16)
+@cached
 def windows_of(
     sampled: SampledDrive,
     drive: Drive,

@@ -1,12 +1,12 @@
 """The car with its actuators, stepped exactly; many fine steps at once as one matrix product."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import pi
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, half_car, hold
 from sim_core.scenario import Actuator, Vehicle
 
@@ -63,7 +63,7 @@ class Plant:
         return np.concatenate([*(part[:, :-1] for part in parts), parts[-1][:, -1:]], axis=1)
 
 
-@lru_cache(maxsize=64)
+@cached
 def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant:
     """The plant over a control step [s] of `fine` fine steps."""
     model = half_car(vehicle)

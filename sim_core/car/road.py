@@ -4,14 +4,13 @@ Every strategy drives the same road whatever its speed, and the rear axle the fr
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import ceil, exp, floor, pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached_up_to
+from sim_core.caching import cached
 from sim_core.scenario import Bump, Road
 
 REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
@@ -120,13 +119,13 @@ def stationary_deviation(roughness: float) -> float:
     return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
 
 
-@lru_cache(maxsize=4)
+@cached
 def _fade(keep: float, count: int) -> FloatArray:
     """Powers 1, 2, … of a number (count,), each the one before times it: a longer road only goes on."""
     return np.full(count, keep).cumprod()
 
 
-@cached_up_to(16)
+@cached
 def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, FloatArray]:
     """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points, and their differences.
 

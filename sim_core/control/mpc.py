@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.caching import cached_up_to
+from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
@@ -84,7 +84,7 @@ def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> P
     return Prediction(z_given=z_given, z_moves=z_moves, end_given=x_given, end_moves=x_moves)
 
 
-@cached_up_to(32)
+@cached
 def _prediction(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
     return predict(vehicle, sample_time, horizon, moves)
 
@@ -107,7 +107,7 @@ class Horizon:
     force_change_weight: float
 
 
-@cached_up_to(64)
+@cached
 def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     """Condense one stage's problem: interval costs, terminal cost (the stage's Riccati solution), limits.
 

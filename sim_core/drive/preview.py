@@ -10,7 +10,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached_up_to
+from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.road import profile
 from sim_core.drive.sampling import RoadInput
@@ -94,7 +94,7 @@ def sliding(ahead: FloatArray, horizon: int) -> Forecast:
     )
 
 
-@cached_up_to(16)
+@cached
 def _ahead(
     road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float, mismatch: Mismatch
 ) -> Forecast:
@@ -114,7 +114,7 @@ def _ahead(
     return sliding(ahead, horizon)
 
 
-@cached_up_to(48)
+@cached
 def _behind(mode: Preview, road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float) -> Forecast:
     """Windows without sensors ahead: what the front axle has driven, or nothing; braking stays what it is."""
     surface, time, h = profile(road), road_input.time, road_input.step

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached_up_to
+from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.road import (
     GRID,
@@ -163,7 +163,7 @@ def fine_step(scenario: Scenario, strategy: Strategy) -> float:
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
 
 
-@cached_up_to(48)
+@cached
 def sample_road(
     road: Road, wheelbase: float, drive: Drive, step: float, longest_fine_step: float, multiple: int = 1
 ) -> RoadInput:
@@ -195,7 +195,7 @@ def sample_road(
     )
 
 
-@cached_up_to(16)
+@cached
 def _sampled(
     drive: Drive, length: float, wheelbase: float, step: float, fine: int, bump_kinks: tuple[float, ...]
 ) -> SampledDrive:

@@ -10,7 +10,7 @@ from math import ceil
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached_up_to
+from sim_core.caching import cached
 from sim_core.car.road import RUN_IN
 from sim_core.drive.brake import BrakeChain, brake_chain
 from sim_core.drive.fuzzy_speed import torque_surface
@@ -75,7 +75,7 @@ class Drive:
         return _time_at(self, position)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=32)
 def _time_at(drive: Drive, position: float) -> float:
     """The inverse of `Drive.at`, kept: every run over a drive asks for the same few places."""
     if position <= drive.position[0]:
@@ -126,7 +126,7 @@ def _constant(speed: float) -> Drive:
     )
 
 
-@cached_up_to(32)
+@cached
 def _planned(inputs: SpeedPlanInputs) -> Drive:
     """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
 

@@ -5,8 +5,11 @@ from weakref import WeakSet
 
 import numpy as np
 
+from sim_core import caching
 from sim_core.arrays import FloatArray
-from sim_core.caching import MEBIBYTE, cached_up_to, size
+from sim_core.caching import MEBIBYTE, Cache, buffers
+from sim_core.scenario import Mpc, Scenario, Vehicle
+from sim_core.simulate import simulate
 
 
 @dataclass(frozen=True)
@@ -16,14 +19,16 @@ class _Pair:
     name: str = "pair"
 
 
-def test_size_counts_every_array_inside() -> None:
-    assert size(_Pair(np.zeros(10), {"a": (np.zeros(5), np.zeros(1))})) == 16 * 8
+def test_every_array_inside_counts_once_and_a_view_as_what_it_shows() -> None:
+    first = np.zeros(10)
+    held = buffers(_Pair(first, {"a": (np.zeros(5), first[:1], np.zeros(1))}))
+    assert sorted(held.values()) == [8, 40, 80]
 
 
 def test_latest_results_are_kept_while_they_fit() -> None:
     calls: list[int] = []
 
-    @cached_up_to(1)
+    @Cache(MEBIBYTE).cached
     def make(quarters: int, number: int) -> FloatArray:
         calls.append(number)
         return np.zeros(quarters * MEBIBYTE // 4 // 8 - 1000)
@@ -42,6 +47,25 @@ def test_latest_results_are_kept_while_they_fit() -> None:
     assert calls[-2:] == [6, 6]
 
 
+def test_functions_share_the_room_and_what_several_hold_counts_once() -> None:
+    cache = Cache(MEBIBYTE)
+
+    @cache.cached
+    def road(number: int) -> FloatArray:
+        return np.full(MEBIBYTE // 2 // 8, float(number))
+
+    @cache.cached
+    def window(number: int, first: int) -> FloatArray:
+        return road(number)[first:]
+
+    for first in range(50):
+        window(1, first)
+    assert cache.size < 0.6 * MEBIBYTE
+    for number in range(5):
+        window(number, 0)
+    assert cache.size <= MEBIBYTE
+
+
 def test_the_arrays_of_arguments_count_because_an_entry_keeps_them_alive() -> None:
     @dataclass(frozen=True, eq=False)
     class Road:
@@ -49,7 +73,7 @@ def test_the_arrays_of_arguments_count_because_an_entry_keeps_them_alive() -> No
 
     alive = WeakSet[Road]()
 
-    @cached_up_to(1)
+    @Cache(MEBIBYTE).cached
     def length(road: Road, *, scale: float) -> float:
         return scale * len(road.heights)
 
@@ -59,3 +83,10 @@ def test_the_arrays_of_arguments_count_because_an_entry_keeps_them_alive() -> No
         length(road, scale=2.0)
     del road
     assert len(alive) <= 4
+
+
+def test_runs_with_nothing_in_common_stay_within_the_limit() -> None:
+    for number in range(6):
+        longest = Mpc(prediction_horizon=200, control_horizon=100 - number)
+        simulate(Scenario(vehicle=Vehicle(body_mass=1000.0 + number), mpc=longest), "lv")
+    assert caching.LIMIT / 2 < caching.SHARED.size <= caching.LIMIT
