@@ -88,3 +88,24 @@ def test_a_task_nobody_waits_for_gives_its_worker_back(do: Do) -> None:
         assert await workers.call(os.getpid) == pid
 
     do(use)
+
+
+def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
+    async def use() -> None:
+        workers = Workers(1, timeout=LIMIT, most_memory=1)  # any is too large
+        workers.start()
+        try:
+            await workers.wait_until_warm()
+            first = await workers.call(os.getpid)
+            fresh = first
+            while fresh == first:  # it serves until another is warm
+                fresh = await workers.call(os.getpid)
+            async with asyncio.timeout(30):
+                while psutil.pid_exists(first):
+                    await asyncio.sleep(0.01)
+            assert workers.load["busy"] + workers.load["idle"] <= 2, "one, and perhaps the next one's heir"
+            assert workers.ready
+        finally:
+            await workers.close()
+
+    asyncio.run(use())
