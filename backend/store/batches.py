@@ -128,7 +128,8 @@ class BatchStore:
         """Batches with runs still to compute, in the order they were accepted."""
         chosen = select(batches).where(batches.c.state.in_(UNFINISHED)).order_by(batches.c.created_at, batches.c.id)
         with self._database.reading() as connection:
-            return [_batch(row) for row in connection.execute(chosen).all()]
+            rows = connection.execute(chosen).all()
+        return [_batch(row) for row in rows]
 
     def waiting(self, batch_id: str, after: int, limit: int) -> tuple[int | None, list[WaitingRun]]:
         """The next runs without a result behind position `after`, and the last position looked at (None: no more).

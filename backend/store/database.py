@@ -79,7 +79,7 @@ class Database:
 
     @contextlib.contextmanager
     def reading(self) -> Iterator[Connection]:
-        """A short transaction that reads; a long one would keep SQLite's writers waiting."""
+        """A short transaction that reads; what it reads is looked at afterwards, SQLite's writers wait for its end."""
         if self._file is not None:
             self._file.check()
         with self.engine.connect() as connection:

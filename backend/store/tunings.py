@@ -237,7 +237,8 @@ class TuningStore:
         """Every trial, in order."""
         chosen = select(tuning_trials).where(tuning_trials.c.tuning_id == tuning_id).order_by(tuning_trials.c.number)
         with self._database.reading() as connection:
-            return [_trial(row) for row in connection.execute(chosen).all()]
+            rows = connection.execute(chosen).all()
+        return [_trial(row) for row in rows]
 
     def events(self, tuning_id: str, after: int, limit: int = 500) -> list[TuningEvent]:
         """What happened behind event `after`."""
@@ -257,8 +258,8 @@ class TuningStore:
         later = tuning_events.c.number > func.coalesce(begun.scalar_subquery(), 0)
         chosen = select(tuning_events.c.data).where(of_tuning, tuning_events.c.kind == "progress", later)
         with self._database.reading() as connection:
-            rows = connection.execute(chosen.order_by(tuning_events.c.number)).scalars()
-            return [orjson.loads(row) for row in rows]
+            rows = connection.execute(chosen.order_by(tuning_events.c.number)).scalars().all()
+        return [orjson.loads(row) for row in rows]
 
     def counts(self) -> dict[str, int]:
         """Tunings by state."""

@@ -25,7 +25,7 @@ def test_who_writes_is_told_and_who_reads_is_answered(service: Process, database
             assert service.client.get(f"/api/v1/runs/{kept['id']}").status_code == 200
             assert service.client.get("/readyz").status_code == 200
             answered += 1
-        assert answered > 3, "no read waits for a writer"
+        assert answered > 1, "no read waits for a writer"
         for write in writes:
             check_refused(write.result())
         stranger.rollback()

@@ -1,0 +1,169 @@
+"""SQLite shared with others while runs are stored and read and a batch goes on: long foreign locks, and backups.
+
+Printed is what of it a user feels; what was accepted is there afterwards, and the batch completes, from a copy as well.
+"""
+
+import contextlib
+import os
+import shutil
+import sqlite3
+import threading
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+
+from backend.backup import back_up
+from backend.settings import Settings
+from tests.servers.accepted import Accepted, database
+from tests.servers.api import Api
+from tests.servers.process import request
+
+HELD = 8.0  # a stranger's lock [s]
+COPIES = 4
+BIG = 300  # megabytes in the database, so that a copy takes its time
+LOCKED_RUNS, COPIED_RUNS = 1500, 5000  # of the batch: it lasts until others let go, and longer than the copies take
+
+
+class Users:
+    """One looks at a stored run, one asks whether the service is ready, one has new runs stored, again and again."""
+
+    def __init__(self, url: str) -> None:
+        self._url = url
+        self._end = threading.Event()
+        self._seed = 0
+        self._stored: list[str] = []
+        self._longest: dict[str, float] = {}
+        self._told: Counter[int] = Counter()
+        self._store()
+        looks = {"stored run": f"{url}/api/v1/runs/{self._stored[0]}", "/readyz": f"{url}/readyz"}
+        self._threads = [threading.Thread(target=self._look, args=item) for item in looks.items()]
+        self._threads.append(threading.Thread(target=self._write))
+        for thread in self._threads:
+            thread.start()
+
+    def felt(self, what: str) -> dict[str, float]:
+        """Print, and begin anew: the longest wait for each kind [s], and the answers to those who write."""
+        longest, self._longest = self._longest, {}
+        told, self._told = self._told, Counter()
+        waits = ", ".join(f"{name} {1000 * wait:.0f} ms" for name, wait in longest.items())
+        print(f"{what}: at most {waits}; new runs {told[200]} stored, {told[503]} told to come back")
+        assert set(told) <= {200, 503}
+        return longest
+
+    def end(self) -> None:
+        """Nobody asks any more; what was answered is stored."""
+        self._end.set()
+        for thread in self._threads:
+            thread.join()
+        for run_id in self._stored:
+            assert request("GET", f"{self._url}/api/v1/runs/{run_id}").status_code == 200
+
+    def _timed(self, name: str, ask: Callable[[], httpx.Response]) -> httpx.Response:
+        begin = time.monotonic()
+        answer = ask()
+        self._longest[name] = max(self._longest.get(name, 0), time.monotonic() - begin)
+        return answer
+
+    def _look(self, name: str, url: str) -> None:
+        with httpx.Client(timeout=60) as client:
+            while not self._end.wait(0.02):
+                answer = self._timed(name, lambda: client.get(url))
+                assert answer.status_code == 200, f"{name}: {answer.text}"
+
+    def _write(self) -> None:
+        while not self._end.wait(0.1):
+            self._timed("new run", self._store)
+
+    def _store(self) -> httpx.Response:
+        self._seed += 1
+        body = {"scenario": {"road": {"seed": self._seed}}, "strategies": ["lv"]}
+        answer = request("POST", f"{self._url}/api/v1/runs", json=body)
+        self._told[answer.status_code] += 1
+        if answer.status_code == 200:
+            self._stored.append(answer.json()["id"])
+        return answer
+
+
+@pytest.fixture
+def api(tmp_path: Path) -> Iterator[Api]:
+    api = Api(tmp_path, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", RIDELAB_LOG_LEVEL="warning")
+    try:
+        api.wait_until_ready()
+        with contextlib.closing(sqlite3.connect(tmp_path / "data/ridelab.sqlite")) as connection, connection:
+            connection.execute("CREATE TABLE ballast (content BLOB)")
+            connection.executemany("INSERT INTO ballast VALUES (?)", ((os.urandom(1_000_000),) for _ in range(BIG)))
+        yield api
+    finally:
+        api.end()
+
+
+@pytest.fixture
+def accepted(request: pytest.FixtureRequest, api: Api, tmp_path: Path) -> Iterator[Accepted]:
+    """A batch that goes on while others do this and that; in the end it is complete."""
+    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
+    accepted = Accepted(url=api.url, engine=engine, seed=1, runs=request.param)
+    accepted.submit()
+    accepted.await_work()
+    yield accepted
+    accepted.finish()
+    engine.dispose()
+
+
+@pytest.fixture
+def users(api: Api, accepted: Accepted) -> Iterator[Users]:
+    users = Users(api.url)
+    time.sleep(3)
+    users.felt("calm")
+    yield users
+    users.end()
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("accepted", [LOCKED_RUNS], indirect=True)
+def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
+    for what, begin in (("foreign writer", "BEGIN IMMEDIATE"), ("foreign reader", "BEGIN")):
+        path = tmp_path / "data/ridelab.sqlite"
+        with contextlib.closing(sqlite3.connect(path, isolation_level=None, timeout=10)) as stranger:
+            stranger.execute(begin)
+            stranger.execute("SELECT count(*) FROM runs").fetchone()
+            time.sleep(HELD)
+        longest = users.felt(f"{what}, {HELD:g} s")
+        assert max(longest["stored run"], longest["/readyz"]) < 1
+        time.sleep(2)
+        users.felt("afterwards")
+    assert "Traceback" not in api.log
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("accepted", [COPIED_RUNS], indirect=True)
+def test_backups_during_a_batch(users: Users, accepted: Accepted, tmp_path: Path) -> None:
+    path, copies = tmp_path / "data/ridelab.sqlite", tmp_path / "copies"
+    copies.mkdir()
+    settings, turns = Settings(data_dir=path.parent), []
+    for number in range(COPIES):
+        turns.append(back_up(settings, copies / f"{number}.sqlite", overwrite=False).seconds)
+        time.sleep(1)
+    longest = users.felt(
+        f"{COPIES} copies of {path.stat().st_size / 1e6:.0f} MB, writes kept waiting at most {max(turns):.2f} s"
+    )
+    assert max(longest["stored run"], longest["/readyz"]) < 1
+    assert accepted.waiting() > 0, "the drill needs a longer batch"
+    restored = tmp_path / "restored/data/ridelab.sqlite"
+    restored.parent.mkdir(parents=True)
+    shutil.copy(copies / f"{COPIES - 1}.sqlite", restored)
+    other = Api(restored.parents[1], RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", RIDELAB_LOG_LEVEL="warning")
+    engine = database(f"sqlite:///{restored}")
+    try:
+        other.wait_until_ready()
+        there = Accepted(url=other.url, engine=engine, seed=1, runs=COPIED_RUNS, batches=accepted.batches)
+        left = there.waiting()
+        there.finish()
+        print(f"from the last copy: {left} runs were left, and the batch was finished")
+        assert left > 0
+    finally:
+        engine.dispose()
+        other.end()
