@@ -22,7 +22,7 @@ test: development ## everything: style, types, import rules, all tests, browser 
 suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
-drill: development ## at length: new random scenarios, fifty kills, load, locks and backups, fuzzing; DRILL_KILLS= and DRILL_SEED= change it
+drill: development ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation --numprocesses 2
 	$(BIN)/python -m pytest tests/drill -s
 

@@ -147,6 +147,7 @@ class Workers:
             result, memory = await self._landed(slot, task, self._timeout)
             healthy = True
             if memory > self._most_memory and not self._outgrown:
+                logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
                 self._outgrown.add(slot)
                 self._chore(self._replace(slot))
             return result

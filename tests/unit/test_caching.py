@@ -86,7 +86,7 @@ def test_the_arrays_of_arguments_count_because_an_entry_keeps_them_alive() -> No
 
 
 def test_runs_with_nothing_in_common_stay_within_the_limit() -> None:
-    for number in range(6):
+    for number in range(4):
         longest = Mpc(prediction_horizon=200, control_horizon=100 - number)
         simulate(Scenario(vehicle=Vehicle(body_mass=1000.0 + number), mpc=longest), "lv")
     assert caching.LIMIT / 2 < caching.SHARED.size <= caching.LIMIT
