@@ -20,12 +20,14 @@ from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
-from tests.servers.process import Program
+from tests.servers.process import Program, wait_until
 
 KILLS = int(os.environ.get("DRILL_KILLS", "50"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))
 RUNS = 240  # of one batch: some seconds of two cores
 LEAST_WORK = 200  # runs that wait while it kills
+LIFE = 4.0  # of a service that is killed again and again [s]
+LIVES = 4  # times the runs of another batch
 WHILE_WORKING = 0.7  # of the kills come while results come in, the others at any moment, such as during a start
 
 Victim = Callable[[], str | None]  # kills something and tells what, or tells that there is nothing to kill
@@ -113,6 +115,27 @@ def test_one_machine(tmp_path: Path) -> None:
         api.wait_until_ready()
         victims = [kill_program(api), kill_worker(api, chance), kill_worker(api, chance)]
         drill(Accepted(url=api.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
+    finally:
+        engine.dispose()
+        api.end()
+
+
+@pytest.mark.timeout(600)
+def test_a_service_that_never_lives_long_gets_on(tmp_path: Path) -> None:
+    """Killed every four seconds, starts included, until a batch is complete: each life adds to it."""
+    api = Api(tmp_path, RIDELAB_LOG_LEVEL="warning")
+    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
+    accepted, left = Accepted(url=api.url, engine=engine, seed=SEED, runs=LIVES * RUNS), list[int]()
+    try:
+        accepted.submit()
+        while not left or left[-1]:
+            api.kill()
+            wait_until(lambda: api.running, "it is started again", pause=0.01)
+            time.sleep(LIFE)  # whatever it does meanwhile
+            left.append(accepted.waiting())
+            assert len(left) < 10 * LIVES, f"it does not get on: {left}"
+        print(f"\nkilled {len(left)} times, every {LIFE:g} s; runs left each time: {left}")
+        accepted.finish()
     finally:
         engine.dispose()
         api.end()
