@@ -147,13 +147,14 @@ async def _too_expensive(_: Request, error: Exception) -> Response:
     return problem(422, f"{error.message}.", kind="too-expensive", errors=places)
 
 
-async def _slow(_: Request, __: Exception) -> Response:
+async def _slow(request: Request, _: Exception) -> Response:
     # Not 503: the same again would hold a worker as long again.
     text = (
         "The computation took longer than the limit and was ended; fewer or shorter roads, a higher speed, a longer "
         "sample time or shorter horizons cost less."
     )
-    return problem(422, text, kind="too-expensive", errors=[{"pointer": "/scenario", "message": text}])
+    places = [{"pointer": "/scenario", "message": text}] if request.method == "POST" else []
+    return problem(422, text, kind="too-expensive", errors=places)
 
 
 def _place(item: Mapping[str, Any], model: Any) -> dict[str, str]:

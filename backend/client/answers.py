@@ -1,7 +1,7 @@
 """What a service answers, typed. Values are in SI units, speeds that people type in km/h; `units` names each."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, Self, TypedDict
 
@@ -71,6 +71,8 @@ class Outcome:
         strategy: Its id.
         status: Whether the core could run it.
         reason: Why not, where it failed.
+        kind: `too-expensive` where less computing would do, else `refused`; None where it did not fail.
+        fields: Which scenario fields make it cheaper, by dotted names.
         cached: Not computed for this request; None where the answer does not tell.
         compute_ms: The worker's own time [ms].
         metrics: window -> signal -> statistic; an `Interval` each where the run is over several roads.
@@ -86,6 +88,8 @@ class Outcome:
     status: Literal["ok", "failed"]
     compute_ms: float
     reason: str | None = None
+    kind: str | None = None
+    fields: Sequence[str] = ()
     cached: bool | None = None
     metrics: Mapping[str, Mapping[str, Statistics]] = field(default_factory=dict)
     comfort: Mapping[str, float | Interval] = field(default_factory=dict)

@@ -10,7 +10,7 @@ from backend.batches import work
 from backend.batches.plan import plan
 from backend.batches.sweeps import Sweep, SweepError, points
 from backend.chunk import WaitingRun
-from sim_core.errors import UnstableVehicleError
+from sim_core.errors import TooExpensiveError, UnstableVehicleError
 from sim_core.scenario import Scenario
 
 BASE = Scenario().model_dump(mode="json")
@@ -42,6 +42,20 @@ def test_what_the_core_refuses_is_a_result_with_a_reason(monkeypatch: pytest.Mon
     (run,) = work.run_chunk(BASE, 1, waiting(0.05), 60)
     assert run.status == "failed"
     assert json.loads(run.summary) == {"reason": "The passive car has no stationary response"}
+
+
+def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: Any) -> None:
+        raise TooExpensiveError("Too many steps", fields=("road.length",))
+
+    monkeypatch.setattr(work, "simulate", refuse)
+    (run,) = work.run_chunk(BASE, 1, waiting(0.05), 60)
+    assert (run.status, run.lasting) == ("failed", True)
+    assert json.loads(run.summary) == {
+        "reason": "Too many steps; change road.length",
+        "kind": "too-expensive",
+        "fields": ["road.length"],
+    }
 
 
 def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
