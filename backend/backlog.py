@@ -32,7 +32,7 @@ class Backlog:
 
     Args:
         workers: Processes that compute; twice as many requests are always let in.
-        max_wait: Longest wait a newcomer is let in for; one client may fill half of it [s].
+        max_wait: Longest wait a newcomer is let in for; one client with more than a few inside may fill half of it [s].
         clock: Seconds, monotonic.
     """
 
@@ -59,13 +59,14 @@ class Backlog:
         Raises:
             ProblemError: 503 or 429, with the time after which those inside will have left.
         """
-        if self._inside < 2 * self._workers:
+        few = 2 * self._workers
+        if self._inside < few:
             return
         wait, own = self.wait, inside_of_client * self._interval
         if wait > self._max_wait:
             detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
             raise ProblemError(503, detail, kind="full", retry_after=_told(wait))
-        if own > self._max_wait / 2:
+        if own > self._max_wait / 2 and inside_of_client >= few:
             detail = "This client's open requests already fill half of what may wait."
             raise ProblemError(429, detail, kind="too-many-requests", retry_after=_told(own))
 

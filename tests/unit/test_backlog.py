@@ -99,3 +99,10 @@ def test_one_client_fills_half_of_what_may_wait(crowd: Crowd) -> None:
     crowd.leave(10)
     assert crowd.refusal(own=15) == (429, 2)
     crowd.backlog.check(2)
+
+
+def test_a_client_with_few_requests_fills_nothing(crowd: Crowd) -> None:
+    crowd.come(6)
+    crowd.leave(2, after=0.4)
+    assert crowd.refusal(own=4) == (429, 2)
+    crowd.backlog.check(3)
