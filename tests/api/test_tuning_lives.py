@@ -17,6 +17,12 @@ from backend.tuner import batching, driver, models
 from backend.tuner.measure import Failure
 from tests.api.tuning import REQUEST, SCENARIO, begin, events, get, trials, wait_for
 
+HARD = {
+    "road": {"length": 3000},
+    "speed": {"initial_speed_kmh": 20},
+    "mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100, "solver": "osqp"},
+}
+
 
 @pytest.fixture(scope="module")
 def tuning(client: httpx.Client) -> dict[str, Any]:
@@ -198,8 +204,8 @@ def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client
         ({"seeds": [1, 1]}, "/seeds"),
         ({"trials": 5001}, "/trials"),
         ({"scenario": {"road": {"bump": {"height": 3}}}}, "/scenario/road/bump/height"),
-        ({"scenario": {"road": {"length": 3000}, "mpc": {"solver": "osqp"}}, "strategy": "lv"}, "/scenario"),
-        ({"weights": [1, 1, 1]}, ""),
+        ({"scenario": HARD, "strategy": "lv"}, "/scenario"),
+        ({"weights": [1, 1, 1]}, "/weights"),
         ({"seeds": list(range(200, 264)), "trials": 5000}, "/trials"),
     ],
 )
