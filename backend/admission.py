@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
-from backend.backlog import Backlog, computes
+from backend.backlog import Backlog, mark_computing
 from backend.limits import RETRY_AFTER, ConcurrencyLimit, TokenBucket, client_key
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
@@ -17,7 +17,7 @@ class Admission:
         max_request_cost: Greatest estimate of one request [s of one core].
         max_queued_cost: Greatest estimate of all that is open [s of one core].
         max_client_requests: Computing requests of one client.
-        max_wait: Longest wait for which a request that may compute is let in [s].
+        max_wait: Longest expected wait with which a request that may compute is admitted [s].
         workers: Processes that compute.
         max_client_streams: Event streams of one client.
         max_streams: Event streams in all.
@@ -39,20 +39,22 @@ class Admission:
         self._queued_cost = 0.0
         self._requests = ConcurrencyLimit(what="computing requests", per_client=max_client_requests)
         self._streams = ConcurrencyLimit(what="event streams", per_client=max_client_streams, total=max_streams)
-        self._entered = ConcurrencyLimit(what="requests", per_client=max_client_requests, total=8 * max_client_requests)
+        self._admitted = ConcurrencyLimit(
+            what="requests", per_client=max_client_requests, total=8 * max_client_requests
+        )
         self._bodies = ConcurrencyLimit(what="long request bodies", per_client=4, total=16)
         self._backlog = Backlog(workers=workers, max_wait=max_wait)
         self._links = TokenBucket(what="new links", burst=120, each_second=2)
 
     @property
     def load(self) -> dict[str, float]:
-        """`cost` [s of one core] not finished; `wait` of a newcomer [s]; `requests`, `streams`, long `bodies` open."""
+        """`cost` [s of one core] not finished; expected `wait` [s]; `requests`, `streams`, long `bodies` open."""
         return {
             "cost": self._queued_cost,
-            "wait": self._backlog.wait,
-            "requests": self._requests.held,
-            "streams": self._streams.held,
-            "bodies": self._bodies.held,
+            "wait": self._backlog.expected_wait,
+            "requests": self._requests.open,
+            "streams": self._streams.open,
+            "bodies": self._bodies.open,
         }
 
     def check(self, scenario: Scenario, strategies: Iterable[str], beside: float = 0.0) -> None:
@@ -69,45 +71,45 @@ class Admission:
             )
             raise ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/scenario", "message": message}])
 
-    def knocking(self, client: str) -> None:
-        """Refuse a request that may compute before anything is done for it: a refusal has to cost next to nothing.
+    def check_admission(self, client: str) -> None:
+        """Refuse a request that may compute before anything is done for it, so that refusals cost next to nothing.
 
         Raises:
             ProblemError: 429 where the client has too many open, 503 where the service has or the wait would be long.
         """
         client = client_key(client)
-        self._entered.check(client)
-        self._backlog.check(self._entered.held_by(client))
+        self._admitted.check(client)
+        self._backlog.check(self._admitted.open_by(client))
 
     @contextmanager
-    def visiting(self, client: str) -> Iterator[None]:
-        """Hold a place from the door to the answer of a request that may compute.
+    def admitted(self, client: str) -> Iterator[None]:
+        """Count a request that may compute, from before its body is parsed to its answer.
 
-        Looking up what is stored costs the database's threads more than refusing does: without this a flood would keep
-        them from those who were let in.
+        A lookup in the database costs much more than a refusal: without this limit a flood would keep the database's
+        threads from the requests that were admitted.
 
         Raises:
-            ProblemError: As `knocking`.
+            ProblemError: As `check_admission`.
         """
-        self.knocking(client)
-        with self._entered.taken(client_key(client)), self._backlog.visit():
+        self.check_admission(client)
+        with self._admitted.acquired(client_key(client)), self._backlog.track():
             yield
 
     @contextmanager
-    def entering(self, client: str) -> Iterator[None]:
-        """Hold such a place for a request that only reads, but much.
+    def reading(self, client: str) -> Iterator[None]:
+        """Count a request that only reads, but much.
 
         Raises:
             ProblemError: 429 where the client has too many open, 503 where the service has.
         """
         client = client_key(client)
-        self._entered.check(client)
-        with self._entered.taken(client):
+        self._admitted.check(client)
+        with self._admitted.acquired(client):
             yield
 
     @contextmanager
     def computing(self, client: str, scenario: Scenario, strategies: Iterable[str]) -> Iterator[None]:
-        """Hold a place while something is computed for that client.
+        """Count what is computed for that client.
 
         Raises:
             ProblemError: 429 where the client has too many open, 503 where the service is full.
@@ -119,38 +121,38 @@ class Admission:
             raise ProblemError(
                 503, "The service is full: too much computing is waiting.", kind="full", retry_after=RETRY_AFTER
             )
-        computes()
-        with self._requests.taken(client):
+        mark_computing()
+        with self._requests.acquired(client):
             self._queued_cost += cost
             try:
                 yield
             finally:
                 self._queued_cost -= cost
-                if self._requests.held == 1:  # this one, which ends
+                if self._requests.open == 1:  # this one, which ends
                     self._queued_cost = 0.0  # no drift from rounding
 
     @contextmanager
     def streaming(self, client: str) -> Iterator[None]:
-        """Hold a place while that client listens to an event stream.
+        """Count an event stream of that client.
 
         Raises:
             ProblemError: 429 where the client has too many open, 503 where the service has.
         """
         client = client_key(client)
         self._streams.check(client)
-        with self._streams.taken(client):
+        with self._streams.acquired(client):
             yield
 
     @contextmanager
     def receiving(self, client: str) -> Iterator[None]:
-        """Hold a place while a long request body of that client is received and worked on.
+        """Count a long request body of that client, while it is received and worked on.
 
         Raises:
             ProblemError: 429 where the client has too many open, 503 where the service has.
         """
         client = client_key(client)
         self._bodies.check(client)
-        with self._bodies.taken(client):
+        with self._bodies.acquired(client):
             yield
 
     def linking(self, client: str) -> None:

@@ -1,4 +1,4 @@
-"""How long a request would wait, by what is inside and how quickly that leaves: measured, not estimated."""
+"""How long a new request would wait: by the requests in progress and the interval at which they complete, measured."""
 
 import math
 import time
@@ -9,30 +9,31 @@ from dataclasses import dataclass
 
 from backend.problems import ProblemError
 
-LEAST_WEIGHT = 0.1  # of the newest interval between two that leave, in their mean
-LONGEST_TOLD = 60  # Retry-After at most [s]
+MIN_SMOOTHING = 0.1  # weight of the newest interval in the moving average
+MAX_RETRY_AFTER = 60  # [s]
 
 
 @dataclass(slots=True)
-class Visit:
-    """One request inside; `computed` once it had to compute anything."""
+class OpenRequest:
+    """A request in progress; `computed` once it had to compute anything."""
 
     computed: bool = False
 
 
-_visit: ContextVar[Visit | None] = ContextVar("visit", default=None)
+_current: ContextVar[OpenRequest | None] = ContextVar("open_request", default=None)
 
 
 class Backlog:
-    """Requests that may compute, from the door to the answer.
+    """Requests in progress that may compute.
 
-    A newcomer waits for as many as are inside, each for the time between two that leave (Little's law). That time is
-    taken only while more are inside than there are workers, and of requests that did compute: so it is what machine,
-    database and neighbours make of it, and neither idle times nor cheap requests make it wrong.
+    By Little's law a new request waits for the number of requests in progress times the mean interval between two
+    completions. An interval counts only if it ends with a request that computed, while all workers were busy: then it
+    is what machine, database and neighbours make of it, and neither idle times nor cheap requests distort it.
 
     Args:
-        workers: Processes that compute; twice as many requests are always let in.
-        max_wait: Longest wait a newcomer is let in for; one client with more than a few inside may fill half of it [s].
+        workers: Processes that compute; while fewer than twice as many requests are open, all are admitted.
+        max_wait: Longest expected wait with which a request is admitted; one client with at least twice as many
+            requests open as there are workers may cause half of it [s].
         clock: Seconds, monotonic.
     """
 
@@ -40,72 +41,71 @@ class Backlog:
         self._workers = workers
         self._max_wait = max_wait
         self._clock = clock
-        self._inside = 0
+        self._open = 0
         self._intervals = 0
-        self._interval = 0.0  # between two that leave, the mean of the last ones [s]
-        self._since = clock()  # the last one left, or more were inside than workers
+        self._mean_interval = 0.0  # between two completions [s]
+        self._interval_start = clock()  # the last completion, or the moment at which all workers became busy
 
     @property
-    def wait(self) -> float:
-        """How long a newcomer would wait [s]."""
-        if self._inside <= self._workers:
+    def expected_wait(self) -> float:
+        """How long a new request would wait [s]."""
+        if self._open <= self._workers:
             return 0.0
-        stalled = self._clock() - self._since
-        return max(stalled, self._inside * self._interval)
+        since_completion = self._clock() - self._interval_start
+        return max(since_completion, self._open * self._mean_interval)
 
-    def check(self, inside_of_client: int) -> None:
-        """Refuse who would wait too long, and a client whose own requests fill half of that wait.
+    def check(self, open_of_client: int) -> None:
+        """Refuse a request that would wait too long, or whose client already causes half of the longest wait.
 
         Raises:
-            ProblemError: 503 or 429, with the time after which those inside will have left.
+            ProblemError: 503 or 429, with the time after which those in progress will be complete.
         """
         few = 2 * self._workers
-        if self._inside < few:
+        if self._open < few:
             return
-        wait, own = self.wait, inside_of_client * self._interval
+        wait, own = self.expected_wait, open_of_client * self._mean_interval
         if wait > self._max_wait:
             detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
-            raise ProblemError(503, detail, kind="full", retry_after=_told(wait))
-        if own > self._max_wait / 2 and inside_of_client >= few:
+            raise ProblemError(503, detail, kind="full", retry_after=_retry_after(wait))
+        if own > self._max_wait / 2 and open_of_client >= few:
             detail = "This client's open requests already fill half of what may wait."
-            raise ProblemError(429, detail, kind="too-many-requests", retry_after=_told(own))
+            raise ProblemError(429, detail, kind="too-many-requests", retry_after=_retry_after(own))
 
     @contextmanager
-    def visit(self) -> Iterator[None]:
-        """Be inside."""
-        if self._inside <= self._workers:
-            self._since = self._clock()
-        self._inside += 1
-        visit = Visit()
-        outer = _visit.set(visit)
+    def track(self) -> Iterator[None]:
+        """Count a request as in progress."""
+        if self._open <= self._workers:
+            self._interval_start = self._clock()
+        self._open += 1
+        request = OpenRequest()
+        token = _current.set(request)
         try:
             yield
         finally:
-            _visit.reset(outer)
-            self._inside -= 1
-            if visit.computed:
-                self._measure()
-            if not self._inside:
-                self._intervals, self._interval = 0, 0.0  # the next ones may be of another kind
+            _current.reset(token)
+            self._open -= 1
+            if request.computed:
+                self._record_completion()
+            if not self._open:
+                self._intervals, self._mean_interval = 0, 0.0  # the next requests may be of another kind
 
-    def _measure(self) -> None:
-        """One that computed has left."""
+    def _record_completion(self) -> None:
         now = self._clock()
-        took, self._since = now - self._since, now
-        if self._inside < self._workers:
-            return  # nobody waited: it tells how often requests come, not how quickly they leave
+        interval, self._interval_start = now - self._interval_start, now
+        if self._open < self._workers:
+            return  # a worker was idle: the interval tells how often requests arrive, not how quickly they complete
         self._intervals += 1
         if self._intervals == 1:
-            took /= self._workers  # as many began together
-        self._interval += max(LEAST_WEIGHT, 1 / self._intervals) * (took - self._interval)
+            interval /= self._workers  # as many began together
+        self._mean_interval += max(MIN_SMOOTHING, 1 / self._intervals) * (interval - self._mean_interval)
 
 
-def computes() -> None:
-    """Tell that the present request, if it is one inside, computes."""
-    visit = _visit.get()
-    if visit is not None:
-        visit.computed = True
+def mark_computing() -> None:
+    """Mark the current request as one that computes; without effect where none is tracked."""
+    request = _current.get()
+    if request is not None:
+        request.computed = True
 
 
-def _told(wait: float) -> int:
-    return min(LONGEST_TOLD, max(1, math.ceil(wait)))
+def _retry_after(wait: float) -> int:
+    return min(MAX_RETRY_AFTER, max(1, math.ceil(wait)))

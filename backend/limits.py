@@ -10,64 +10,64 @@ from contextlib import contextmanager
 from backend.problems import ProblemError
 
 RETRY_AFTER = 2  # [s]
-NETWORK = 64  # of IPv6 one customer gets 2^64 addresses
+IPV6_PREFIX = 64  # bits: one customer of a provider usually has 2^64 addresses
 
 
 class ConcurrencyLimit:
-    """A number of places, so many of them for one client."""
+    """How many of something may be open at once, for one client and in all."""
 
     def __init__(self, *, what: str, per_client: int, total: int | None = None) -> None:
         self._what = what
         self._per_client = per_client
         self._total = total
-        self._held: Counter[str] = Counter()
+        self._open: Counter[str] = Counter()
 
     @property
-    def held(self) -> int:
-        """Places taken now."""
-        return self._held.total()
+    def open(self) -> int:
+        """How many are open now."""
+        return self._open.total()
 
-    def held_by(self, client: str) -> int:
-        """Places that client has taken now."""
-        return self._held[client]
+    def open_by(self, client: str) -> int:
+        """How many that client has open now."""
+        return self._open[client]
 
     def check(self, client: str) -> None:
-        """Refuse where the next place would be one too many.
+        """Refuse where one more would be over a limit.
 
         Raises:
             ProblemError: 429 for the client's own limit, 503 for everybody's.
         """
-        if self._held[client] >= self._per_client:
+        if self._open[client] >= self._per_client:
             raise ProblemError(
                 429,
                 f"At most {self._per_client} {self._what} of one client may be open at once.",
                 kind="too-many-requests",
                 retry_after=RETRY_AFTER,
             )
-        if self._total is not None and self.held >= self._total:
+        if self._total is not None and self.open >= self._total:
             raise ProblemError(
                 503, f"The service is full: too many {self._what} are open.", kind="full", retry_after=RETRY_AFTER
             )
 
     @contextmanager
-    def taken(self, client: str) -> Iterator[None]:
-        """Hold one place."""
-        self._held[client] += 1
+    def acquired(self, client: str) -> Iterator[None]:
+        """Count one as open."""
+        self._open[client] += 1
         try:
             yield
         finally:
-            self._held[client] -= 1
-            if not self._held[client]:
-                del self._held[client]
+            self._open[client] -= 1
+            if not self._open[client]:
+                del self._open[client]
 
 
 class TokenBucket:
-    """So many at once, and after that so many a second, for each client.
+    """A rate limit for each client: a burst, and after that so many a second.
 
     Args:
         what: Its name in the refusal.
-        burst: How many at once.
-        each_second: How many come back [1/s].
+        burst: How many tokens a client has at first, and at most.
+        each_second: How many tokens are added [1/s].
         clock: Seconds, monotonic.
     """
 
@@ -83,10 +83,10 @@ class TokenBucket:
         self._full_at: dict[str, float] = {}
 
     def take(self, client: str) -> None:
-        """Count one.
+        """Take a token.
 
         Raises:
-            ProblemError: 429, with the time after which one more is taken.
+            ProblemError: 429, with the time after which there is a token again.
         """
         now = self._clock()
         full_at = max(now, self._full_at.get(client, now)) + 1 / self._each_second
@@ -106,11 +106,11 @@ class TokenBucket:
 def client_key(address: str) -> str:
     """Who counts as one client: an IPv4 address, a whole IPv6 network, or whatever else the server calls it."""
     try:
-        found = ipaddress.ip_address(address.partition("%")[0])
+        parsed = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:
         return address
-    if isinstance(found, ipaddress.IPv4Address):
-        return str(found)
-    if found.ipv4_mapped is not None:
-        return str(found.ipv4_mapped)
-    return str(ipaddress.ip_network((found, NETWORK), strict=False).network_address)
+    if isinstance(parsed, ipaddress.IPv4Address):
+        return str(parsed)
+    if parsed.ipv4_mapped is not None:
+        return str(parsed.ipv4_mapped)
+    return str(ipaddress.ip_network((parsed, IPV6_PREFIX), strict=False).network_address)

@@ -191,7 +191,7 @@ class Batches:
             raise ProblemError(422, message, errors=[{"parameter": "baseline", "pointer": "", "message": message}])
         asked = (batch.id, against, *figures)
         if asked not in self._summaries:
-            with self._admission.entering(client):
+            with self._admission.reading(client):
                 pages = self._pages(batch.id)
                 found = await reading.summarised(batch, pages, self._workers, figures, against)
             if batch.state not in FINAL:

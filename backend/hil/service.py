@@ -64,6 +64,6 @@ class Controllers:
         self._admission.check(scenario, names, beside)
         key = client_key(client)
         self._long.check(key)
-        with self._long.taken(key), self._admission.computing(client, scenario, names):
+        with self._long.acquired(key), self._admission.computing(client, scenario, names):
             answer: dict[str, Any] = await self._workers.call(function, scenario, ends_with_caller=True)
             return answer

@@ -84,7 +84,7 @@ class StrictRequest(Request):
         """The body's value; anything doubtful is a problem."""
         body = await self.body()
         if self._computes:
-            self._held.enter_context(self.app.state.admission.visiting(client_address(self)))
+            self._held.enter_context(self.app.state.admission.admitted(client_address(self)))
         parse = partial(strict_json.parse, body, max_values=self._max_values)
         try:
             if len(body) > BULKY:
@@ -105,7 +105,7 @@ def client_address(request: Request) -> str:
 class StrictRoute(APIRoute):
     """A route that reads its body with `StrictRequest`, and only as JSON, and takes the parameters it declares.
 
-    One that may lead to computing (`COMPUTES`) refuses whoever would wait too long before anything else is done.
+    One that may lead to computing (`COMPUTES`) refuses a request that would wait too long before it does anything else.
     """
 
     MAX_VALUES = strict_json.MAX_VALUES
@@ -121,7 +121,7 @@ class StrictRoute(APIRoute):
 
         async def strict(request: Request) -> Response:
             if self.COMPUTES and takes_body:
-                request.app.state.admission.knocking(client_address(request))
+                request.app.state.admission.check_admission(client_address(request))
             _check_parameters(request.query_params, parameters)
             kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
             if takes_body and kind != "application/json":
@@ -130,7 +130,7 @@ class StrictRoute(APIRoute):
                 raise ProblemError(415, "The body has to come as it is, without a Content-Encoding.")
             with ExitStack() as held:
                 if self.COMPUTES and not takes_body:
-                    held.enter_context(request.app.state.admission.visiting(client_address(request)))
+                    held.enter_context(request.app.state.admission.admitted(client_address(request)))
                 limits: dict[str, Any] = {"max_values": self.MAX_VALUES, "computes": self.COMPUTES}
                 bounded = StrictRequest(request.scope, request.receive, held=held, **limits)
                 return await handler(bounded)

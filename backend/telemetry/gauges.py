@@ -23,7 +23,7 @@ class LoadedAdmission(Protocol):
 
     @property
     def load(self) -> dict[str, float]:
-        """`cost` [s of one core] not finished; `wait` of a newcomer [s]; `requests`, `streams`, long `bodies` open."""
+        """`cost` [s of one core] not finished; expected `wait` [s]; `requests`, `streams`, long `bodies` open."""
 
 
 class ServiceCollector(Collector):
@@ -45,7 +45,7 @@ class ServiceCollector(Collector):
         yield GaugeMetricFamily(
             "ridelab_admitted_cost_seconds", "Estimated computing accepted and not finished, of one core", held["cost"]
         )
-        yield GaugeMetricFamily("ridelab_expected_wait_seconds", "How long a newcomer would wait", held["wait"])
+        yield GaugeMetricFamily("ridelab_expected_wait_seconds", "How long a new request would wait", held["wait"])
         yield GaugeMetricFamily("ridelab_open_requests", "Computing requests that are open", held["requests"])
         yield GaugeMetricFamily("ridelab_open_streams", "Event streams that are open", held["streams"])
         yield GaugeMetricFamily("ridelab_open_bodies", "Long request bodies being worked on", held["bodies"])

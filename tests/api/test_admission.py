@@ -1,4 +1,4 @@
-"""Who is let in: limits for one client and for all, refused at once and clearly, and places that come free again."""
+"""Which requests are admitted: limits for one client and for all, and what a refusal says."""
 
 import threading
 from collections.abc import Callable
@@ -34,16 +34,16 @@ def admission(**limits: Any) -> Admission:
     return Admission(**{"max_request_cost": 30, "max_queued_cost": 120, "max_client_requests": 64, **limits})
 
 
-def test_one_client_and_all_together_have_only_so_many_places() -> None:
-    places = ConcurrencyLimit(what="things", per_client=2, total=3)
-    with places.taken("a"), places.taken("a"):
-        assert refusal(lambda: places.check("a")) == (429, 2)
-        with places.taken("b"):
-            assert refusal(lambda: places.check("c")) == (503, 2)
-        places.check("c")
-        assert places.held == 2
-    assert places.held == 0
-    places.check("a")
+def test_one_client_and_all_together_have_only_so_much_open() -> None:
+    limit = ConcurrencyLimit(what="things", per_client=2, total=3)
+    with limit.acquired("a"), limit.acquired("a"):
+        assert refusal(lambda: limit.check("a")) == (429, 2)
+        with limit.acquired("b"):
+            assert refusal(lambda: limit.check("c")) == (503, 2)
+        limit.check("c")
+        assert limit.open == 2
+    assert limit.open == 0
+    limit.check("a")
 
 
 def test_streams_are_limited_and_come_free() -> None:
@@ -58,35 +58,35 @@ def test_streams_are_limited_and_come_free() -> None:
         pass
 
 
-def test_the_door_is_closed_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     gate = service.app.state.admission
     looked_up: list[str] = []  # `store.read` stays as it is: what drives the batches beside needs it
     monkeypatch.setattr(service.app.state.store.runs, "load", looked_up.append)
     monkeypatch.setattr(service.app.state.store.runs, "load_results", looked_up.extend)
     with ExitStack() as held:
         for _ in range(64):
-            held.enter_context(gate.entering("127.0.0.1"))
+            held.enter_context(gate.reading("127.0.0.1"))
         for path in ("runs", "live"):
             response = service.client.post(f"/api/v1/{path}", json={"strategies": ["passive"]})
             assert response.status_code == 429
             assert int(response.headers["retry-after"]) > 0
         for client in range(7):
             for _ in range(64):
-                held.enter_context(gate.entering(f"192.0.2.{client}"))
-        assert refusal(lambda: gate.entering("another").__enter__()) == (503, 2)
+                held.enter_context(gate.reading(f"192.0.2.{client}"))
+        assert refusal(lambda: gate.reading("another").__enter__()) == (503, 2)
     assert not looked_up
     monkeypatch.undo()
     assert service.live(["passive"]).status_code == 200
 
 
-def test_who_would_wait_too_long_is_refused_before_the_body_is_read(
+def test_a_request_that_would_wait_too_long_is_refused_before_its_body_is_read(
     service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     gate, now = service.app.state.admission, 0.0
     monkeypatch.setattr(gate, "_backlog", Backlog(workers=1, max_wait=1, clock=lambda: now))
     with ExitStack() as held:
         for _ in range(2):
-            held.enter_context(gate.visiting("192.0.2.1"))
+            held.enter_context(gate.admitted("192.0.2.1"))
         now = 9.5
         assert gate.load["wait"] == 9.5
         answer = client.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"})
