@@ -17,7 +17,7 @@ interface Props {
 
 function describe({ total, points, estimated_seconds: seconds, estimated_cost: cost }: Estimate, strategies: number): string {
   const runs = `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
-  return `${runs}, ${seconds === null ? `at most ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`}`;
+  return `${runs}, ${seconds === null ? `about ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`}`;
 }
 
 export function EstimateLine({ estimate, strategies, pending, wrong }: Props) {

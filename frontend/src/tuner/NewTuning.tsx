@@ -114,7 +114,7 @@ export function NewTuning({ form, catalogue, strategies, figures, carried }: Pro
 }
 
 function describe({ runs, generations, estimated_cost: cost, estimated_seconds: seconds }: NonNullable<ReturnType<typeof useNewTuning>["estimate"]>): string {
-  const time = seconds === null ? `at most ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
+  const time = seconds === null ? `about ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
   return `${count(runs, "run")} in ${count(generations, "generation")}, ${time}`;
 }
 
