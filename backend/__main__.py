@@ -42,6 +42,8 @@ def main(arguments: list[str] | None = None) -> int:
         return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
     except SettingsError as error:
         return _refuse(str(error))
+    except KeyboardInterrupt:  # a start may wait for a lock on the database
+        return INTERRUPTED
     telemetry.configure(settings.log_format, settings.log_level)
     return _serve(app, settings, listener, options.host)
 

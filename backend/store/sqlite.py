@@ -72,7 +72,7 @@ class DatabaseFile:
                 self._create()
             empty = self.path.stat().st_size == 0
         except OSError as error:
-            raise UnusableDatabaseError(f"{error.filename}: {error.strerror}") from error
+            raise UnusableDatabaseError(f"{self.path}: {error.strerror}") from error
         if empty:
             raise UnusableDatabaseError(f"{self.path} is empty: put a backup in its place, or delete it to begin anew")
 

@@ -1,14 +1,17 @@
 """The service in a terminal: what a person sees who starts it wrongly, and who stops it with Ctrl-C."""
 
+import contextlib
 import os
 import signal
+import sqlite3
 import subprocess
 import sys
 from pathlib import Path
 
+import psutil
 import pytest
 
-from tests.servers.process import ROOT
+from tests.servers.process import ROOT, wait_until
 
 
 @pytest.mark.parametrize("port", ["99999", "-1", "http"])
@@ -36,6 +39,19 @@ def test_a_database_that_cannot_be_used_ends_the_start_with_one_sentence(tmp_pat
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     said = f"Ridelab does not start: {tmp_path}/ridelab.sqlite: it is no SQLite database\n"
     assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
+
+
+def test_ctrl_c_ends_a_start_that_waits(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
+    with contextlib.closing(sqlite3.connect(tmp_path / "ridelab.sqlite", isolation_level=None)) as stranger:
+        stranger.execute("PRAGMA application_id=1")
+        stranger.execute("BEGIN EXCLUSIVE")
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as service:
+            wait_until(psutil.Process(service.pid).children, "it has begun")
+            service.send_signal(signal.SIGINT)
+            _, log = service.communicate(timeout=30)
+    assert service.returncode == 130
+    assert "Traceback" not in log
 
 
 def test_ctrl_c_ends_it_in_order(tmp_path: Path) -> None:
