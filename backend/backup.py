@@ -14,8 +14,8 @@ from sqlalchemy import make_url
 from backend.settings import Settings
 from backend.store.sqlite import database_file
 
-PATIENCE = 30.0  # with those that write [s]
-LOOK = 0.002  # SQLite itself looks so seldom that who writes all the time is always quicker [s]
+LOCK_TIMEOUT = 30.0  # [s]
+RETRY_INTERVAL = 0.002  # SQLite's own retries are so rare that a busy writer would always be quicker [s]
 
 
 class BackupError(Exception):
@@ -38,10 +38,10 @@ class Backup:
 
 
 def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
-    """Copy the whole database to a file, which is there when it is whole and not before.
+    """Copy the whole database to a file, which appears only when it is complete.
 
-    Nothing is written to the database while it is copied: SQLite begins a copy anew with every write of another
-    process, and so never ends where somebody writes all the time. Reads go on.
+    The write lock is held meanwhile: with every write of another process SQLite would begin the copy anew, and so never
+    end where somebody writes all the time. Reads go on.
 
     Args:
         settings: Say which database.
@@ -59,17 +59,17 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
         raise BackupError(f"There is no database at {file.path}")
     _check_target(file.path, target, overwrite=overwrite)
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
-    beside = Path(name)
+    temporary = Path(name)
     try:
-        seconds = _copy(file.path, beside)
-        shutil.copymode(file.path, beside)
+        seconds = _copy(file.path, temporary)
+        shutil.copymode(file.path, temporary)
         os.fsync(handle)
-        beside.replace(target)
+        temporary.replace(target)
     except sqlite3.Error as error:
         raise BackupError(f"{file.path}: {error}") from error
     finally:
         os.close(handle)
-        beside.unlink(missing_ok=True)
+        temporary.unlink(missing_ok=True)
     _sync_folder(target.parent)
     return Backup(database=file.path, size=target.stat().st_size, seconds=seconds)
 
@@ -86,34 +86,35 @@ def _check_target(database: Path, target: Path, *, overwrite: bool) -> None:
 
 
 def _copy(database: Path, copy: Path) -> float:
-    """All of it, looked through; how long nobody could write [s]."""
+    """Copy and check a database; how long nobody could write to it [s]."""
     address = f"{database.absolute().as_uri()}?mode=rw"
     with (
-        closing(sqlite3.connect(address, uri=True, timeout=0, isolation_level=None)) as turn,
-        closing(sqlite3.connect(address, uri=True, timeout=PATIENCE)) as source,
-        closing(sqlite3.connect(copy)) as made,
+        closing(sqlite3.connect(address, uri=True, timeout=0, isolation_level=None)) as lock,
+        closing(sqlite3.connect(address, uri=True, timeout=LOCK_TIMEOUT)) as source,
+        closing(sqlite3.connect(copy)) as target,
     ):
-        made.execute("PRAGMA synchronous=OFF")  # written to the disk as a whole, when the turn is over
-        _take(turn)
+        target.execute("PRAGMA synchronous=OFF")  # written to the disk as a whole, after the lock is released
+        _begin_writing(lock)
         begun = time.monotonic()
-        source.backup(made)
-        turn.rollback()
+        source.backup(target)
+        lock.rollback()
         seconds = time.monotonic() - begun
-        (found,) = made.execute("PRAGMA quick_check(1)").fetchone()
-    if found != "ok":
-        raise BackupError(f"{database} is damaged, so no copy was kept: {found}")
+        (verdict,) = target.execute("PRAGMA quick_check(1)").fetchone()
+    if verdict != "ok":
+        raise BackupError(f"{database} is damaged, so no copy was kept: {verdict}")
     return seconds
 
 
-def _take(turn: sqlite3.Connection) -> None:
-    end = time.monotonic() + PATIENCE
+def _begin_writing(connection: sqlite3.Connection) -> None:
+    """Take the write lock."""
+    end = time.monotonic() + LOCK_TIMEOUT
     while True:
         try:
-            turn.execute("BEGIN IMMEDIATE")
+            connection.execute("BEGIN IMMEDIATE")
         except sqlite3.OperationalError as error:
             if error.sqlite_errorcode & 0xFF != sqlite3.SQLITE_BUSY or time.monotonic() > end:
                 raise
-            time.sleep(LOOK)
+            time.sleep(RETRY_INTERVAL)
         else:
             return
 

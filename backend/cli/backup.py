@@ -17,15 +17,15 @@ def backup(
 ) -> None:
     """Copy the SQLite database to a file, while a service uses it or while none does.
 
-    The copy is a whole database. Nothing is written meanwhile: runs that come in are told to come back, batches wait.
+    The copy is a whole database. Nothing is written meanwhile: new runs are refused with Retry-After, batches wait.
     """
     from backend.backup import BackupError, back_up  # SQLAlchemy, which no other command needs
     from backend.settings import Settings, SettingsError
 
     try:
         settings = Settings.from_environment(os.environ, data_dir=data_dir)
-        made = back_up(settings, file, overwrite=force)
+        copy = back_up(settings, file, overwrite=force)
     except (SettingsError, BackupError) as error:
         raise InputError(str(error)) from None
-    size = made.size / 1e6
-    typer.echo(f"{file}: {size:.1f} MB, a copy of {made.database}; writes waited {made.seconds:.2f} s")
+    size = copy.size / 1e6
+    typer.echo(f"{file}: {size:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s")

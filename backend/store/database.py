@@ -18,8 +18,8 @@ from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 from backend.store.sqlite import (
-    COMMIT_PATIENCE,
-    PATIENCE,
+    COMMIT_TIMEOUT,
+    LOCK_TIMEOUT,
     DatabaseLockedError,
     UnusableDatabaseError,
     database_file,
@@ -35,7 +35,7 @@ T = TypeVar("T")
 
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
-START_PATIENCE = 30.0  # a start waits so long for another one's migration, or for a backup [s]
+START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 CONNECT_TIMEOUT = 5  # to a PostgreSQL server [s]
 # A server that hears nothing from a client for so long frees what that client held, its advisory locks too.
 KEEPALIVES = {"tcp_keepalives_idle": 8, "tcp_keepalives_interval": 3, "tcp_keepalives_count": 3}
@@ -48,8 +48,8 @@ class ReadOnlyError(SQLAlchemyError):
 class Database:
     """Connections and transactions; safe for several threads, and several processes may share what is behind it.
 
-    Reads and writes have threads of their own, so that none waits to read while others wait to write. SQLite lets one
-    write at a time: its writers wait in line for their one thread, and those of other processes for the file's lock.
+    Reads and writes have threads of their own, so that no read waits behind writes. SQLite takes one write at a time:
+    writes of this process queue for their one thread, and those of other processes for the file's lock.
     """
 
     def __init__(self, url: str) -> None:
@@ -57,8 +57,8 @@ class Database:
         self._file = database_file(parsed)
         self._is_sqlite = parsed.get_backend_name() == "sqlite"
         self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else _server_engine(parsed)
-        self._reads = _Line("read", READERS)
-        self._writes = _Line("write", 1 if self._is_sqlite else SERVER_WRITERS)
+        self._reads = _RetryingThreads("read", READERS)
+        self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
         self._open_writes = 0
 
     async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
@@ -67,10 +67,10 @@ class Database:
         Raises:
             DatabaseLockedError: Another program keeps SQLite from being read.
         """
-        return await self._reads.run(partial(method, *args, **kwargs), self._committing)
+        return await self._reads.run(partial(method, *args, **kwargs), self._is_locked_by_us)
 
     async def write(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run a method that writes in a thread of its own; it may be called again, when it left nothing behind.
+        """Run a method that writes, in one transaction, in a thread of its own; called again if that was rolled back.
 
         Raises:
             DatabaseLockedError: Another program keeps SQLite from being written.
@@ -79,7 +79,7 @@ class Database:
 
     @contextlib.contextmanager
     def reading(self) -> Iterator[Connection]:
-        """A short transaction that reads; what it reads is looked at afterwards, SQLite's writers wait for its end."""
+        """A short transaction that reads. Rows are processed after its end, for which SQLite's writers wait."""
         if self._file is not None:
             self._file.check()
         with self.engine.connect() as connection:
@@ -90,7 +90,7 @@ class Database:
         """A transaction that commits at the end of its block."""
         if self._file is not None:
             self._file.check()
-        with self.engine.connect().execution_options(patience=PATIENCE) as connection:
+        with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT) as connection:
             transaction = connection.begin()
             self._open_writes += 1
             try:
@@ -107,7 +107,7 @@ class Database:
         """
         if self._file is not None:
             self._file.create()
-        end = time.monotonic() + START_PATIENCE
+        end = time.monotonic() + START_TIMEOUT
         while True:
             try:
                 return self._migrate(revision)
@@ -130,8 +130,8 @@ class Database:
         if self._is_sqlite:
             try_writing(self.engine)
 
-    def _committing(self) -> bool:
-        """Whether a lock on SQLite is our own: while we write, no other program's can keep us from reading."""
+    def _is_locked_by_us(self) -> bool:
+        """Whether a lock that keeps us from reading SQLite is our own: while we write, no other can be held."""
         return self._is_sqlite and self._open_writes > 0
 
     @property
@@ -161,38 +161,43 @@ class Database:
             )
 
 
-class _Line:
-    """Threads for one kind of transaction, and what waits for them."""
+class _RetryingThreads:
+    """Threads for one kind of transaction, which try again while SQLite is locked."""
 
     def __init__(self, name: str, threads: int) -> None:
         self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
-        self._gave_up = 0.0
+        self._timed_out_at = 0.0
 
-    async def run(self, method: Callable[[], T], ours: Callable[[], bool]) -> T:
-        """What the method returns, called again until SQLite lets it or patience ends.
+    async def run(self, method: Callable[[], T], locked_by_us: Callable[[], bool]) -> T:
+        """Call the method, again and again while SQLite is locked.
 
         Args:
-            method: Leaves nothing behind where it fails.
-            ours: Whether the lock in the way is our own, which passes.
+            method: One transaction, which is rolled back where it fails.
+            locked_by_us: Whether the lock is our own, which is waited for without a time limit.
+
+        Raises:
+            DatabaseLockedError: Another program has held a lock for longer than `LOCK_TIMEOUT`.
         """
-        asked = time.monotonic()
-        return await asyncio.get_running_loop().run_in_executor(self._threads, self._patiently, method, ours, asked)
+        submitted = time.monotonic()
+        return await asyncio.get_running_loop().run_in_executor(
+            self._threads, self._call, method, locked_by_us, submitted
+        )
 
     def close(self) -> None:
         """Let the threads end."""
         self._threads.shutdown()
 
-    def _patiently(self, method: Callable[[], T], ours: Callable[[], bool], asked: float) -> T:
-        end = time.monotonic() + PATIENCE
-        while asked > self._gave_up:  # else it stood in line behind the one that waited, and for the same lock
+    def _call(self, method: Callable[[], T], locked_by_us: Callable[[], bool], submitted: float) -> T:
+        end = time.monotonic() + LOCK_TIMEOUT
+        while submitted > self._timed_out_at:  # else it queued behind one that timed out at the same lock
             try:
                 return method()
             except OperationalError as error:
                 if not is_locked(error):
                     raise
-                if time.monotonic() > end and not ours():
-                    self._gave_up = time.monotonic()
-            time.sleep(COMMIT_PATIENCE / 2)  # those that read have their turn
+                if time.monotonic() > end and not locked_by_us():
+                    self._timed_out_at = time.monotonic()
+            time.sleep(COMMIT_TIMEOUT / 2)  # readers may begin
         raise DatabaseLockedError
 
 

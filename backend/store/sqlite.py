@@ -10,9 +10,9 @@ from typing import Any
 from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError
 
-PATIENCE = 1.0  # with a lock that another program holds; a longer one is told, not waited for [s]
-# A commit waits until nobody reads, and meanwhile nobody begins to: it gives way after so long and is tried again [s].
-COMMIT_PATIENCE = 0.1
+LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it is an error [s]
+# While a commit waits for the last reader, SQLite lets no other reader begin: it is rolled back and tried again [s].
+COMMIT_TIMEOUT = 0.1
 APPLICATION_ID = int.from_bytes(b"Ride")  # in the file's header
 REASONS = {
     sqlite3.SQLITE_BUSY: "another program holds a lock on it",
@@ -29,15 +29,15 @@ class UnusableDatabaseError(Exception):
 
 
 class DatabaseLockedError(OperationalError):
-    """Another program has held a lock for longer than `PATIENCE`."""
+    """Another program has held a lock for longer than `LOCK_TIMEOUT`."""
 
     def __init__(self) -> None:
-        reason = f"another program has held a lock on the SQLite database for more than {PATIENCE:g} s"
+        reason = f"another program has held a lock on the SQLite database for more than {LOCK_TIMEOUT:g} s"
         super().__init__(None, None, sqlite3.OperationalError(reason))
 
 
-class DatabaseGoneError(OperationalError):
-    """The file is not the one that was opened: what is written to that one nobody would find again."""
+class DatabaseReplacedError(OperationalError):
+    """The file was deleted or replaced since it was opened: nobody would find what is written to the old one."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(None, None, sqlite3.OperationalError(f"{path} was deleted or replaced since the start"))
@@ -55,13 +55,13 @@ class DatabaseFile:
         return sqlite3.connect(
             f"{self.path.absolute().as_uri()}?mode=rw",
             uri=True,
-            timeout=PATIENCE,
+            timeout=LOCK_TIMEOUT,
             isolation_level=None,  # the driver begins nothing on its own, `_begin` does
             check_same_thread=False,  # the pool hands it from thread to thread, one at a time
         )
 
     def create(self) -> None:
-        """Make it where there is none, whole at once: an empty file is no crashed start of ours, but a lost database.
+        """Create it where there is none, atomically: so an empty file is a lost database, and no start that crashed.
 
         Raises:
             UnusableDatabaseError: It is empty, or its folder cannot be written to.
@@ -92,15 +92,15 @@ class DatabaseFile:
         """Make sure it is the file that was there when this was called first.
 
         Raises:
-            DatabaseGoneError: It is not.
+            DatabaseReplacedError: It is not.
         """
         try:
-            found = self.path.stat()
+            status = self.path.stat()
         except OSError:
-            raise DatabaseGoneError(self.path) from None
-        self._opened = self._opened or (found.st_dev, found.st_ino)
-        if self._opened != (found.st_dev, found.st_ino):
-            raise DatabaseGoneError(self.path)
+            raise DatabaseReplacedError(self.path) from None
+        self._opened = self._opened or (status.st_dev, status.st_ino)
+        if self._opened != (status.st_dev, status.st_ino):
+            raise DatabaseReplacedError(self.path)
 
 
 def database_file(url: URL) -> DatabaseFile | None:
@@ -112,7 +112,7 @@ def database_file(url: URL) -> DatabaseFile | None:
 
 
 def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:
-    """Connections to it. A transaction's execution option `patience` says that it writes, and how long it may wait."""
+    """Connections to it. A transaction with the execution option `lock_timeout` writes, and may wait so long [s]."""
     if file is None:
         engine = create_engine(url, connect_args={"isolation_level": None})
     else:
@@ -131,21 +131,23 @@ def _set_up(connection: sqlite3.Connection, _: object) -> None:
 
 def _begin(connection: Connection) -> None:
     """A writer takes its lock at once: one that upgrades a read lock may fail without waiting."""
-    patience: float | None = connection.get_execution_options().get("patience")
-    connection.exec_driver_sql(f"PRAGMA busy_timeout={1000 * (PATIENCE if patience is None else patience):.0f}")
-    connection.exec_driver_sql("BEGIN" if patience is None else "BEGIN IMMEDIATE")
-    if patience is not None:
-        connection.exec_driver_sql(f"PRAGMA busy_timeout={1000 * min(patience, COMMIT_PATIENCE):.0f}")
+    lock_timeout: float | None = connection.get_execution_options().get("lock_timeout")
+    connection.exec_driver_sql(
+        f"PRAGMA busy_timeout={1000 * (LOCK_TIMEOUT if lock_timeout is None else lock_timeout):.0f}"
+    )
+    connection.exec_driver_sql("BEGIN" if lock_timeout is None else "BEGIN IMMEDIATE")
+    if lock_timeout is not None:
+        connection.exec_driver_sql(f"PRAGMA busy_timeout={1000 * min(lock_timeout, COMMIT_TIMEOUT):.0f}")
 
 
 def try_writing(engine: Engine) -> None:
-    """Begin to write and leave it; a tenth of a millisecond, and no wait: whoever holds the lock can write.
+    """Begin to write and roll back; it takes 0.1 ms. A lock is no error: whoever holds it can write.
 
     Raises:
         SQLAlchemyError: Nothing can be written.
     """
     try:
-        with engine.connect().execution_options(patience=0) as connection:
+        with engine.connect().execution_options(lock_timeout=0) as connection:
             version = connection.exec_driver_sql("PRAGMA user_version").scalar_one()
             connection.exec_driver_sql(f"PRAGMA user_version={version}")  # opens the journal in the folder
             connection.rollback()
@@ -160,7 +162,7 @@ def is_locked(error: DBAPIError) -> bool:
 
 
 def reason(error: DBAPIError) -> str:
-    """Why the database cannot be used, without what was asked of it."""
+    """Why the database cannot be used, without the statement and its values."""
     text = str(error.orig).strip().splitlines()
     return REASONS.get(_code(error), text[0] if text else type(error).__name__)
 

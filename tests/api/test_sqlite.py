@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from backend.store import Store, database, sqlite
-from backend.store.sqlite import DatabaseGoneError, DatabaseLockedError, UnusableDatabaseError
+from backend.store.sqlite import DatabaseLockedError, DatabaseReplacedError, UnusableDatabaseError
 from tests.api.test_store import save
 from tests.servers import loops
 from tests.servers.process import ROOT
@@ -77,7 +77,7 @@ def test_readers_go_on_while_writers_wait_and_are_told(store: Store, path: Path,
 @pytest.mark.parametrize("begin", [WRITE, READ, READ_WRITE])
 def test_a_short_lock_fails_nothing(store: Store, path: Path, begin: str, monkeypatch: pytest.MonkeyPatch) -> None:
     for module in (database, sqlite):
-        monkeypatch.setattr(module, "PATIENCE", 30.0)  # the lock may last longer than meant
+        monkeypatch.setattr(module, "LOCK_TIMEOUT", 30.0)  # on a busy machine the lock below lasts longer
 
     async def work() -> None:
         writes = [store.write(save, store, f"run-{number}", "b") for number in range(4)]
@@ -128,9 +128,9 @@ def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
 def test_a_file_that_is_gone_or_another_is_said(store: Store, path: Path, migrated_sqlite: Path) -> None:
     aside = path.rename(path.with_name("aside"))
     for _ in range(2):
-        with pytest.raises(DatabaseGoneError):
+        with pytest.raises(DatabaseReplacedError):
             store.ping()
-        with pytest.raises(DatabaseGoneError):
+        with pytest.raises(DatabaseReplacedError):
             save(store, "lost", "b")
         assert list(path.parent.iterdir()) in ([aside], [aside, path], [path, aside])
         shutil.copy(migrated_sqlite, path)

@@ -208,7 +208,7 @@ def test_another_program_that_locks_the_database_stops_no_cluster(
 ) -> None:
     """Longer than a read or a write waits: what is computed by then is kept, and nothing is computed twice."""
     for module in (database, sqlite):
-        monkeypatch.setattr(module, "PATIENCE", 0.1)
+        monkeypatch.setattr(module, "LOCK_TIMEOUT", 0.1)
     stranger: list[sqlite3.Connection] = []
 
     def locked(chunk: Chunk) -> Answer:
