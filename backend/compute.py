@@ -1,8 +1,8 @@
 """Warm worker processes for interactive runs.
 
 Each slot is a pool of one process of its own. A process that dies, hangs or breaks its pipe takes only its slot
-with it: the slot is thrown away whole, with every lock in it, and a new one is warmed while the others serve. One that
-has grown too large goes too, once a fresh one is there.
+with it: the slot is thrown away whole, with every lock in it, and a new one is warmed while the others serve. One whose
+memory has grown too large is replaced, once a fresh one is warm.
 """
 
 import asyncio
@@ -29,7 +29,7 @@ WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machi
 WATCH = 0.25  # between two looks at a slot that computes [s]
 PATIENCE = 60.0  # for a free worker [s]
 ATTEMPTS = 2
-MOST_MEMORY = 256 * 1024 * 1024  # resident in a process, shared libraries included: beyond it a fresh one takes over
+MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
@@ -48,15 +48,15 @@ class WorkersBusyError(Exception):
 class Workers:
     """A fixed number of warm processes, handed out one task at a time, the last used first (its caches fit best)."""
 
-    def __init__(self, count: int, *, timeout: float, nice: int = 0, most_memory: int = MOST_MEMORY) -> None:
+    def __init__(self, count: int, *, timeout: float, nice: int = 0, max_memory: int = MAX_WORKER_MEMORY) -> None:
         self._count = count
-        self._most_memory = most_memory
+        self._max_memory = max_memory
         self._timeout = timeout
         self._nice = nice
         self._idle: asyncio.LifoQueue[ProcessPool] = asyncio.LifoQueue()
         self._slots: set[ProcessPool] = set()
-        self._outgrown: set[ProcessPool] = set()  # for which a fresh one is being warmed, or is there
-        self._replaced: set[ProcessPool] = set()  # for which it is there: they go when they are idle
+        self._too_large: set[ProcessPool] = set()  # a successor is being warmed, or is warm
+        self._succeeded: set[ProcessPool] = set()  # of those, a successor is warm: they end when they are idle
         self._chores: set[asyncio.Task[Any]] = set()
         self._waiting = 0
         self._spawned: list[Spawned] = []
@@ -142,13 +142,13 @@ class Workers:
         """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
         healthy = False
         try:
-            task = _schedule(slot, processes.measured, (function, args), self._timeout)
+            task = _schedule(slot, processes.call_and_measure, (function, args), self._timeout)
             result: T
             result, memory = await self._landed(slot, task, self._timeout)
             healthy = True
-            if memory > self._most_memory and not self._outgrown:
+            if memory > self._max_memory and not self._too_large:
                 logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
-                self._outgrown.add(slot)
+                self._too_large.add(slot)
                 self._chore(self._replace(slot))
             return result
         except (ProcessExpired, BrokenProcessPool, TimeoutError):
@@ -157,7 +157,7 @@ class Workers:
             healthy = True  # the function raised, its process is well
             raise
         finally:
-            if healthy and slot not in self._replaced:
+            if healthy and slot not in self._succeeded:
                 self._idle.put_nowait(slot)
             else:
                 self._discard(slot)
@@ -198,21 +198,21 @@ class Workers:
             return
         self._slots.discard(slot)
         self._chore(asyncio.to_thread(_end, slot))
-        if slot not in self._outgrown:  # else there is one in its place, or soon will be
+        if slot not in self._too_large:  # else its successor is warm, or soon will be
             self._chore(self._add_slot())
-        elif slot in self._replaced:
-            self._outgrown.discard(slot)
-            self._replaced.discard(slot)
+        elif slot in self._succeeded:
+            self._too_large.discard(slot)
+            self._succeeded.discard(slot)
 
     async def _replace(self, slot: ProcessPool) -> None:
-        """Warm a fresh one, then end that slot as soon as it is idle."""
+        """Warm a successor, then end that slot as soon as it is idle."""
         await self._add_slot()
         if slot not in self._slots:  # died meanwhile
-            self._outgrown.discard(slot)
+            self._too_large.discard(slot)
             return
-        self._replaced.add(slot)
+        self._succeeded.add(slot)
         idle = [self._idle.get_nowait() for _ in range(self._idle.qsize())]
-        for each in reversed(idle):
+        for each in reversed(idle):  # back in their order, without that one
             if each is slot:
                 self._discard(slot)
             else:

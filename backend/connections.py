@@ -1,4 +1,4 @@
-"""Open connections by client: idle ones go first where there are too many, so that nobody's keep others out."""
+"""Open connections by client: where there are too many, idle ones are closed, so that no client locks others out."""
 
 from collections.abc import Callable
 from enum import Enum, auto
@@ -6,7 +6,7 @@ from typing import Protocol
 
 from backend.limits import client_key
 
-HEALTH_ROOM = 16  # beyond all others, for whoever asks how the service is
+HEALTH_CONNECTIONS = 16  # beyond all others, for health checks
 PROXIES, HEALTH = "proxies", "health"  # groups beside those of clients
 
 
@@ -17,16 +17,16 @@ class Connection(Protocol):
     def idle(self) -> bool:
         """Whether it waits for a request."""
 
-    def make_room(self) -> None:
-        """End, as idle as it is."""
+    def evict(self) -> None:
+        """Close it, while it is idle, for another one."""
 
 
-class Admitted(Enum):
+class Decision(Enum):
     """What becomes of a new connection."""
 
-    SERVED = auto()
+    SERVE = auto()
     HEALTH_ONLY = auto()
-    FULL = auto()
+    REFUSE = auto()
 
 
 class Connections:
@@ -35,7 +35,7 @@ class Connections:
     Args:
         per_client: How many one client may have; many people may be behind one address.
         total: How many there may be in all. Beyond either there are some more that may only ask for health.
-        is_proxy: Whether an address is no client: its connections count in the total, and never close to make room.
+        is_proxy: Whether an address is no client: its connections count in the total, and are never closed.
     """
 
     def __init__(self, *, per_client: int, total: int, is_proxy: Callable[[str], bool] = lambda _: False) -> None:
@@ -45,19 +45,19 @@ class Connections:
         self._groups: dict[str, dict[Connection, None]] = {}  # by client, the longest unused first
         self._group_of: dict[Connection, str] = {}
 
-    def add(self, connection: Connection, address: str) -> Admitted:
-        """Count a new one, where there is room or an idle one goes."""
+    def add(self, connection: Connection, address: str) -> Decision:
+        """Count a new one, where there is room or an idle one can be closed."""
         group = PROXIES if self._is_proxy(address) else client_key(address)
-        if self._has_room(group):
-            self._enter(connection, group)
-            return Admitted.SERVED
-        if self._size(HEALTH) < HEALTH_ROOM or self._close_idle(HEALTH):
-            self._enter(connection, HEALTH)
-            return Admitted.HEALTH_ONLY
-        return Admitted.FULL
+        if self._make_room(group):
+            self._insert(connection, group)
+            return Decision.SERVE
+        if self._size(HEALTH) < HEALTH_CONNECTIONS or self._evict(HEALTH):
+            self._insert(connection, HEALTH)
+            return Decision.HEALTH_ONLY
+        return Decision.REFUSE
 
-    def used(self, connection: Connection) -> None:
-        """It answered a request: of its client's idle ones it is the last to go."""
+    def mark_used(self, connection: Connection) -> None:
+        """It answered a request: of its client's idle ones it is closed last."""
         if connection in self._group_of:
             group = self._groups[self._group_of[connection]]
             group[connection] = group.pop(connection)
@@ -70,28 +70,28 @@ class Connections:
             if not self._groups[name]:
                 del self._groups[name]
 
-    def _has_room(self, group: str) -> bool:
-        """Whether one more of that group is within the limits, or an idle one could be closed for it."""
-        if group != PROXIES and self._size(group) >= self._per_client and not self._close_idle(group):
+    def _make_room(self, group: str) -> bool:
+        """Close an idle connection where one more of that group is over a limit; whether there is room for it now."""
+        if group != PROXIES and self._size(group) >= self._per_client and not self._evict(group):
             return False
-        return len(self._group_of) - self._size(HEALTH) < self._total or self._close_idle_of_greediest()
+        return len(self._group_of) - self._size(HEALTH) < self._total or self._evict_of_largest_client()
 
     def _size(self, group: str) -> int:
         return len(self._groups.get(group, ()))
 
-    def _enter(self, connection: Connection, group: str) -> None:
+    def _insert(self, connection: Connection, group: str) -> None:
         self._groups.setdefault(group, {})[connection] = None
         self._group_of[connection] = group
 
-    def _close_idle_of_greediest(self) -> bool:
+    def _evict_of_largest_client(self) -> bool:
         clients = self._groups.keys() - {PROXIES, HEALTH}
-        return any(self._close_idle(group) for group in sorted(clients, key=self._size, reverse=True))
+        return any(self._evict(group) for group in sorted(clients, key=self._size, reverse=True))
 
-    def _close_idle(self, group: str) -> bool:
+    def _evict(self, group: str) -> bool:
         """Close the one that has been idle for longest; False where none is idle."""
         connection = next((each for each in self._groups.get(group, ()) if each.idle), None)
         if connection is None:
             return False
         self.remove(connection)
-        connection.make_room()
+        connection.evict()
         return True

@@ -155,7 +155,8 @@ class StrategyFailure(Answer):
     compute_ms: float
     reason: str
     kind: Literal["refused", "too-expensive"] = Field(
-        "refused", description="`too-expensive` where less computing would do: change one of `fields`"
+        "refused",
+        description="`too-expensive` where the run would take more computing than one may: change one of `fields`",
     )
     fields: list[str] = Field([], description="Dotted names of scenario fields that make it cheaper")
 

@@ -15,7 +15,7 @@ from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutErro
 from backend.hil.drive import EcuUnavailableError
 from backend.problem_kinds import KINDS, OF_STATUS, TYPES
 from backend.telemetry import REFUSED, STORE_ERRORS, request_id
-from backend.unknown_names import in_body, shown_path, unknown
+from backend.unknown_names import locate_in_body, shown_path, unknown_name
 from sim_core.errors import RidelabError, TooExpensiveError
 
 logger = logging.getLogger(__name__)
@@ -60,14 +60,14 @@ def problem(
     headers: Mapping[str, str] | None = None,
 ) -> Response:
     """The response that says so."""
-    known = KINDS[kind] if kind is not None else OF_STATUS[status]
+    entry = KINDS[kind] if kind is not None else OF_STATUS[status]
     if status in PROTECTING:
-        REFUSED.labels(known.name).inc()
+        REFUSED.labels(entry.name).inc()
     content = {
-        "type": f"{TYPES}{known.name}",
-        "title": known.title,
+        "type": f"{TYPES}{entry.name}",
+        "title": entry.title,
         "status": status,
-        "detail": detail or known.meaning,
+        "detail": detail or entry.meaning,
         "errors": list(errors),
         "request_id": request_id(),
     }
@@ -165,12 +165,12 @@ def _place(item: Mapping[str, Any], model: Any) -> dict[str, str]:
     if where != "body":
         return {"parameter": str(path[-1]) if path else "", "pointer": "", "message": message}
     if item["type"] == "extra_forbidden":
-        path, known = in_body(model, path[:-1])
+        path, names = locate_in_body(model, path[:-1])
         path.append(item["loc"][-1])
-        message = unknown("field", item["loc"][-1], known)
+        message = unknown_name("field", item["loc"][-1], names)
     elif item["type"] == "unknown_key":
         path.append(context["key"])
-        message = unknown(context["what"], context["key"], context["known"])
+        message = unknown_name(context["what"], context["key"], context["known"])
     elif item["type"] == "inconsistent":
         path += context["field"].split(".")
     elif item["type"] == "too_short" and context.get("min_length") == 1:

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-_RESIDENT = Path("/proc/self/statm")
+_STATM = Path("/proc/self/statm")
 
 
 def start(nice: int) -> None:
@@ -45,10 +45,10 @@ def warm_up() -> None:
             simulate(Scenario(), strategy.id)
 
 
-def measured(function: Callable[..., T], args: tuple[Any, ...]) -> tuple[T, int]:
-    """What the function returns, and the memory this process has afterwards [bytes]; where nobody tells, 0."""
+def call_and_measure(function: Callable[..., T], args: tuple[Any, ...]) -> tuple[T, int]:
+    """What the function returns, and the resident memory of this process afterwards [bytes]; 0 outside Linux."""
     result = function(*args)
     try:
-        return result, int(_RESIDENT.read_text().split()[1]) * resource.getpagesize()
-    except OSError:  # no such file outside Linux
+        return result, int(_STATM.read_text().split()[1]) * resource.getpagesize()
+    except OSError:
         return result, 0

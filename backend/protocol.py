@@ -18,7 +18,7 @@ import uvicorn
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from backend.connections import Admitted, Connections
+from backend.connections import Connections, Decision
 from backend.limits import RETRY_AFTER
 from backend.problems import problem
 from backend.security import HEADERS, HEALTH_ONLY
@@ -48,10 +48,10 @@ class GuardedProtocol(H11Protocol):
         """Count it, and begin to wait for a request."""
         super().connection_made(transport)
         match self.OPEN.add(self, self.client[0] if self.client else ""):
-            case Admitted.FULL:
+            case Decision.REFUSE:
                 self._refuse(503, "connections")
                 return
-            case Admitted.HEALTH_ONLY:
+            case Decision.HEALTH_ONLY:
                 self.app_state = {**self.app_state, HEALTH_ONLY: True}
         self._watch()
 
@@ -76,17 +76,17 @@ class GuardedProtocol(H11Protocol):
         It is read and dropped: a connection closed at once would be reset, and the client, still sending, would never
         see its answer.
         """
-        self.OPEN.used(self)
+        self.OPEN.mark_used(self)
         super().on_response_complete()
         if self.conn.their_state is h11.SEND_BODY and not self._answering():
             self._watch()
 
     @property
     def idle(self) -> bool:
-        """Whether nobody waits for an answer on it, or still takes one."""
+        """Whether no request is being answered, and no answer is still being sent."""
         return not self._answering() and not self.transport.get_write_buffer_size()
 
-    def make_room(self) -> None:
+    def evict(self) -> None:
         """Close it for another one."""
         self.transport.close()
 

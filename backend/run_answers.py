@@ -9,7 +9,7 @@ from backend.worker import Outcome
 from sim_core.study.intervals import Interval
 from sim_core.study.roads import Comparison, Numbers, compare, numbers
 
-_REFUSED: Mapping[str, Any] = {"kind": "refused", "fields": []}  # unless the failure says otherwise
+_FAILED: Mapping[str, Any] = {"kind": "refused", "fields": []}  # defaults, which the summary may override
 
 
 def run_answer(
@@ -59,7 +59,7 @@ def default_baseline(strategies: Sequence[str]) -> str:
 
 def _entry(item: Outcome | StoredResult, cache_field: Mapping[str, bool]) -> dict[str, Any]:
     head: dict[str, Any] = {"status": item.status, **cache_field, "compute_ms": item.compute_ms}
-    return {**head, **(_REFUSED if item.status == "failed" else {}), **item.summary}
+    return {**head, **(_FAILED if item.status == "failed" else {}), **item.summary}
 
 
 def _entry_over_roads(

@@ -45,8 +45,8 @@ CLOSE = {"Connection": "close"}
 LONGEST_ADDRESS = 8192  # [bytes]
 LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
 SAFE = frozenset({"GET", "HEAD", "OPTIONS"})  # methods that change nothing
-HEALTH = frozenset({"/healthz", "/readyz", "/metrics"})  # asked from inside, by whatever name
-HEALTH_ONLY = "health_only"  # in a scope's state: of a connection that may ask for nothing else
+HEALTH = frozenset({"/healthz", "/readyz", "/metrics"})  # asked inside a deployment, by any host name
+HEALTH_ONLY = "health_only"  # key in a scope's state: its connection may ask for HEALTH alone
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
 
 
@@ -55,7 +55,7 @@ class GuardMiddleware:
 
     Args:
         app: ASGI.
-        hosts: Names by which the service may be asked, `*.` before one for all below it; none is any.
+        hosts: Host names the service answers to; `*.example.com` is every subdomain. Empty: any host.
     """
 
     def __init__(self, app: ASGIApp, hosts: Collection[str] = ()) -> None:
@@ -109,7 +109,7 @@ class GuardMiddleware:
             return problem(403, kind="cross-site")
         if scope["path"] not in HEALTH and HEALTH_ONLY in scope.get("state", ()):
             return problem(503, kind="connections", headers={**CLOSE, "Retry-After": str(RETRY_AFTER)})
-        if self._hosts and scope["path"] not in HEALTH and not _is_among(self._hosts, _host(headers)):
+        if self._hosts and scope["path"] not in HEALTH and not _matches_any(self._hosts, _host(headers)):
             return problem(421, kind="other-host")
         return None
 
@@ -123,5 +123,5 @@ def _host(headers: list[tuple[bytes, bytes]]) -> str:
         return ""
 
 
-def _is_among(hosts: Collection[str], host: str) -> bool:
+def _matches_any(hosts: Collection[str], host: str) -> bool:
     return any(host == name or (name.startswith("*.") and host.endswith(name[1:])) for name in hosts)

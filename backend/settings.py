@@ -20,7 +20,7 @@ from pydantic import (
 )
 
 PREFIX = "RIDELAB_"
-CLIENTS = {"RIDELAB_SERVER"}  # what the command line reads: whoever has it set may start a service all the same
+CLIENT_VARIABLES = {"RIDELAB_SERVER"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
 HOST = re.compile(r"(\*\.)?[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]*:[0-9a-f:.]*:[0-9a-f:.]*")  # or an IPv6 address
 SCHEDULER = re.compile(r"(tcp|tls)://([\w.-]+|\[[0-9a-fA-F:.]+\]):(\d{1,5})")
@@ -36,15 +36,15 @@ def _default_workers() -> int:
 
 
 def _folder(path: Path) -> Path:
-    """It may be missing, but a file it is not."""
+    """A folder, which may be missing."""
     if path.exists() and not path.is_dir():
         raise ValueError(f"{path} is no folder")
     return path
 
 
 def _scheduler(address: str) -> str:
-    found = SCHEDULER.fullmatch(address)
-    if found is None or not 0 < int(found[3]) < 65536:
+    parts = SCHEDULER.fullmatch(address)
+    if parts is None or not 0 < int(parts[3]) < 65536:
         raise ValueError(f"{address} is no address of a scheduler, such as tcp://HOST:8786 or tls://HOST:8786")
     return address
 
@@ -139,7 +139,7 @@ class Settings(BaseModel):
         values: dict[str, object] = {
             name.removeprefix(PREFIX).lower(): value
             for name, value in environment.items()
-            if name.startswith(PREFIX) and name not in CLIENTS
+            if name.startswith(PREFIX) and name not in CLIENT_VARIABLES
         }
         values |= {name: value for name, value in overrides.items() if value is not None}
         try:
@@ -153,8 +153,8 @@ class Settings(BaseModel):
 
     @field_validator("*", mode="before")
     @classmethod
-    def _check_there(cls, value: Any, field: ValidationInfo) -> Any:
-        """Nothing is no value, and an empty path would be the working directory."""
+    def _check_not_empty(cls, value: Any, field: ValidationInfo) -> Any:
+        """An empty variable is no value; as a path it would be the working directory."""
         if value == "" and cls.model_fields[str(field.field_name)].default != "":
             raise ValueError("it is empty; leave it out for the default")
         return value

@@ -68,7 +68,7 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
 
 
 def refusal(error: RidelabError) -> dict[str, Any]:
-    """Why there is no result, as it is stored: the reason, and where less would do, what kind that is and of what."""
+    """Why there is no result, as it is stored: the reason; of a run that is too expensive also `kind` and `fields`."""
     if isinstance(error, TooExpensiveError):
         return {"reason": error.message, "kind": "too-expensive", "fields": list(error.fields)}
     return {"reason": error.message}

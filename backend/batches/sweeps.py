@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.unknown_names import unknown
+from backend.unknown_names import unknown_name
 from sim_core.errors import RidelabError
 from sim_core.scenario import dotted
 
@@ -180,11 +180,9 @@ def _known(name: str, path: list[str | int], errors: Errors) -> dotted.DottedFie
     try:
         return dotted.field(name)
     except RidelabError:
-        told = len(errors) >= MOST_ERRORS or (
-            bool(errors) and errors[-1][0] == path
-        )  # once for all of a field's values
-        if not told:
-            errors.append((path, unknown("field", name, dotted.offered(name))))
+        same_field = bool(errors) and errors[-1][0] == path  # as for each of its values
+        if len(errors) < MOST_ERRORS and not same_field:
+            errors.append((path, unknown_name("field", name, dotted.offered(name))))
         return None
 
 

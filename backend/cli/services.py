@@ -71,7 +71,7 @@ class Services:
         """
         address = server or self._server
         if server is not None and self._server is not None and server == without_login(self._server).rstrip("/"):
-            address = self._server  # an address that was printed has no login
+            address = self._server  # messages show addresses without their login
         if address not in self._open:
             url = address if address is not None else self._stack.enter_context(private(self._data_dir))
             try:

@@ -71,7 +71,7 @@ class Outcome:
         strategy: Its id.
         status: Whether the core could run it.
         reason: Why not, where it failed.
-        kind: `too-expensive` where less computing would do, else `refused`; None where it did not fail.
+        kind: `too-expensive` where it would take more computing than one run may, else `refused`; None where it ran.
         fields: Which scenario fields make it cheaper, by dotted names.
         cached: Not computed for this request; None where the answer does not tell.
         compute_ms: The worker's own time [ms].

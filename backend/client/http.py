@@ -149,8 +149,8 @@ class Http:
         if isinstance(problem, dict) and "status" in problem:
             return RidelabAPIError.of(response.status_code, problem)
         if response.status_code in UNAUTHORISED:  # by a proxy, most often
-            said = f"{self.address} {_why_unauthorised(response)} (HTTP {response.status_code})"
-            return RidelabAPIError(response.status_code, said)
+            detail = f"{self.address} {_why_unauthorised(response)} (HTTP {response.status_code})"
+            return RidelabAPIError(response.status_code, detail)
         if response.status_code >= 500:  # a proxy before a service that is away
             return RidelabConnectionError(f"{self.address} answers {response.status_code} {response.reason_phrase}")
         return self._foreign(response)

@@ -18,7 +18,7 @@ from starlette.types import Receive, Scope
 from backend import strict_json
 from backend.models import Problem
 from backend.problems import MOST_ERRORS, ProblemError
-from backend.unknown_names import is_name, unknown
+from backend.unknown_names import is_name, unknown_name
 
 API = "/api/v1"
 BULKY = 64 * 1024  # a longer body takes a place and is parsed beside the event loop; a scenario is a few kB [bytes]
@@ -170,6 +170,6 @@ def _check_parameters(sent: QueryParams, known: Sequence[str]) -> None:
         return
     errors = []
     for name in wrong:
-        message = "This parameter is there twice" if name in known else unknown("parameter", name, known)
+        message = "This parameter is there twice" if name in known else unknown_name("parameter", name, known)
         errors.append({"pointer": "", "message": message} | ({"parameter": name} if is_name(name) else {}))
     raise ProblemError(422, "The address has parameters that cannot be used; errors names each.", errors=errors)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import uvicorn
 
-from backend.connections import HEALTH_ROOM
+from backend.connections import HEALTH_CONNECTIONS
 from tests.api.test_hostile_connections import BODY, JSON, Address, check_problem, head, impatient, rest
 from tests.servers.process import wait_until
 
@@ -68,7 +68,7 @@ def test_connections_in_use_are_served_on_and_others_may_ask_for_health(
         refused = rest(open_one(held, narrow, number, SCHEMA))
         assert check_problem(refused, 503)["type"].endswith(":connections")
         assert "retry-after" in head(refused)[1]
-        for _ in range(HEALTH_ROOM + 2):
+        for _ in range(HEALTH_CONNECTIONS + 2):
             open_one(held, narrow, number)
         assert head(rest(open_one(held, narrow, number, HEALTH)))[0] == 200
     used[0].sendall(BODY)

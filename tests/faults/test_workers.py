@@ -92,7 +92,7 @@ def test_a_task_nobody_waits_for_gives_its_worker_back(do: Do) -> None:
 
 def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
     async def use() -> None:
-        workers = Workers(1, timeout=LIMIT, most_memory=1)  # any is too large
+        workers = Workers(1, timeout=LIMIT, max_memory=1)  # any is too large
         workers.start()
         try:
             await workers.wait_until_warm()

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from backend.connections import HEALTH_ROOM, Admitted, Connections
+from backend.connections import HEALTH_CONNECTIONS, Connections, Decision
 
 
 @dataclass(eq=False)
@@ -12,14 +12,14 @@ class Fake:
     idle: bool = True
     closed: bool = field(default=False, init=False)
 
-    def make_room(self) -> None:
+    def evict(self) -> None:
         self.closed = True
 
 
 def several(connections: Connections, address: str, count: int, *, idle: bool = True) -> list[Fake]:
     made = [Fake(idle=idle) for _ in range(count)]
     for each in made:
-        assert connections.add(each, address) is Admitted.SERVED
+        assert connections.add(each, address) is Decision.SERVE
     return made
 
 
@@ -27,7 +27,7 @@ def test_a_clients_longest_unused_connection_goes_for_its_next() -> None:
     connections = Connections(per_client=3, total=100)
     first, second, third = several(connections, "192.0.2.1", 3)
     first.idle = False
-    connections.used(second)
+    connections.mark_used(second)
     several(connections, "192.0.2.1", 1)
     assert [first.closed, second.closed, third.closed] == [False, False, True]
 
@@ -35,7 +35,7 @@ def test_a_clients_longest_unused_connection_goes_for_its_next() -> None:
 def test_a_client_whose_connections_are_all_in_use_gets_no_more() -> None:
     connections = Connections(per_client=3, total=100)
     busy = several(connections, "2001:db8::1", 3, idle=False)
-    assert connections.add(Fake(), "2001:db8::2") is Admitted.HEALTH_ONLY, "the same network is the same client"
+    assert connections.add(Fake(), "2001:db8::2") is Decision.HEALTH_ONLY, "the same network is the same client"
     several(connections, "2001:db8:0:1::1", 1)
     connections.remove(busy[0])
     several(connections, "2001:db8::3", 1)
@@ -58,20 +58,20 @@ def test_a_known_proxy_is_no_client_and_keeps_its_connections() -> None:
     (other,) = several(connections, "192.0.2.1", 1)
     several(connections, "10.0.0.1", 1)
     assert other.closed
-    assert connections.add(Fake(), "192.0.2.2") is Admitted.HEALTH_ONLY
+    assert connections.add(Fake(), "192.0.2.2") is Decision.HEALTH_ONLY
     assert not any(each.closed for each in of_proxy)
 
 
 def test_whoever_asks_for_health_finds_room_as_long_as_any_of_it_is_idle() -> None:
     connections = Connections(per_client=100, total=5)
     several(connections, "192.0.2.1", 5, idle=False)
-    asking = [Fake() for _ in range(HEALTH_ROOM + 3)]
+    asking = [Fake() for _ in range(HEALTH_CONNECTIONS + 3)]
     for each in asking:
-        assert connections.add(each, "192.0.2.1") is Admitted.HEALTH_ONLY
-    assert [each.closed for each in asking] == [True] * 3 + [False] * HEALTH_ROOM
+        assert connections.add(each, "192.0.2.1") is Decision.HEALTH_ONLY
+    assert [each.closed for each in asking] == [True] * 3 + [False] * HEALTH_CONNECTIONS
     for each in asking:
         each.idle = False
-    assert connections.add(Fake(), "192.0.2.2") is Admitted.FULL
+    assert connections.add(Fake(), "192.0.2.2") is Decision.REFUSE
 
 
 def test_what_has_ended_takes_no_room() -> None:
@@ -80,4 +80,4 @@ def test_what_has_ended_takes_no_room() -> None:
         for each in several(connections, address, 2, idle=False):
             connections.remove(each)
             connections.remove(each)
-            connections.used(each)
+            connections.mark_used(each)

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 import pytest
 from pydantic import BaseModel, Field
 
-from backend.unknown_names import in_body, is_name, unknown
+from backend.unknown_names import is_name, locate_in_body, unknown_name
 
 
 class Circle(BaseModel):
@@ -38,14 +38,15 @@ class Drawing(BaseModel):
 def test_the_place_is_the_bodys_own_and_names_are_those_in_json(
     path: list[str | int], shown: list[str | int], known: list[str]
 ) -> None:
-    assert in_body(Drawing, path) == (shown, known)
+    assert locate_in_body(Drawing, path) == (shown, known)
 
 
 def test_only_what_looks_like_a_name_is_repeated() -> None:
     assert (
-        unknown("field", "hight", ["height", "seed"]) == "Unknown field hight, perhaps height; there are height, seed"
+        unknown_name("field", "hight", ["height", "seed"])
+        == "Unknown field hight, perhaps height; there are height, seed"
     )
-    assert unknown("field", "<b>hight", ["height"]) == "Unknown field; there are height"
-    assert unknown("parameter", "x", []) == "Unknown parameter x; there are none"
+    assert unknown_name("field", "<b>hight", ["height"]) == "Unknown field; there are height"
+    assert unknown_name("parameter", "x", []) == "Unknown parameter x; there are none"
     assert is_name("road.bump_2")
     assert not any(is_name(text) for text in ("", "a b", "a/b", "ä", "a" * 81, "a\n"))

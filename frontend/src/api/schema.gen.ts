@@ -1146,7 +1146,7 @@ export interface components {
             fields?: string[] | null;
             /**
              * Kind
-             * @description Of a failed run that less computing would do for
+             * @description `too-expensive` where a failed run would take more computing than one may
              */
             kind?: "too-expensive" | null;
             /**
@@ -1329,7 +1329,7 @@ export interface components {
             fields: string[];
             /**
              * Kind
-             * @description `too-expensive` where less computing would do: change one of `fields`
+             * @description `too-expensive` where the run would take more computing than one may: change one of `fields`
              * @default refused
              * @enum {string}
              */
@@ -4176,7 +4176,7 @@ export interface components {
             fields: string[];
             /**
              * Kind
-             * @description `too-expensive` where less computing would do: change one of `fields`
+             * @description `too-expensive` where the run would take more computing than one may: change one of `fields`
              * @default refused
              * @enum {string}
              */
