@@ -47,7 +47,8 @@ def test_ctrl_c_ends_a_start_that_waits(tmp_path: Path) -> None:
         stranger.execute("PRAGMA application_id=1")
         stranger.execute("BEGIN EXCLUSIVE")
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as service:
-            wait_until(psutil.Process(service.pid).children, "it has begun")
+            opened = psutil.Process(service.pid).open_files
+            wait_until(lambda: any(file.path.endswith("ridelab.sqlite") for file in opened()), "it waits for the lock")
             service.send_signal(signal.SIGINT)
             _, log = service.communicate(timeout=30)
     assert service.returncode == 130
