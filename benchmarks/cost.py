@@ -1,7 +1,7 @@
 """Estimates of a run's cost against what runs cost, over random scenarios within the sliders; and their coefficients.
 
 `python -m benchmarks.cost [draws]` prints the quantiles of real cost over estimate, `python -m benchmarks.cost fit
-[draws]` the coefficients of sim_core/limits.py and sim_core/workload.py as fitted anew.
+[draws]` the coefficients of sim_core/binding_limits.py and sim_core/workload.py as fitted anew.
 """
 
 import multiprocessing

@@ -7,7 +7,7 @@ from scipy.optimize import least_squares, nnls
 
 from benchmarks.cost import Measured
 from sim_core.arrays import FloatArray
-from sim_core.limits import LimitShares, bump_share, combined, terms
+from sim_core.binding_limits import LimitShares, bump_share, combine, limit_terms
 from sim_core.strategies import STRATEGIES
 from sim_core.workload import SECONDS, expected_time, work
 
@@ -67,7 +67,7 @@ def _done(run: Measured) -> dict[str, float]:
 def fit_limits(runs: Sequence[Measured], seconds: Mapping[str, float]) -> dict[str, FloatArray]:
     """Coefficients by cause: costs count most, then the shares and iterations they come from; outliers little."""
     times = np.array([expected_time(run.scenario, STRATEGIES[run.strategy]) for run in runs])
-    rows = [terms(run.scenario, STRATEGIES[run.strategy], time) for run, time in zip(runs, times, strict=True)]
+    rows = [limit_terms(run.scenario, STRATEGIES[run.strategy], time) for run, time in zip(runs, times, strict=True)]
     inputs = {cause: np.array([row[cause] for row in rows]) for cause in rows[0]}
     means = {cause: np.r_[0.0, matrix[:, 1:].mean(axis=0)] for cause, matrix in inputs.items()}
     spreads = {cause: np.r_[1.0, matrix[:, 1:].std(axis=0)] for cause, matrix in inputs.items()}
@@ -87,7 +87,7 @@ def fit_limits(runs: Sequence[Measured], seconds: Mapping[str, float]) -> dict[s
 
     def residuals(values: FloatArray) -> FloatArray:
         sums = {cause: scaled[cause] @ values[place] for cause, place in places.items()}
-        at_limit, with_qp, iterations = combined(sums, bump)
+        at_limit, with_qp, iterations = combine(sums, bump)
         total = free + at_limit * each_limited + with_qp * (each_solved + iterations * each_iteration)
         misses = [
             np.log(cost / total) * np.where(by_osqp, 2.5, 1.5),

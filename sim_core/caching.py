@@ -1,6 +1,6 @@
-"""Results shared between runs, kept while they fit: one cache for all functions, bounded by the bytes of its arrays.
+"""Results shared between runs: one least-recently-used cache for all functions, bounded by the bytes of its arrays.
 
-What has a few small arrays of a fixed shape, such as a car's matrices, is kept by `functools.lru_cache` instead.
+Results with a few small arrays of a fixed shape, such as a car's matrices, are cached by `functools.lru_cache`.
 """
 
 from collections import OrderedDict
@@ -17,34 +17,34 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 MEBIBYTE = 1024 * 1024
-LIMIT = 48 * MEBIBYTE  # of a process: a scenario that somebody edits, under every strategy, several times over
-_OVERHEAD = 1024  # counted for every entry, so that small ones do not pile up without end
+MAX_BYTES = 48 * MEBIBYTE  # of a process: a scenario that somebody edits, under every strategy, several times over
+_ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [bytes]
 
 
 def buffers(value: Any) -> dict[int, int]:
-    """By identity the bytes of each buffer in a value: in arrays, or in dataclasses, tuples and dictionaries of such.
+    """Bytes of each buffer in a value, by its identity: in arrays, and in dataclasses, tuples and dictionaries of such.
 
-    A view counts as what it shows, of which it keeps all alive.
+    A view counts as its whole base array, which it keeps alive.
     """
-    found: dict[int, int] = {}
-    _collect(value, found)
-    return found
+    sizes: dict[int, int] = {}
+    _collect(value, sizes)
+    return sizes
 
 
-def _collect(value: Any, found: dict[int, int]) -> None:
+def _collect(value: Any, sizes: dict[int, int]) -> None:
     if isinstance(value, np.ndarray):
         while isinstance(value.base, np.ndarray):
             value = value.base
-        found[id(value)] = value.nbytes
+        sizes[id(value)] = value.nbytes
     elif isinstance(value, dict):
         for item in value.values():
-            _collect(item, found)
+            _collect(item, sizes)
     elif isinstance(value, tuple):
         for item in value:
-            _collect(item, found)
+            _collect(item, sizes)
     else:
         for name in _field_names(type(value)):  # type: ignore[arg-type]  # a class can be hashed
-            _collect(getattr(value, name), found)
+            _collect(getattr(value, name), sizes)
 
 
 @cache
@@ -54,24 +54,24 @@ def _field_names(kind: Hashable) -> tuple[str, ...]:
 
 
 class Cache:
-    """Results of pure functions, the one not used for longest going first; at most so many bytes.
+    """Least-recently-used cache of the results of pure functions, of at most so many bytes.
 
     An entry keeps its arguments alive, and their arrays with them, so they count as its result does; what several
     entries hold counts once.
     """
 
-    def __init__(self, limit: int) -> None:
-        self._limit = limit
+    def __init__(self, max_bytes: int) -> None:
+        self._max_bytes = max_bytes
         self._entries: OrderedDict[Hashable, tuple[Any, Any, dict[int, int]]] = OrderedDict()
-        self._holders: dict[int, int] = {}
+        self._references: dict[int, int] = {}
         self._lock = Lock()
         self.size = 0
 
     def cached(self, function: Callable[P, T]) -> Callable[P, T]:
-        """Keep its results; arguments must be hashable, and nobody may write into what is shared."""
+        """Cache its results; arguments must be hashable, and nobody may write into what is shared."""
 
         @wraps(function)
-        def kept(*args: P.args, **kwargs: P.kwargs) -> T:
+        def lookup(*args: P.args, **kwargs: P.kwargs) -> T:
             key = hashkey(function, *args, **kwargs)  # type: ignore[arg-type]  # whatever cannot be hashed fails here
             with self._lock:
                 entry = self._entries.get(key)
@@ -84,30 +84,30 @@ class Cache:
                 self._put(key, result, (args, tuple(kwargs.values())))
             return result
 
-        return kept
+        return lookup
 
     def _put(self, key: Hashable, result: Any, arguments: Any) -> None:
         held = buffers((result, arguments))
-        if sum(held.values()) + _OVERHEAD > self._limit or key in self._entries:
+        if sum(held.values()) + _ENTRY_OVERHEAD > self._max_bytes or key in self._entries:
             return
         self._entries[key] = result, arguments, held
-        self.size += _OVERHEAD
+        self.size += _ENTRY_OVERHEAD
         for buffer, size in held.items():
-            holders = self._holders.get(buffer, 0)
-            self._holders[buffer] = holders + 1
-            self.size += 0 if holders else size
-        while self.size > self._limit:
-            self._drop()
+            references = self._references.get(buffer, 0)
+            self._references[buffer] = references + 1
+            self.size += 0 if references else size
+        while self.size > self._max_bytes:
+            self._evict()
 
-    def _drop(self) -> None:
+    def _evict(self) -> None:
         _, (_, _, held) = self._entries.popitem(last=False)
-        self.size -= _OVERHEAD
+        self.size -= _ENTRY_OVERHEAD
         for buffer, size in held.items():
-            self._holders[buffer] -= 1
-            if not self._holders[buffer]:
-                del self._holders[buffer]
+            self._references[buffer] -= 1
+            if not self._references[buffer]:
+                del self._references[buffer]
                 self.size -= size
 
 
-SHARED = Cache(LIMIT)
+SHARED = Cache(MAX_BYTES)
 cached = SHARED.cached

@@ -94,19 +94,19 @@ class ClosedLoop:
                     state, previous = loop[k, :n], loop[k, n:]
                     by_law = exact[count]  # then only the actuator's limits bind
                     wanted = z[count + 1, n:] if by_law else self._controller.step(k, stage, state[:STATES], previous)
-                    command = self._given(wanted, previous)
+                    command = self._actuated(wanted, previous)
                     loop[k + 1, :n] = plant.A @ state + plant.B @ command + self._forcing[k]
                     loop[k + 1, n:] = command
                     limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
-    def _given(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
-        """What the actuator gives of a command after the one before (2,) [N]."""
+    def _actuated(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
+        """The command within the actuator's limits, after the previous one (2,) [N]."""
         if not self._limited_actuator:
             return wanted
         change = np.clip(wanted - previous, -self._most_change, self._most_change)
-        given = np.where(change == wanted - previous, wanted, previous + change)
-        return np.clip(given, -self._most_force, self._most_force)
+        reached = np.where(change == wanted - previous, wanted, previous + change)
+        return np.clip(reached, -self._most_force, self._most_force)
 
     def _limits_met(self, stage: str, z: FloatArray, k: int) -> tuple[BoolArray, BoolArray]:
         """In which steps of a block speculated from step k on the law is exact, and no limit at all binds (n,) each."""

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.car.plant import RECORDED
@@ -166,10 +167,9 @@ def _add_kinks(
     places: Windows,
     road_input: RoadInput,
 ) -> None:
-    """Raise the peaks of the tyre loads to what they reach where the road kinks between two samples.
+    """Raise the peaks of the tyre loads to their values at kinks of the road between two samples.
 
-    There a load leaves the line between them by the tyre's stiffness times the height of the kink. Only kinks under
-    commands whose load comes near the peak are looked at, and those of the bump.
+    There a load deviates from the line between the samples by the tyre's stiffness times the height of the kink.
 
     Args:
         peaks: Of METRIC_SIGNALS at the samples, in each of Windows.within.
@@ -178,28 +178,37 @@ def _add_kinks(
         places: Where the windows lie.
         road_input: The road under the axles.
     """
-    kinks, commands = road_input.drive.kinks, loads.shape[2]
-    bump, move = road_input.surface.bump, road_input.drive.longest_move
-    missed = max(tyres) * road_input.surface.most_bulge(move)
-    highest = np.maximum(loads.max(axis=1), -loads.min(axis=1)).take(places.kink_command)
-    looked_at = np.zeros(len(highest), dtype=bool)
-    for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
-        for peak, part in zip(peaks, axle, strict=True):
-            looked_at[part] |= highest[part] >= peak[row] - missed
-    for part in (slice(kinks.rear), slice(kinks.rear, None)):
-        first, last = kinks.position[part].searchsorted((bump.start - move, bump.start + bump.width + move))
-        looked_at[part][first:last] = True
-
-    near = np.flatnonzero(looked_at)
+    kinks, near = road_input.drive.kinks, _kinks_near_peaks(peaks, loads, tyres, places, road_input)
     axles, step = kinks.axle[near], kinks.step[near] % (loads.shape[1] - 1)
-    command = places.kink_command[near] % commands
+    command = places.kink_command[near] % loads.shape[2]
     share, height = road_input.at_kinks(near)
     before, after = loads[axles, step, command], loads[axles, step + 1, command]
-    there = np.abs(before + share * (after - before) + np.take(tyres, axles) * height)
+    values = np.abs(before + share * (after - before) + np.take(tyres, axles) * height)
     for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
         for peak, part in zip(peaks, axle, strict=True):
             first, last = near.searchsorted((part.start, part.stop))
-            peak[row] = max(peak[row], there[first:last].max(initial=0))
+            peak[row] = max(peak[row], values[first:last].max(initial=0))
+
+
+def _kinks_near_peaks(
+    peaks: Sequence[FloatArray],
+    loads: FloatArray,
+    tyres: tuple[float, float],
+    places: Windows,
+    road_input: RoadInput,
+) -> NDArray[np.intp]:
+    """Indices of the kinks that may raise a peak: under commands whose load comes near it, and those of the bump."""
+    kinks, bump, margin = road_input.drive.kinks, road_input.surface.bump, road_input.drive.max_step_distance
+    most_rise = max(tyres) * road_input.surface.max_chord_deviation(margin)
+    highest = np.maximum(loads.max(axis=1), -loads.min(axis=1)).take(places.kink_command)
+    near = np.zeros(len(highest), dtype=bool)
+    for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
+        for peak, part in zip(peaks, axle, strict=True):
+            near[part] |= highest[part] >= peak[row] - most_rise
+    for part in (slice(kinks.rear), slice(kinks.rear, None)):
+        first, last = kinks.position[part].searchsorted((bump.start - margin, bump.start + bump.width + margin))
+        near[part][first:last] = True
+    return np.flatnonzero(near)
 
 
 def _power(table: FloatArray) -> FloatArray:

@@ -27,7 +27,7 @@ class Windows:
         segments: Share of each line from a sample to the next of its command in the same (windows, lines).
         within: The samples of the rough road, of the bump, and of what follows it, in blocks of samples and commands.
         ends: Of the windows' ends between two samples, the one before, flattened, and how far on to the next.
-        kink_command: Under which command each kink is met (k,); a rear one's is counted on from the front's last.
+        kink_command: Index of the command under which each kink is met, in (axle, command), flattened (k,).
         kinks: Those met on the rough road, on the bump, and after it, by axle.
         duration: Of the whole record [s].
     """

@@ -1,4 +1,4 @@
-"""What a run costs: estimated from the scenario alone, and the most that one run may do.
+"""What a run costs, estimated from the scenario alone; and the limit on what one run may cost.
 
 Seconds are those of one core of the machine on which `python -m benchmarks.cost fit` was run last. A run's own limits
 count its work and not its time, so that whether it is too expensive depends on the scenario alone.
@@ -7,33 +7,33 @@ count its work and not its time, so that whether it is too expensive depends on 
 from collections.abc import Mapping
 from math import sqrt
 
+from sim_core.binding_limits import LimitShares, expected_limits
 from sim_core.control.qp import OsqpSolver
 from sim_core.drive.sampling import fine_step
 from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
 from sim_core.errors import TooExpensiveError
-from sim_core.limits import LimitShares, expected_limits
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, strategy_named
 
-MOST_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their own, `control.qp.MOST_EFFORT`
+MAX_STEP_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
 
-# Seconds of each unit of `work`.
+# Seconds of each unit of `work`; entries are those of matrices.
 SECONDS: Mapping[str, float] = {
     "run": 0.0037,
     "plan": 0.0012,
     "design": 0.0039,
-    "designed numbers": 5.9e-10,
+    "design entries": 5.9e-10,
     "fine steps": 2.7e-07,
-    "checked numbers": 9.2e-11,
+    "check entries": 9.2e-11,
     "limited steps": 3.6e-05,
     "QPs": 6.6e-05,
-    "QP numbers": 4e-09,
+    "QP entries": 4e-09,
     "OSQP": 0.96,
     "ECU": 0.01,
     "exchanges": 6.4e-05,
     "short steps": 1.8e-06,
-    "ECU numbers": 7e-10,
+    "ECU entries": 7e-10,
     "ECU iterations": 3e-10,
 }
 
@@ -45,7 +45,7 @@ def duration(scenario: Scenario, name: str) -> float:
     if strategy_named(name).speed is SpeedPolicy.CONSTANT:
         return road.length / initial
     floor = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
-    # What is left of the brake pressure where braking ends still takes that much off the speed.
+    # The brake pressure that remains when braking ends reduces the speed by as much again.
     slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
     if slowest < floor / 2:
         return drive(scenario, SpeedPolicy.PLANNED).time_at(road.length)
@@ -54,7 +54,7 @@ def duration(scenario: Scenario, name: str) -> float:
 
 
 def estimate(scenario: Scenario, name: str) -> float:
-    """What to expect of one strategy's cost [s of one core].
+    """Expected cost of one strategy [s of one core].
 
     Raises:
         UnknownNameError: No such strategy.
@@ -68,62 +68,62 @@ def check_affordable(scenario: Scenario, strategy: Strategy, time: float) -> Non
     """Refuse a run whose steps alone are too many, at the time it takes over the road [s].
 
     Raises:
-        TooExpensiveError: They are.
+        TooExpensiveError: There are too many.
     """
-    if _cost(work(scenario, strategy, time, LimitShares(limited=1.0))) > MOST_COST:
+    if _cost(work(scenario, strategy, time, LimitShares(limited=1.0))) > MAX_STEP_COST:
         raise TooExpensiveError("The run has too many steps", fields=_fields(strategy))
 
 
 def expected_time(scenario: Scenario, strategy: Strategy) -> float:
-    """About what the strategy takes from x = 0 to the road's end [s]; braking as hard as it may."""
+    """Expected time from x = 0 to the road's end [s], braking with the maximum deceleration."""
     speed, road, brake = scenario.speed, scenario.road, scenario.brake
     initial = speed.initial_speed_kmh * KMH
     if strategy.speed is SpeedPolicy.CONSTANT:
         return road.length / initial
     detection = _detection(scenario)
-    way, target = road.bump.start - detection, min(initial, speed.target_speed_kmh * KMH)
-    braked = max(0.0, way - brake.pressure_lag * initial)
+    distance, target = road.bump.start - detection, min(initial, speed.target_speed_kmh * KMH)
+    braked = max(0.0, distance - brake.pressure_lag * initial)
     arrival = max(target, sqrt(max(0.0, initial**2 - 2 * brake.maximum_deceleration * braked)))
-    return detection / initial + way / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
+    return detection / initial + distance / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
 
 
 def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitShares) -> dict[str, float]:
-    """How much there is to do, by units of `SECONDS`, over that time on the road [s]."""
+    """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
     mpc, policy = scenario.mpc, strategy.suspension
-    done = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
+    counts = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
     if strategy.speed is SpeedPolicy.PLANNED:
-        done["plan"] = 1.0
+        counts["plan"] = 1.0
     if policy is SuspensionPolicy.PASSIVE:
-        return done
+        return counts
     steps = time / mpc.sample_time
     limited = expected.limited * steps
-    done |= {"design": 1.0, "limited steps": limited}
+    counts |= {"design": 1.0, "limited steps": limited}
     if policy is SuspensionPolicy.LQR:
-        return done
-    checks, given = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
-    done["designed numbers"] = checks * given**2
+        return counts
+    checks, inputs = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
+    counts["design entries"] = checks * inputs**2
     if policy is SuspensionPolicy.ECU:
-        return done | {
+        return counts | {
             "limited steps": 0.0,
             "ECU": 1.0,
             "exchanges": steps,
             "short steps": steps * short_steps(mpc.sample_time),
-            "ECU numbers": steps * checks * given,
+            "ECU entries": steps * checks * inputs,
             "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
         }
-    free, solved = 2 * mpc.control_horizon + 2, expected.solved * steps
-    done |= {
-        "checked numbers": (1.3 * steps + 8 * limited) * checks * given,
+    unknowns, solved = 2 * mpc.control_horizon + 2, expected.solved * steps
+    counts |= {
+        "check entries": (1.3 * steps + 8 * limited) * checks * inputs,
         "QPs": solved,
-        "QP numbers": solved * free * given,
+        "QP entries": solved * unknowns * inputs,
     }
     if mpc.solver == "osqp":
-        done["OSQP"] = solved * OsqpSolver.effort(expected.iterations, free, 4 * mpc.prediction_horizon)
-    return done
+        counts["OSQP"] = solved * OsqpSolver.effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
+    return counts
 
 
-def _cost(done: Mapping[str, float]) -> float:
-    return sum(SECONDS[unit] * count for unit, count in done.items())
+def _cost(counts: Mapping[str, float]) -> float:
+    return sum(SECONDS[unit] * count for unit, count in counts.items())
 
 
 def _detection(scenario: Scenario) -> float:
@@ -132,7 +132,7 @@ def _detection(scenario: Scenario) -> float:
 
 
 def _fields(strategy: Strategy) -> tuple[str, ...]:
-    """What makes a run's steps fewer or cheaper."""
+    """Fields that make a run's steps fewer or cheaper."""
     fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
     if strategy.speed is SpeedPolicy.PLANNED:
         fields += ("speed.target_speed_kmh",)

@@ -71,8 +71,8 @@ class RoadProfile:
             height[inside] += bump_height(self.bump, position[inside])
         return height
 
-    def most_bulge(self, length: float) -> float:
-        """How far the roughness lies above or below a chord of at most that length [m]: its slopes allow no more."""
+    def max_chord_deviation(self, length: float) -> float:
+        """Bound on the distance of the roughness from a chord of at most that length, by its steepest slopes [m]."""
         return float(max(self.rise.max(), 0.0) - min(self.rise.min(), 0.0)) / GRID * length / 4
 
 

@@ -17,14 +17,15 @@ from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.lqr import regulator
-from sim_core.control.qp import MOST_EFFORT, SOLVERS, QpShape, QpSolver
+from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpShape, QpSolver
 from sim_core.drive.preview import Forecast, flattened
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Mpc, Vehicle
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm
-_CLEAR = 0.99  # of a limit, by a bound in single precision, whose rounding is 1e-6 of the terms added: clear of it
-_FEW = 16  # steps, for which the bound costs more than the checks
+_BOUND_MARGIN = 0.99  # of a limit; the bound is in single precision, whose rounding is 1e-6 of the terms added
+_MIN_BOUND_STEPS = 17  # for fewer steps the bound costs more than the checks
+_COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
 
@@ -34,9 +35,9 @@ class MpcDesign:
 
     The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
     b = row_limits - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each
-    force and deflection of the horizon on [the same], each over its bound. In single precision, `coarse` (rows, 11) are
-    the same on [state; previous command; mean deceleration of the preview] and `reach` (rows, 3) the norms of the rest:
-    with `Forecast.spread` they bound each check (Cauchy-Schwarz).
+    force and deflection of the horizon on [the same], each over its bound. In single precision, `bound_gain`
+    (rows, 11) are the checks on [state; previous command; mean deceleration of the preview], and `preview_norms`
+    (rows, 3) their norms on the rest: with `Forecast.spread` they bound each check (Cauchy-Schwarz).
     """
 
     shape: QpShape
@@ -47,8 +48,8 @@ class MpcDesign:
     feed: FloatArray
     checks: FloatArray
     bounds: FloatArray
-    coarse: NDArray[np.float32]
-    reach: NDArray[np.float32]
+    bound_gain: NDArray[np.float32]
+    preview_norms: NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -136,7 +137,7 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         [np.full(free, horizon.force_limit), np.full(2 * horizon.prediction, terms.deflection_limit)]
     )
     checks /= bounds[:, None]
-    by_disturbance = checks[:, MEASURED:].reshape(len(checks), DISTURBANCES, -1)
+    bound_gain, preview_norms = _bound(checks)
     return MpcDesign(
         shape=_shape(H, travel_moves, horizon.prediction, horizon.force_limit),
         linear=2 * linear,
@@ -146,9 +147,16 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         feed=optimum[:FORCES, STATES + FORCES :] * KILO,
         checks=checks,
         bounds=bounds,
-        coarse=np.hstack([checks[:, :MEASURED], by_disturbance[:, 2].sum(axis=1)[:, None]]).astype(np.float32),
-        reach=np.linalg.norm(by_disturbance, axis=2).astype(np.float32),
+        bound_gain=bound_gain,
+        preview_norms=preview_norms,
     )
+
+
+def _bound(checks: FloatArray) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """`bound_gain` and `preview_norms` of a design with these checks."""
+    by_disturbance = checks[:, MEASURED:].reshape(len(checks), DISTURBANCES, -1)
+    gain = np.hstack([checks[:, :MEASURED], by_disturbance[:, 2].sum(axis=1)[:, None]])
+    return gain.astype(np.float32), np.linalg.norm(by_disturbance, axis=2).astype(np.float32)
 
 
 def _shape(H: FloatArray, travel_moves: FloatArray, horizon: int, force_limit: float) -> QpShape:
@@ -175,13 +183,13 @@ class MpcController(Controller):
         super().__init__()
         self._designs = designs
         self._windows = preview.windows
-        self._mean = preview.braking
+        self._mean_braking = preview.braking
         self._spread = preview.spread.astype(np.float32)
         self._limit = mpc.force_limit
         self._order = (mpc.solver, *(name for name in SOLVERS if name != mpc.solver))
         self._solvers: dict[tuple[str, str], QpSolver] = {}
         faster = () if mpc.solver == "daqp" else ("mpc.solver",)
-        self._cheaper = (*faster, "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length")
+        self._costly_fields = (*faster, *_COSTLY_FIELDS)
 
     def law(self, stage: str) -> LinearLaw:
         """The stage's unconstrained optimum."""
@@ -196,23 +204,25 @@ class MpcController(Controller):
 
         A bound rules most steps out; those near a limit are judged by the checks themselves.
         """
-        chosen, count = self._designs[stage], len(measured)
-        held = self._clear(chosen, measured, first) if count > _FEW else np.zeros(count, dtype=bool)
-        near = np.flatnonzero(~held)
+        checks, within = self._designs[stage].checks, np.zeros(len(measured), dtype=bool)
+        if len(measured) >= _MIN_BOUND_STEPS:
+            within = self._clear_of_limits(first, stage, measured)
+        near = np.flatnonzero(~within)
         if len(near):
-            given = np.hstack([measured[near], flattened(self._windows[:, first + near])])
-            held[near] = (np.abs(given @ chosen.checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
-        return held
+            inputs = np.hstack([measured[near], flattened(self._windows[:, first + near])])
+            within[near] = (np.abs(inputs @ checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
+        return within
 
-    def _clear(self, chosen: MpcDesign, measured: FloatArray, first: int) -> BoolArray:
+    def _clear_of_limits(self, first: int, stage: str, measured: FloatArray) -> BoolArray:
         """In which steps from the first on no check comes near its limit, by a bound (n,)."""
+        design = self._designs[stage]
         steps = slice(first, first + len(measured))
-        coarse = np.empty((MEASURED + 1, len(measured)), dtype=np.float32)
-        coarse[:-1], coarse[-1] = measured.T, self._mean[steps]
-        bound = chosen.coarse @ coarse
+        inputs = np.empty((MEASURED + 1, len(measured)), dtype=np.float32)
+        inputs[:-1], inputs[-1] = measured.T, self._mean_braking[steps]
+        bound = design.bound_gain @ inputs
         np.abs(bound, out=bound)
-        bound += chosen.reach @ self._spread[:, steps]
-        return np.asarray(bound.max(axis=0) <= _CLEAR)
+        bound += design.preview_norms @ self._spread[:, steps]
+        return np.asarray(bound.max(axis=0) <= _BOUND_MARGIN)
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
         """The first force of the constrained optimum.
@@ -220,8 +230,8 @@ class MpcController(Controller):
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.
         """
-        if sum(solver.spent for solver in self._solvers.values()) > MOST_EFFORT:
-            raise TooExpensiveError("The run's QPs take too many iterations", fields=self._cheaper)
+        if sum(solver.spent for solver in self._solvers.values()) > MAX_EFFORT:
+            raise TooExpensiveError("The run's QPs take too many iterations", fields=self._costly_fields)
         chosen = self._designs[stage]
         given = np.concatenate([state, previous, self._windows[:, step].ravel()])
         f = np.zeros(len(chosen.shape.H))

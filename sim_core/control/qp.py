@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 SolverName = Literal["daqp", "osqp"]
 TOLERANCE = 1e-6  # of the residuals
-MOST_EFFORT = 20.0  # of all QPs of one run; about the time they take on one core [s], but counted, not timed
+MAX_EFFORT = 20.0  # of all QPs of one run, by `QpSolver.effort` [s]
 _NO_LIMIT = 1e30  # what both solvers take as infinity
 _OSQP_SETTINGS = {
     "eps_abs": 1e-6,

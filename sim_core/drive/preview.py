@@ -76,56 +76,58 @@ def preview(
         mismatch: How the sensors that look ahead err.
     """
     if mode == "lookahead":
-        return _ahead(road, drive, road_input, horizon, wheelbase, mismatch)
-    return _behind(mode, road, drive, road_input, horizon, wheelbase)
+        return _by_sensors(road, drive, road_input, horizon, wheelbase, mismatch)
+    return _without_sensors(mode, road, drive, road_input, horizon, wheelbase)
 
 
-def sliding(ahead: FloatArray, horizon: int) -> Forecast:
-    """Windows each of which is the one before, moved on, over every interval to come (3, steps + horizon - 1)."""
-    sums = np.zeros((2, DISTURBANCES, ahead.shape[1] + 1))
-    np.cumsum([ahead, ahead * ahead], axis=2, out=sums[:, :, 1:])
+def sliding_forecast(disturbances: FloatArray, horizon: int) -> Forecast:
+    """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1)."""
+    sums = np.zeros((2, DISTURBANCES, disturbances.shape[1] + 1))
+    np.cumsum([disturbances, disturbances**2], axis=2, out=sums[:, :, 1:])
     total, squares = sums[:, :, horizon:] - sums[:, :, :-horizon]
     braking = total[2] / horizon
     squares[2] -= total[2] * braking
     return Forecast(
-        windows=sliding_window_view(ahead, horizon, axis=1),
+        windows=sliding_window_view(disturbances, horizon, axis=1),
         braking=braking,
         spread=np.sqrt(np.maximum(squares, 0)),
     )
 
 
 @cached
-def _ahead(
+def _by_sensors(
     road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float, mismatch: Mismatch
 ) -> Forecast:
-    """What sensors and speed plan tell of every interval to come."""
+    """What sensors and speed plan predict for every interval to come."""
     surface, time, h = profile(road), road_input.time, road_input.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
     position, _ = drive.at(further - mismatch.preview_delay)
     position = position - mismatch.preview_offset
     noise = np.random.default_rng((road.seed, _NOISE_STREAM)) if mismatch.preview_noise else None
-    ahead = np.empty((DISTURBANCES, len(further) - 1))
+    disturbances = np.empty((DISTURBANCES, len(further) - 1))
     for axle, behind in enumerate((0.0, wheelbase)):
         height = mismatch.preview_gain * surface.height(position - behind)
         if noise is not None:
             height = height + mismatch.preview_noise * noise.standard_normal(len(height))
-        ahead[axle] = np.diff(height) / h
-    ahead[2] = drive.sample(drive.braking, further[:-1] + h / 2)
-    return sliding(ahead, horizon)
+        disturbances[axle] = np.diff(height) / h
+    disturbances[2] = drive.sample(drive.braking, further[:-1] + h / 2)
+    return sliding_forecast(disturbances, horizon)
 
 
 @cached
-def _behind(mode: Preview, road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float) -> Forecast:
-    """Windows without sensors ahead: what the front axle has driven, or nothing; braking stays what it is."""
+def _without_sensors(
+    mode: Preview, road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float
+) -> Forecast:
+    """Without sensors: the rear axle meets what the front has met, or the road is level; braking stays as it is."""
     surface, time, h = profile(road), road_input.time, road_input.step
     windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
     position, speed = drive.at(time[:-1])
     braking = drive.sample(drive.braking, time[:-1])
     windows[2] = braking[:, None]
     if mode == "wheelbase":
-        ahead = speed[:, None] * h * np.arange(horizon + 1)
-        driven = ahead[:, 1:] <= wheelbase
-        heights = surface.height(position[:, None] - wheelbase + np.minimum(ahead, wheelbase))
+        further = speed[:, None] * h * np.arange(horizon + 1)
+        driven = further[:, 1:] <= wheelbase
+        heights = surface.height(position[:, None] - wheelbase + np.minimum(further, wheelbase))
         windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
     spread = np.stack([np.zeros(len(braking)), np.linalg.norm(windows[1], axis=1), np.zeros(len(braking))])
     return Forecast(windows=windows, braking=braking, spread=spread)

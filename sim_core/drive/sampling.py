@@ -60,7 +60,7 @@ class SampledDrive:
         place: The same on the road's grid.
         kinks: Where they meet kinks of the road.
         braking: Deceleration, held over a fine step (n,) [m/s^2].
-        longest_move: Greatest distance driven in a fine step [m].
+        max_step_distance: Greatest distance driven in a fine step [m].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
     """
@@ -72,7 +72,7 @@ class SampledDrive:
     place: GridPlace
     kinks: Kinks
     braking: FloatArray
-    longest_move: float
+    max_step_distance: float
     on_record: slice
     series: dict[str, FloatArray]
 
@@ -131,14 +131,14 @@ class RoadInput:
         """Fine step [s]."""
         return self.drive.fine_step
 
-    def at_kinks(self, chosen: NDArray[np.intp]) -> tuple[FloatArray, FloatArray]:
+    def at_kinks(self, indices: NDArray[np.intp]) -> tuple[FloatArray, FloatArray]:
         """Share of its fine step after which each of these kinks is met, and its height above that step's chord [m]."""
         kinks, driven = self.drive.kinks, self.drive.position
-        axle, step = kinks.axle[chosen], kinks.step[chosen] + self.on_record.start
-        position = np.stack([driven[axle, step], kinks.position[chosen], driven[axle, step + 1]])
-        low, there, high = self.surface.height(position)
+        axle, step = kinks.axle[indices], kinks.step[indices] + self.on_record.start
+        position = np.stack([driven[axle, step], kinks.position[indices], driven[axle, step + 1]])
+        low, height, high = self.surface.height(position)
         share = (position[1] - position[0]) / (position[2] - position[0])
-        return share, there - low - share * (high - low)
+        return share, height - low - share * (high - low)
 
 
 def fine_step(scenario: Scenario, strategy: Strategy) -> float:
@@ -227,7 +227,7 @@ def _sampled(
         place=grid_place(axles, grid_samples(length)),
         kinks=_kinks(axles[:, first:], bump_kinks),
         braking=drive.sample(drive.braking, time[:-1] + h / 2),
-        longest_move=float((position[1:] - position[:-1]).max()),
+        max_step_distance=float((position[1:] - position[:-1]).max()),
         on_record=record,
         series=series,
     )

@@ -89,4 +89,4 @@ def test_runs_with_nothing_in_common_stay_within_the_limit() -> None:
     for number in range(4):
         longest = Mpc(prediction_horizon=200, control_horizon=100 - number)
         simulate(Scenario(vehicle=Vehicle(body_mass=1000.0 + number), mpc=longest), "lv")
-    assert caching.LIMIT / 2 < caching.SHARED.size <= caching.LIMIT
+    assert caching.MAX_BYTES / 2 < caching.SHARED.size <= caching.MAX_BYTES

@@ -65,7 +65,7 @@ def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
 def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = simulate(AT_LIMITS, "lv").events["qp_solves"]
     assert whole is not None
-    monkeypatch.setattr(mpc_module, "MOST_EFFORT", 0.05)
+    monkeypatch.setattr(mpc_module, "MAX_EFFORT", 0.05)
     solved = []
     for _ in range(2):
         counted = []

@@ -11,7 +11,7 @@ from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.mpc import MpcController
 from sim_core.controllers import mpc_designs
-from sim_core.drive.preview import sliding
+from sim_core.drive.preview import sliding_forecast
 from sim_core.drive.speed_profile import drive
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
@@ -42,7 +42,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         previous = rng.uniform(-1.5, 1.5, FORCES)
         ecu = ModelEcu(ecu_calibration(scenario), previous=previous)
         rows, count, finished, slack = ecu.optimum(i % 3, state, preview)
-        qp = MpcController(designs, sliding(preview, horizon), scenario.mpc)
+        qp = MpcController(designs, sliding_forecast(preview, horizon), scenario.mpc)
         force = qp.step(0, STAGES[i % 3], state, previous * 1000)
         if finished:
             np.testing.assert_allclose(rows[:FORCES] * 1000, force, atol=1e-6)

@@ -1,10 +1,10 @@
 """How often limits bind in a run, and how long its QPs take: predicted from the scenario alone, in microseconds.
 
-What a law asks of the actuators on a rough road is near the force of the passive suspension, which has a closed form
-for a quarter car: road velocity as white noise of density A works on a tyre of stiffness k_t at a mean power of
-A k_t / 2, all of which the damper takes, so E[ḋ²] = A k_t / (2 c), and E[d²] = A (m_b + m_w) / (2 c); spring and damper
-force are uncorrelated. How far the limits lie above these decides most, and whether the real car is softer than the
-one the law believes in, which it then makes unstable. benchmarks/cost.py fits the coefficients to random scenarios.
+The force a control law asks for on a rough road is near that of the passive suspension, which has a closed form for a
+quarter car: road velocity as white noise of density A does work on a tyre of stiffness k_t at a mean power of
+A k_t / 2, all of which the damper dissipates, so E[ḋ²] = A k_t / (2 c), and E[d²] = A (m_b + m_w) / (2 c); spring and
+damper force are uncorrelated. The margin of the limits over these matters most, and whether the real car is softer
+than the law's model of it, for then the loop is unstable. benchmarks/cost.py fits the coefficients to random scenarios.
 """
 
 from collections.abc import Mapping
@@ -18,13 +18,14 @@ from sim_core.car.road import REFERENCE_FREQUENCY
 from sim_core.scenario import Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy
 
-MOST_ITERATIONS = 2000.0  # of a QP solver, for one QP
-_SMOOTH = 1e-8  # a road counts as at least so rough [m^3]
+MAX_ITERATIONS = 2000.0  # of a QP solver, for one QP
+_MIN_ROUGHNESS = 1e-8  # of a road without any, as its logarithm is needed [m^3]
 _NO_SATURATION, _NO_RATE = 3e4, 5e6  # stand for an actuator without a limit [N, N/s]
 _SETTLING = 0.5  # the bump's effect lasts so long after it [s]
 
-# What each term is worth: of "force", "actuator" and "lqr" the sum is the logarithm of the rate of steps at a limit, of
-# "bump" and "unstable" the log odds that one binds about the bump, or always, of "iterations" the logarithm of OSQP's.
+# Coefficients of `limit_terms`, by cause. The sum of "force", "travel", "actuator" and "lqr" is the logarithm of the
+# rate of steps at a limit, that of "bump" and "unstable" the log odds that one binds near the bump, or always, and that
+# of "iterations" the logarithm of OSQP's iterations.
 COEFFICIENTS: Mapping[str, tuple[float, ...]] = {
     "force": (-11, -3.7, 0.403, -0.875, -2.94, -1.82, 1.3, -0.252),
     "travel": (5.06, -3.54, -0.716, -6.42),
@@ -40,7 +41,7 @@ COEFFICIENTS: Mapping[str, tuple[float, ...]] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimitShares:
-    """Shares of the control steps at any limit, and with a QP; OSQP's iterations for each QP."""
+    """Shares of the control steps at any limit, and with a QP; mean iterations of OSQP for each QP."""
 
     limited: float = 0.0
     solved: float = 0.0
@@ -48,64 +49,71 @@ class LimitShares:
 
 
 def expected_limits(scenario: Scenario, strategy: Strategy, time: float) -> LimitShares:
-    """What to expect of a strategy with a controller that takes that time over the road [s]."""
+    """Expected for a strategy with a controller, given its time over the road [s]."""
     values = {
-        cause: np.asarray(np.dot(COEFFICIENTS[cause], row)) for cause, row in terms(scenario, strategy, time).items()
+        cause: np.asarray(np.dot(COEFFICIENTS[cause], row))
+        for cause, row in limit_terms(scenario, strategy, time).items()
     }
-    limited, solved, iterations = combined(values, np.asarray(bump_share(scenario, time)))
+    limited, solved, iterations = combine(values, np.asarray(bump_share(scenario, time)))
     return LimitShares(limited=float(limited), solved=float(solved), iterations=float(iterations))
 
 
-def terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str, tuple[float, ...]]:
-    """By cause the terms that its coefficients multiply."""
+def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str, tuple[float, ...]]:
+    """The terms that COEFFICIENTS multiply, by cause."""
     mpc, actuator, mismatch = scenario.mpc, scenario.actuator, scenario.mismatch
     vehicle, bump = scenario.vehicle, scenario.road.bump
     force, travel = _passive(scenario, scenario.road.length / time)
-    above = log(mpc.force_limit / force)
+    force_margin = log(mpc.force_limit / force)
     saturation = log((actuator.saturation or _NO_SATURATION) / force)
     rate = log((actuator.rate_limit or _NO_RATE) * mpc.sample_time / force)
     damping = log((vehicle.front_damping + vehicle.rear_damping) / 2)
-    softer, looser = max(0.0, 1 - mismatch.springs), max(0.0, 1 - mismatch.damping)
+    softness, underdamping = max(0.0, 1 - mismatch.springs), max(0.0, 1 - mismatch.damping)
     if strategy.suspension is SuspensionPolicy.LQR:
-        first, preview, sprung = scenario.lqr.weights, scenario.lqr.preview, scenario.lqr.deflection_weight
+        weights, preview, deflection_weight = scenario.lqr.weights, scenario.lqr.preview, scenario.lqr.deflection_weight
     else:
         by_stage = strategy.suspension is not SuspensionPolicy.MPC_BY_ROAD
-        first = mpc.stage_weights.cruise if by_stage else mpc.road_weights.rough
-        preview, sprung = mpc.preview, mpc.deflection_weight
-    comfort, restoring = log((first[0] + 0.1) / (sum(first) + 0.3)), log((sprung + 0.1) / (first[0] + 1e-3))
-    blind, behind = float(preview == "none"), float(preview == "wheelbase")
-    unstable = (1.0, softer, looser, restoring, softer * restoring)
+        weights = mpc.stage_weights.cruise if by_stage else mpc.road_weights.rough
+        preview, deflection_weight = mpc.preview, mpc.deflection_weight
+    comfort = log((weights[0] + 0.1) / (sum(weights) + 0.3))
+    restoring = log((deflection_weight + 0.1) / (weights[0] + 1e-3))
+    no_preview, wheelbase_preview = float(preview == "none"), float(preview == "wheelbase")
+    unstable = (1.0, softness, underdamping, restoring, softness * restoring)
     if strategy.suspension is SuspensionPolicy.LQR:
-        law = (1.0, above, blind, behind, damping, comfort)
+        law = (1.0, force_margin, no_preview, wheelbase_preview, damping, comfort)
         return {"lqr": law, "lqr actuator": (1.0, saturation, rate), "lqr unstable": unstable}
     horizon, limit = log(mpc.control_horizon * mpc.sample_time), log(mpc.deflection_limit)
     return {
-        "force": (1.0, above, horizon, log(mpc.sample_time), blind, behind, damping, comfort),
+        "force": (1.0, force_margin, horizon, log(mpc.sample_time), no_preview, wheelbase_preview, damping, comfort),
         "travel": (1.0, log(mpc.deflection_limit / travel), restoring, mismatch.damping),
-        "actuator": (1.0, saturation, rate, blind),
+        "actuator": (1.0, saturation, rate, no_preview),
         "bump": (1.0, log((abs(bump.height) + 0.002) / mpc.deflection_limit)),
-        "unstable": (*unstable, limit, softer * limit, log(mpc.force_weight), damping),
+        "unstable": (*unstable, limit, softness * limit, log(mpc.force_weight), damping),
         "iterations": (
             1.0,
             log(mpc.prediction_horizon),
-            above,
+            force_margin,
             log(mpc.deflection_limit / travel),
             mpc.deflection_weight,
-            looser,
+            underdamping,
         ),
     }
 
 
-def combined(values: Mapping[str, FloatArray], bump: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Share of steps at a limit, share with a QP, and iterations, of sums by cause and the bump's share of the run."""
-    if "lqr" in values:
-        free = np.exp(-_exp(values["lqr"]) - _exp(values["lqr actuator"])) / (1 + _exp(values["lqr unstable"]))
+def combine(sums: Mapping[str, FloatArray], bump: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Share of steps at a limit, share with a QP, and iterations.
+
+    Args:
+        sums: Of coefficients times terms, by cause; one value, or one for each run.
+        bump: `bump_share`, likewise.
+    """
+    if "lqr" in sums:
+        free = np.exp(-_exp(sums["lqr"]) - _exp(sums["lqr actuator"])) / (1 + _exp(sums["lqr unstable"]))
         return 1 - free, np.zeros_like(free), np.zeros_like(free)
-    odds = _exp(values["bump"])
-    free = np.exp(-_exp(values["force"]) - _exp(values["travel"])) / (1 + _exp(values["unstable"]))
+    odds = _exp(sums["bump"])
+    free = np.exp(-_exp(sums["force"]) - _exp(sums["travel"])) / (1 + _exp(sums["unstable"]))
     free = free * (1 - bump * odds / (1 + odds))
-    limited = 1 - free * np.exp(-_exp(values["actuator"]))
-    return limited, 1 - free, np.clip(_exp(values["iterations"]), 10.0, MOST_ITERATIONS)
+    limited = 1 - free * np.exp(-_exp(sums["actuator"]))
+    return limited, 1 - free, np.clip(_exp(sums["iterations"]), 10.0, MAX_ITERATIONS)
 
 
 def bump_share(scenario: Scenario, time: float) -> float:
@@ -118,7 +126,7 @@ def bump_share(scenario: Scenario, time: float) -> float:
 def _passive(scenario: Scenario, speed: float) -> tuple[float, float]:
     """RMS of the passive suspension's force [N] and deflection [m] at a speed [m/s], the greater of both axles."""
     vehicle = scenario.vehicle
-    density = (2 * pi * REFERENCE_FREQUENCY) ** 2 * max(scenario.road.roughness, _SMOOTH) * speed / 2
+    density = (2 * pi * REFERENCE_FREQUENCY) ** 2 * max(scenario.road.roughness, _MIN_ROUGHNESS) * speed / 2
     share = vehicle.cg_to_rear / vehicle.wheelbase
     forces, travels = [], []
     for mass, wheel, spring, damping, tyre in (
