@@ -34,13 +34,32 @@ DESCRIPTION = """A what-if laboratory for active suspension over bumps.
 
 SI units everywhere, except speeds a person types (`*_kmh`). Errors are RFC 9457 `application/problem+json`."""
 
+ROUTERS = (
+    runs.computing,
+    runs.runs,
+    runs.drawing,
+    batches.submitting,
+    batches.batches,
+    tunings.beginning,
+    tunings.tunings,
+    links.sharing,
+    links.links,
+    paper.paper,
+    controller.controller,
+    schema.schema,
+    health.health,
+)
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
 
 
 def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
-    """A service with these settings; workers (its own, or these, which may be spawned) start with it.
+    """A service with these settings, whose workers start with it.
 
-    Its database is as `app.state.store.migrate()` left it, which comes before: a start that fails has one thing to say.
+    Call `app.state.store.migrate()` before serving: a database that cannot be used then ends the start.
+
+    Args:
+        settings: Of the service.
+        workers: Perhaps spawned already; by default its own.
     """
     app = FastAPI(
         title="Ridelab",
@@ -60,21 +79,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     app.state.store = Store(settings.store_url)
     app.state.workers = workers or Workers(settings.workers, timeout=settings.run_timeout)
     problems.register(app)
-    for router in (
-        runs.computing,
-        runs.runs,
-        runs.drawing,
-        batches.submitting,
-        batches.batches,
-        tunings.beginning,
-        tunings.tunings,
-        links.sharing,
-        links.links,
-        paper.paper,
-        controller.controller,
-        schema.schema,
-        health.health,
-    ):
+    for router in ROUTERS:
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
     app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
@@ -91,15 +96,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     tuner: TuningDriver | None = None
     try:
         warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
-        admission = Admission(
-            max_request_cost=settings.max_request_cost,
-            max_queued_cost=settings.max_queued_cost,
-            max_client_requests=settings.max_client_requests,
-            max_wait=settings.max_wait,
-            workers=settings.workers,
-            max_client_streams=settings.max_client_streams,
-            max_streams=settings.max_streams,
-        )
+        admission = _admission(settings)
         memory = Memory(settings.series_cache_bytes)
         results = Results(store=store, workers=workers, memory=memory, admission=admission)
         app.state.admission = admission
@@ -130,6 +127,18 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         await driver.close()
         await workers.close()
         store.close()
+
+
+def _admission(settings: Settings) -> Admission:
+    return Admission(
+        max_request_cost=settings.max_request_cost,
+        max_queued_cost=settings.max_queued_cost,
+        max_client_requests=settings.max_client_requests,
+        max_wait=settings.max_wait,
+        workers=settings.workers,
+        max_client_streams=settings.max_client_streams,
+        max_streams=settings.max_streams,
+    )
 
 
 def _openapi(app: FastAPI) -> dict[str, Any]:

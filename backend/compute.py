@@ -1,32 +1,25 @@
 """Warm worker processes for interactive runs.
 
-Each slot is a pool of one process of its own. A process that dies, hangs or breaks its pipe takes only its slot
-with it: the slot is thrown away whole, with every lock in it, and a new one is warmed while the others serve. One whose
-memory has grown too large is replaced, once a fresh one is warm.
+A process that dies or hangs takes only its slot with it, and a new one is warmed while the others serve. A process
+whose memory has grown too large is replaced, once a fresh one is warm.
 """
 
 import asyncio
 import contextlib
 import logging
-import multiprocessing
 import os
 from collections.abc import Callable, Coroutine
-from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any, TypeVar
 
 from pebble import ProcessExpired, ProcessPool
 
-from backend import processes
+from backend import processes, slots
 from backend.telemetry import WORKER_FAILURES
 
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
-Spawned = tuple[ProcessPool, "Future[None]"]  # a slot, and when it is warm
-GRACE = 15.0  # beyond the task's own time limit: then the slot itself is stuck [s]
-WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
-WATCH = 0.25  # between two looks at a slot that computes [s]
 PATIENCE = 60.0  # for a free worker [s]
 ATTEMPTS = 2
 MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
@@ -59,16 +52,16 @@ class Workers:
         self._succeeded: set[ProcessPool] = set()  # of those, a successor is warm: they end when they are idle
         self._chores: set[asyncio.Task[Any]] = set()
         self._waiting = 0
-        self._spawned: list[Spawned] = []
+        self._spawned: list[slots.Spawned] = []
         self._warm = asyncio.Event()
 
     def spawn(self) -> None:
         """Begin to spawn and warm every slot, and return; needs no event loop yet. `start` takes them over."""
         os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
         for _ in range(self._count):
-            slot = self._new_slot()
+            slot = slots.new(self._nice)
             with contextlib.suppress(OSError, BrokenProcessPool):  # `start` tries again
-                self._spawned.append((slot, _warm_up(slot)))
+                self._spawned.append((slot, slots.warm_up(slot)))
 
     def start(self) -> None:
         """Begin to spawn and warm every slot, unless that has begun, and hand each out once it is warm."""
@@ -79,7 +72,7 @@ class Workers:
     def abandon(self) -> None:
         """End what `spawn` began, where there is nothing to start."""
         for slot, _ in self._spawned:
-            _end(slot)
+            slots.end(slot)
 
     async def wait_until_warm(self) -> None:
         """Until the first worker is."""
@@ -142,9 +135,9 @@ class Workers:
         """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
         healthy = False
         try:
-            task = _schedule(slot, processes.call_and_measure, (function, args), self._timeout)
+            task = slots.schedule(slot, processes.call_and_measure, (function, args), self._timeout)
             result: T
-            result, memory = await self._landed(slot, task, self._timeout)
+            result, memory = await slots.result(slot, task, self._timeout)
             healthy = True
             if memory > self._max_memory and not self._too_large:
                 logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
@@ -162,26 +155,14 @@ class Workers:
             else:
                 self._discard(slot)
 
-    async def _landed(self, slot: ProcessPool, task: "Future[T]", timeout: float) -> T:
-        """The task's result; a slot that breaks just as it takes a task would leave it unanswered for ever."""
-        future = asyncio.wrap_future(task)
-        future.add_done_callback(_seen)
-        for _ in range(int((timeout + GRACE) / WATCH)):
-            done, _ = await asyncio.wait({future}, timeout=WATCH)
-            if done:
-                return future.result()
-            if not slot.active:
-                raise BrokenProcessPool("The slot broke")
-        raise TimeoutError
-
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
-        slots, self._slots = self._slots, set()
+        ending, self._slots = self._slots, set()
         chores = tuple(self._chores)
         for chore in chores:
             chore.cancel()
         await asyncio.gather(*chores, return_exceptions=True)
-        await asyncio.gather(*(asyncio.to_thread(_end, slot) for slot in slots))
+        await asyncio.gather(*(asyncio.to_thread(slots.end, slot) for slot in ending))
 
     async def _free_slot(self) -> ProcessPool:
         self._waiting += 1
@@ -197,7 +178,7 @@ class Workers:
         if slot not in self._slots:  # the service is closing, and ends it
             return
         self._slots.discard(slot)
-        self._chore(asyncio.to_thread(_end, slot))
+        self._chore(asyncio.to_thread(slots.end, slot))
         if slot not in self._too_large:  # else its successor is warm, or soon will be
             self._chore(self._add_slot())
         elif slot in self._succeeded:
@@ -218,23 +199,19 @@ class Workers:
             else:
                 self._idle.put_nowait(each)
 
-    def _new_slot(self) -> ProcessPool:
-        context = multiprocessing.get_context("spawn")
-        return ProcessPool(max_workers=1, initializer=processes.start, initargs=(self._nice,), context=context)
-
-    async def _add_slot(self, spawned: Spawned | None = None) -> None:
+    async def _add_slot(self, spawned: slots.Spawned | None = None) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
-            slot, warm = spawned or (self._new_slot(), None)
+            slot, warm = spawned or (slots.new(self._nice), None)
             spawned = None
             try:
-                await self._landed(slot, warm or _warm_up(slot), WARM_UP)
+                await slots.result(slot, warm or slots.warm_up(slot), slots.WARM_UP)
             except asyncio.CancelledError:
-                await asyncio.shield(asyncio.to_thread(_end, slot))
+                await asyncio.shield(asyncio.to_thread(slots.end, slot))
                 raise
             except Exception:  # whatever kept it from starting, the service goes on trying
                 logger.exception("A worker did not start")
-                await asyncio.to_thread(_end, slot)
+                await asyncio.to_thread(slots.end, slot)
                 await asyncio.sleep(delay)
             else:
                 self._slots.add(slot)
@@ -253,32 +230,3 @@ class Workers:
         self._chores.discard(task)
         if not task.cancelled():
             task.exception()
-
-
-def _schedule(slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> "Future[T]":
-    """Hand the slot a task.
-
-    Raises:
-        BrokenProcessPool: It broke since it was looked at.
-    """
-    try:
-        task: Future[T] = slot.schedule(function, args=args, timeout=timeout)
-    except RuntimeError as error:
-        raise BrokenProcessPool(str(error)) from None
-    return task
-
-
-def _warm_up(slot: ProcessPool) -> "Future[None]":
-    return _schedule(slot, processes.warm_up, (), WARM_UP)
-
-
-def _seen(future: asyncio.Future[Any]) -> None:
-    """Whoever waited may be gone when it lands: its exception is no news then."""
-    if not future.cancelled():
-        future.exception()
-
-
-def _end(slot: ProcessPool) -> None:
-    with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
-        slot.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
-        slot.join()

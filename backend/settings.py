@@ -1,14 +1,11 @@
 """Settings of the service: defaults, overridden by `RIDELAB_*` environment variables and the command line."""
 
-import ipaddress
 import os
-import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self
+from typing import Any, Literal, Self
 
 from pydantic import (
-    AfterValidator,
     BaseModel,
     ConfigDict,
     DirectoryPath,
@@ -19,11 +16,11 @@ from pydantic import (
     model_validator,
 )
 
+from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, items
+
 PREFIX = "RIDELAB_"
 CLIENT_VARIABLES = {"RIDELAB_SERVER"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
-HOST = re.compile(r"(\*\.)?[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]*:[0-9a-f:.]*:[0-9a-f:.]*")  # or an IPv6 address
-SCHEDULER = re.compile(r"(tcp|tls)://([\w.-]+|\[[0-9a-fA-F:.]+\]):(\d{1,5})")
 
 
 class SettingsError(ValueError):
@@ -33,34 +30,6 @@ class SettingsError(ValueError):
 def _default_workers() -> int:
     """At least two, so that a crash leaves a warm one; at most four, one person's slider fills no more."""
     return max(2, min(4, os.cpu_count() or 1))
-
-
-def _folder(path: Path) -> Path:
-    """A folder, which may be missing."""
-    if path.exists() and not path.is_dir():
-        raise ValueError(f"{path} is no folder")
-    return path
-
-
-def _scheduler(address: str) -> str:
-    parts = SCHEDULER.fullmatch(address)
-    if parts is None or not 0 < int(parts[3]) < 65536:
-        raise ValueError(f"{address} is no address of a scheduler, such as tcp://HOST:8786 or tls://HOST:8786")
-    return address
-
-
-def _proxies(text: str) -> str:
-    for item in _listed(text) if text.strip() != "*" else ():
-        try:
-            ipaddress.ip_network(item)
-        except ValueError:
-            raise ValueError(f"{item} is neither an address nor a network, such as 10.0.0.0/8, nor *") from None
-    return text
-
-
-NewFolder = Annotated[Path, AfterValidator(_folder)]
-SchedulerAddress = Annotated[str, AfterValidator(_scheduler)]
-Proxies = Annotated[str, AfterValidator(_proxies)]
 
 
 class Settings(BaseModel):
@@ -117,7 +86,7 @@ class Settings(BaseModel):
     forwarded_allow_ips: Proxies = Field(
         "", description="Proxies whose X-Forwarded-For names the client: addresses, networks, or *."
     )
-    allowed_hosts: str = Field(
+    allowed_hosts: Hosts = Field(
         "", description="Names the service answers to, with commas; *.example.com is all below it; none is any."
     )
     log_format: Literal["json", "console"] | None = Field(
@@ -196,19 +165,10 @@ class Settings(BaseModel):
         _check_readable("database_password_file", self.database_password_file)
         return self
 
-    @field_validator("allowed_hosts")
-    @classmethod
-    def _check_hosts(cls, text: str) -> str:
-        """Names as a browser sends them, but for the port."""
-        for name in _listed(text):
-            if not HOST.fullmatch(name):
-                raise ValueError(f"{name} is no host's name: names and addresses without scheme and port, with commas")
-        return text
-
     @property
     def hosts(self) -> frozenset[str]:
         """What `allowed_hosts` lists."""
-        return frozenset(_listed(self.allowed_hosts))
+        return frozenset(items(self.allowed_hosts))
 
     @property
     def store_url(self) -> str:
@@ -221,10 +181,6 @@ class Settings(BaseModel):
 
         password = self.database_password_file.read_text(encoding="utf-8").rstrip("\r\n")
         return make_url(self.database_url).set(password=password).render_as_string(hide_password=False)
-
-
-def _listed(text: str) -> list[str]:
-    return [item.strip().lower() for item in text.split(",") if item.strip()]
 
 
 def _variable(field: str) -> str:
