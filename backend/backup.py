@@ -24,7 +24,7 @@ class BackupError(Exception):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Backup:
-    """A copy that was made.
+    """A copy.
 
     Attributes:
         database: What was copied.

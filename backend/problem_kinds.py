@@ -16,7 +16,7 @@ class Kind:
         name: End of its `type`, for machines.
         statuses: HTTP statuses it comes with, nearly always one.
         title: Of every such problem the same.
-        meaning: What happened, and what to do about it; the detail where nothing more is known.
+        meaning: What happened, and what to do about it; the default of `detail`.
     """
 
     name: str
@@ -31,7 +31,7 @@ def _kind(name: str, statuses: int | tuple[int, ...], title: str, meaning: str) 
     )
 
 
-# By status; the first of a status is what is answered where nothing more is known.
+# By status; the first of a status is the default for it.
 _LIST = (
     _kind("malformed-request", 400, "Malformed request", "The request could not be read."),
     _kind("two-lengths", 400, "Two lengths", "The request has both Content-Length and Transfer-Encoding."),

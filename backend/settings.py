@@ -52,7 +52,10 @@ class Settings(BaseModel):
         120, gt=0, description="Estimated cost [s of one core] accepted at once; beyond it 503."
     )
     max_wait: float = Field(
-        1, gt=0, le=600, description="Expected wait up to which a request that computes is let in [s]; beyond it 503."
+        1,
+        gt=0,
+        le=600,
+        description="Longest expected wait with which a request that may compute is admitted [s]; beyond it 503.",
     )
     max_client_requests: int = Field(64, ge=1, description="Computing requests one client may have open; then 429.")
     batch_workers: int = Field(

@@ -125,7 +125,7 @@ def _processor_time() -> float:
 
 
 def measure(cases: Iterable[tuple[Scenario, str]], processes: int = 2) -> list[Measured]:
-    """All of them, in fresh processes that have built the ECU's program and imported all there is."""
+    """Measure all cases, in new processes that have built the ECU's program and imported every module."""
     with multiprocessing.get_context("spawn").Pool(processes, initializer=_warm_up) as pool:
         return list(pool.imap_unordered(measured, cases, chunksize=4))
 
@@ -148,11 +148,11 @@ def report(runs: Sequence[Measured]) -> None:
     for run in runs:
         kinds[run.kind].append(run)
     rows = []
-    for kind, chosen in {**kinds, "all": list(runs)}.items():
-        ratios = np.quantile([run.cost / run.estimated for run in chosen], QUANTILES)
-        costs = [run.cost for run in chosen]
+    for kind, selected in {**kinds, "all": list(runs)}.items():
+        ratios = np.quantile([run.cost / run.estimated for run in selected], QUANTILES)
+        costs = [run.cost for run in selected]
         ends = (float(np.mean(costs)), max(costs))
-        rows.append([kind, len(chosen), f"{within(chosen):.1%}", *map(float, ratios), *ends])
+        rows.append([kind, len(selected), f"{within(selected):.1%}", *map(float, ratios), *ends])
     head = ["", "runs", f"within {FACTOR:g}", *(f"{share:.1%}" for share in QUANTILES), "mean, s", "most, s"]
     table("Real cost over estimate: quantiles", head, rows)
     print(f"  too expensive: {sum(run.too_expensive for run in runs)} of {len(runs)}")

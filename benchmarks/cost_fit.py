@@ -11,8 +11,8 @@ from sim_core.binding_limits import LimitShares, bump_share, combine, limit_term
 from sim_core.strategies import STRATEGIES
 from sim_core.workload import SECONDS, expected_time, work
 
-SHARE = 0.01  # shares are told apart down to this
-PRIOR = 0.1  # how much a coefficient's deviation weighs beside a run's
+SHARE = 0.01  # added to shares before their logarithm: smaller differences do not count
+PRIOR = 0.1  # weight of a coefficient's deviation from START (ridge regression)
 START = {  # of each cause's first coefficient
     "force": -1.0,
     "travel": -3.0,
@@ -33,50 +33,43 @@ def fit(runs: Sequence[Measured]) -> None:
     for unit, value in seconds.items():
         print(f'    "{unit}": {value:.2g},')
     print("}\nCOEFFICIENTS = {")
-    for chosen in (("lv", "suspension_only"), ("lqr",)):
-        for cause, row in fit_limits([run for run in usable if run.strategy in chosen], seconds).items():
+    for strategies in (("lv", "suspension_only"), ("lqr",)):
+        for cause, row in fit_limits([run for run in usable if run.strategy in strategies], seconds).items():
             print(f'    "{cause}": ({", ".join(f"{value:.3g}" for value in row)}),')
     print("}")
 
 
 def fit_seconds(runs: Sequence[Measured]) -> dict[str, float]:
-    """What each unit of work takes, where what there was to do is known: least squares of relative errors."""
+    """Seconds of each unit of work, by least squares of relative errors."""
     units = list(SECONDS)
     rows, costs = [], []
     for run in runs:
-        done = _done(run)
-        rows.append([done.get(unit, 0.0) for unit in units])
+        counts = _counts(run)
+        rows.append([counts.get(unit, 0.0) for unit in units])
         costs.append(run.cost)
     matrix, cost = np.array(rows), np.array(costs)
     scale = matrix.max(axis=0) + 1e-300
     weight = 1 / (cost + 0.01)
-    found, _ = nnls(matrix / scale * weight[:, None], cost * weight)
-    return dict(zip(units, (found / scale).tolist(), strict=True))
+    values, _ = nnls(matrix / scale * weight[:, None], cost * weight)
+    return dict(zip(units, (values / scale).tolist(), strict=True))
 
 
-def _done(run: Measured) -> dict[str, float]:
+def _counts(run: Measured) -> dict[str, float]:
     steps = run.time / run.scenario.mpc.sample_time
-    seen = LimitShares(
+    measured = LimitShares(
         limited=run.limited / steps,
         solved=run.solved / steps,
         iterations=run.iterations / max(run.solved, 1),
     )
-    return work(run.scenario, STRATEGIES[run.strategy], run.time, seen)
+    return work(run.scenario, STRATEGIES[run.strategy], run.time, measured)
 
 
 def fit_limits(runs: Sequence[Measured], seconds: Mapping[str, float]) -> dict[str, FloatArray]:
     """Coefficients by cause: costs count most, then the shares and iterations they come from; outliers little."""
     times = np.array([expected_time(run.scenario, STRATEGIES[run.strategy]) for run in runs])
     rows = [limit_terms(run.scenario, STRATEGIES[run.strategy], time) for run, time in zip(runs, times, strict=True)]
-    inputs = {cause: np.array([row[cause] for row in rows]) for cause in rows[0]}
-    means = {cause: np.r_[0.0, matrix[:, 1:].mean(axis=0)] for cause, matrix in inputs.items()}
-    spreads = {cause: np.r_[1.0, matrix[:, 1:].std(axis=0)] for cause, matrix in inputs.items()}
-    scaled = {cause: (matrix - means[cause]) / spreads[cause] for cause, matrix in inputs.items()}
-    ends = np.cumsum([0, *(matrix.shape[1] for matrix in inputs.values())])
-    places = {cause: slice(first, last) for cause, first, last in zip(inputs, ends[:-1], ends[1:], strict=True)}
-    start = np.zeros(ends[-1])
-    for cause, place in places.items():
-        start[place.start] = START.get(cause, np.log(250.0))
+    inputs = _Standardised(rows)
+    start = inputs.start()
     bump = np.array([bump_share(run.scenario, time) for run, time in zip(runs, times, strict=True)])
     free, each_limited, each_solved, each_iteration = _parts(runs, times, seconds)
     steps = np.array([run.time / run.scenario.mpc.sample_time for run in runs])
@@ -86,26 +79,60 @@ def fit_limits(runs: Sequence[Measured], seconds: Mapping[str, float]) -> dict[s
     counted = np.array([run.iterations / max(run.solved, 1) for run in runs])
 
     def residuals(values: FloatArray) -> FloatArray:
-        sums = {cause: scaled[cause] @ values[place] for cause, place in places.items()}
+        sums = inputs.sums(values)
         at_limit, with_qp, iterations = combine(sums, bump)
         total = free + at_limit * each_limited + with_qp * (each_solved + iterations * each_iteration)
-        misses = [
+        residuals = [
             np.log(cost / total) * np.where(by_osqp, 2.5, 1.5),
             0.3 * np.log((limited + SHARE) / (at_limit + SHARE)),
             0.3 * np.log((solved + SHARE) / (with_qp + SHARE)),
             PRIOR * (values - start),
         ]
-        if "iterations" in places:
-            misses.append(np.where(counted > 0, 0.4 * np.log(np.maximum(counted, 1.0) / iterations), 0.0))
-        return np.concatenate(misses)
+        if "iterations" in sums:
+            residuals.append(np.where(counted > 0, 0.4 * np.log(np.maximum(counted, 1.0) / iterations), 0.0))
+        return np.concatenate(residuals)
 
-    values = least_squares(residuals, start, loss="cauchy", f_scale=1.5).x
-    found = {}
-    for cause, place in places.items():
-        row = values[place] / spreads[cause]
-        row[0] -= row[1:] @ means[cause][1:]
-        found[cause] = row
-    return found
+    return inputs.coefficients(least_squares(residuals, start, loss="cauchy", f_scale=1.5).x)
+
+
+class _Standardised:
+    """Terms of many runs, scaled to mean 0 and deviation 1 but for the first of a cause, a constant 1.
+
+    Args:
+        rows: `limit_terms` of each run.
+    """
+
+    def __init__(self, rows: Sequence[Mapping[str, tuple[float, ...]]]) -> None:
+        terms = {cause: np.array([row[cause] for row in rows]) for cause in rows[0]}
+        self._means = {cause: np.r_[0.0, matrix[:, 1:].mean(axis=0)] for cause, matrix in terms.items()}
+        self._deviations = {cause: np.r_[1.0, matrix[:, 1:].std(axis=0)] for cause, matrix in terms.items()}
+        self._terms = {
+            cause: (matrix - self._means[cause]) / self._deviations[cause] for cause, matrix in terms.items()
+        }
+        ends = np.cumsum([0, *(matrix.shape[1] for matrix in terms.values())])
+        self._slices = {
+            cause: slice(first, last) for cause, first, last in zip(terms, ends[:-1], ends[1:], strict=True)
+        }
+
+    def start(self) -> FloatArray:
+        """Coefficients to begin with, of all causes one after the other."""
+        start = np.zeros(max(part.stop for part in self._slices.values()))
+        for cause, part in self._slices.items():
+            start[part.start] = START.get(cause, np.log(250.0))
+        return start
+
+    def sums(self, values: FloatArray) -> dict[str, FloatArray]:
+        """By cause the sum of coefficients times terms of each run."""
+        return {cause: self._terms[cause] @ values[part] for cause, part in self._slices.items()}
+
+    def coefficients(self, values: FloatArray) -> dict[str, FloatArray]:
+        """By cause the coefficients of the terms as they are."""
+        coefficients = {}
+        for cause, part in self._slices.items():
+            row = values[part] / self._deviations[cause]
+            row[0] -= row[1:] @ self._means[cause][1:]
+            coefficients[cause] = row
+        return coefficients
 
 
 def _parts(runs: Sequence[Measured], times: FloatArray, seconds: Mapping[str, float]) -> tuple[FloatArray, ...]:

@@ -1,4 +1,4 @@
-"""What a warm worker keeps: after 3,000 different runs, and after random scenarios of every kind (Linux)."""
+"""Memory of a warm worker: after 3,000 different runs, and after random scenarios of every kind (Linux)."""
 
 import asyncio
 from collections.abc import Iterable
@@ -47,18 +47,18 @@ async def measure() -> None:
     workers.start()
     try:
         await workers.wait_until_warm()
-        known = {await _pid(workers)}
-        rows: list[list[object]] = [["warm", 0, proportional_mb(*known), proportional_mb(*known), 0]]
+        pids = {await _pid(workers)}
+        rows: list[list[object]] = [["warm", 0, proportional_mb(*pids), proportional_mb(*pids), 0]]
         for label, cases in (("different runs", plain()), ("random scenarios", mixed())):
-            most, count, before = 0.0, 0, len(known)
+            most, count, before = 0.0, 0, len(pids)
             for scenario, strategies in cases:
                 await workers.call(run, scenario, strategies, POINTS)
                 count += len(strategies)
                 if count % 30 == 0:
                     pid = await _pid(workers)
-                    known.add(pid)
+                    pids.add(pid)
                     most = max(most, proportional_mb(pid))
-            rows.append([label, count, proportional_mb(await _pid(workers)), most, len(known) - before])
+            rows.append([label, count, proportional_mb(await _pid(workers)), most, len(pids) - before])
         table("Memory of a warm worker, PSS", ["after", "runs", "MB", "most MB", "replaced"], rows)
     finally:
         await workers.close()

@@ -67,7 +67,7 @@ class Estimate(Answer):
     points: int
     total: int = Field(description="Runs: points times strategies")
     contradictory: int = Field(description="Runs whose fields contradict each other: they would be failed rows")
-    estimated_cost: float = Field(description="Estimate, which the limit is held against [s of one core]")
+    estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
 
 

@@ -1,4 +1,4 @@
-"""How a command reads its words."""
+"""How a command parses its arguments: ids that begin with `-` are no options."""
 
 import re
 from typing import Any
@@ -10,12 +10,12 @@ _LONG_OPTION = re.compile(r"--[a-z-]+")
 
 
 class Command(TyperCommand):
-    """A command that takes an id for an id, though one in 64 of those given out earlier begins with `-`."""
+    """A command with arguments that may be ids: of earlier versions' ids one in 64 begins with `-`."""
 
     def make_parser(self, ctx: Any) -> Any:
-        """The parser of the command's options, which leaves ids among the arguments, in their place."""
+        """The parser of the command's options, which takes ids as arguments."""
         parser: Any = super().make_parser(ctx)
-        read_option = parser._process_opts  # where it would say that there is no such option
+        read_option = parser._process_opts  # raises "No such option"
 
         def read(word: str, state: Any) -> None:
             if _ID.fullmatch(word) and not _LONG_OPTION.fullmatch(word):

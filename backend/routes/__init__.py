@@ -98,7 +98,7 @@ class StrictRequest(Request):
 
 
 def client_address(request: Request) -> str:
-    """Who asks, as server or known proxy say; empty where they do not."""
+    """The client's address by the server, or by a trusted proxy; empty where neither names one."""
     return request.client.host if request.client else ""
 
 
@@ -158,18 +158,18 @@ def router(tag: str, *statuses: int, route_class: type[StrictRoute] = StrictRout
     return APIRouter(prefix=API, tags=[tag], route_class=route_class, responses=responses)
 
 
-def _check_parameters(sent: QueryParams, known: Sequence[str]) -> None:
-    """Each may be there once: none of this API's is a list, and of two values one would be lost.
+def _check_parameters(sent: QueryParams, declared: Sequence[str]) -> None:
+    """Refuse unknown parameters and repeated ones: none is a list here, and of two values one would be ignored.
 
     Raises:
-        ProblemError: 422, with every name that is unknown or there twice.
+        ProblemError: 422, with every name that is unknown or appears twice.
     """
-    times = Counter(name for name, _ in sent.multi_items())
-    wrong = [name for name, count in times.items() if count > 1 or name not in known][:MOST_ERRORS]
+    counts = Counter(name for name, _ in sent.multi_items())
+    wrong = [name for name, count in counts.items() if count > 1 or name not in declared][:MOST_ERRORS]
     if not wrong:
         return
     errors = []
     for name in wrong:
-        message = "This parameter is there twice" if name in known else unknown_name("parameter", name, known)
+        message = "This parameter is there twice" if name in declared else unknown_name("parameter", name, declared)
         errors.append({"pointer": "", "message": message} | ({"parameter": name} if is_name(name) else {}))
     raise ProblemError(422, "The address has parameters that cannot be used; errors names each.", errors=errors)

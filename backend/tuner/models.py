@@ -323,5 +323,5 @@ class TuningEstimate(Answer):
 
     runs: int = Field(description="Of the search and the comparison, the passive car's included")
     generations: int
-    estimated_cost: float = Field(description="Estimate, which the limit is held against [s of one core]")
+    estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")

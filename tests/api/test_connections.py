@@ -1,4 +1,4 @@
-"""Connections that clients keep open, with a real server: who is closed, who is served, and what is told."""
+"""Connections that clients keep open, with a real server: which are closed, which served, and what a refusal says."""
 
 import contextlib
 import socket

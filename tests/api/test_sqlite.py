@@ -1,6 +1,6 @@
 """SQLite's file: with other programs at it, gone, read-only, or one that no service can start on.
 
-A short lock is waited for, a long one is told, and readers go on.
+A short lock is waited for, a long one is an error, and readers go on.
 """
 
 import asyncio
@@ -57,7 +57,7 @@ def together(work: Callable[[], Awaitable[Any]]) -> Any:
 
 
 @pytest.mark.parametrize("begin", [WRITE, READ])
-def test_readers_go_on_while_writers_wait_and_are_told(store: Store, path: Path, begin: str) -> None:
+def test_readers_go_on_while_writers_wait_and_fail(store: Store, path: Path, begin: str) -> None:
     async def work() -> None:
         writers = [asyncio.create_task(store.write(save, store, f"run-{number}", "b")) for number in range(8)]
         reads = 0
@@ -66,8 +66,8 @@ def test_readers_go_on_while_writers_wait_and_are_told(store: Store, path: Path,
             await store.read(store.ping)
             reads += 1
         assert reads > 1
-        told = await asyncio.gather(*writers, return_exceptions=True)
-        assert [type(error) for error in told] == [DatabaseLockedError] * 8, "those in line behind the first, too"
+        errors = await asyncio.gather(*writers, return_exceptions=True)
+        assert [type(error) for error in errors] == [DatabaseLockedError] * 8, "those queued behind the first, too"
 
     with foreign(path, begin):
         together(work)
@@ -89,7 +89,7 @@ def test_a_short_lock_fails_nothing(store: Store, path: Path, begin: str, monkey
         together(work)
 
 
-def test_who_can_not_even_read_is_told(store: Store, path: Path) -> None:
+def test_a_lock_against_reading_is_an_error(store: Store, path: Path) -> None:
     async def work() -> None:
         found = await asyncio.gather(*(store.read(store.ping) for _ in range(16)), return_exceptions=True)
         assert {type(error) for error in found} == {DatabaseLockedError}
@@ -117,7 +117,7 @@ def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
         await asyncio.to_thread(begun.wait)
         second = asyncio.create_task(store.write(save, store, "second", "b"))
         assert await store.read(store.runs.load, "before") is not None
-        await asyncio.sleep(1.2)  # longer than any lock of a stranger is waited for
+        await asyncio.sleep(1.2)  # longer than a lock of another program is waited for
         assert not second.done()
         may_end.set()
         await asyncio.gather(writer, second)

@@ -22,7 +22,7 @@ from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api
 from tests.servers.process import request
 
-HELD = 8.0  # a stranger's lock [s]
+HELD = 8.0  # how long another program holds a lock [s]
 COPIES = 4
 BIG = 300  # megabytes in the database, so that a copy takes its time
 LOCKED_RUNS, COPIED_RUNS = 1500, 5000  # of the batch: it lasts until others let go, and longer than the copies take
@@ -37,7 +37,7 @@ class Users:
         self._seed = 0
         self._stored: list[str] = []
         self._longest: dict[str, float] = {}
-        self._told: Counter[int] = Counter()
+        self._statuses: Counter[int] = Counter()
         self._store()
         looks = {"stored run": f"{url}/api/v1/runs/{self._stored[0]}", "/readyz": f"{url}/readyz"}
         self._threads = [threading.Thread(target=self._look, args=item) for item in looks.items()]
@@ -45,13 +45,13 @@ class Users:
         for thread in self._threads:
             thread.start()
 
-    def felt(self, what: str) -> dict[str, float]:
+    def report(self, what: str) -> dict[str, float]:
         """Print, and begin anew: the longest wait for each kind [s], and the answers to those who write."""
         longest, self._longest = self._longest, {}
-        told, self._told = self._told, Counter()
+        statuses, self._statuses = self._statuses, Counter()
         waits = ", ".join(f"{name} {1000 * wait:.0f} ms" for name, wait in longest.items())
-        print(f"{what}: at most {waits}; new runs {told[200]} stored, {told[503]} told to come back")
-        assert set(told) <= {200, 503}
+        print(f"{what}: at most {waits}; new runs {statuses[200]} stored, {statuses[503]} refused")
+        assert set(statuses) <= {200, 503}
         return longest
 
     def end(self) -> None:
@@ -82,7 +82,7 @@ class Users:
         self._seed += 1
         body = {"scenario": {"road": {"seed": self._seed}}, "strategies": ["lv"]}
         answer = request("POST", f"{self._url}/api/v1/runs", json=body)
-        self._told[answer.status_code] += 1
+        self._statuses[answer.status_code] += 1
         if answer.status_code == 200:
             self._stored.append(answer.json()["id"])
         return answer
@@ -117,7 +117,7 @@ def accepted(request: pytest.FixtureRequest, api: Api, tmp_path: Path) -> Iterat
 def users(api: Api, accepted: Accepted) -> Iterator[Users]:
     users = Users(api.url)
     time.sleep(3)
-    users.felt("calm")
+    users.report("calm")
     yield users
     users.end()
 
@@ -127,14 +127,14 @@ def users(api: Api, accepted: Accepted) -> Iterator[Users]:
 def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
     for what, begin in (("foreign writer", "BEGIN IMMEDIATE"), ("foreign reader", "BEGIN")):
         path = tmp_path / "data/ridelab.sqlite"
-        with contextlib.closing(sqlite3.connect(path, isolation_level=None, timeout=10)) as stranger:
-            stranger.execute(begin)
-            stranger.execute("SELECT count(*) FROM runs").fetchone()
+        with contextlib.closing(sqlite3.connect(path, isolation_level=None, timeout=10)) as other_program:
+            other_program.execute(begin)
+            other_program.execute("SELECT count(*) FROM runs").fetchone()
             time.sleep(HELD)
-        longest = users.felt(f"{what}, {HELD:g} s")
+        longest = users.report(f"{what}, {HELD:g} s")
         assert max(longest["stored run"], longest["/readyz"]) < 1
         time.sleep(2)
-        users.felt("afterwards")
+        users.report("afterwards")
     assert "Traceback" not in api.log
 
 
@@ -143,12 +143,12 @@ def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
 def test_backups_during_a_batch(users: Users, accepted: Accepted, tmp_path: Path) -> None:
     path, copies = tmp_path / "data/ridelab.sqlite", tmp_path / "copies"
     copies.mkdir()
-    settings, turns = Settings(data_dir=path.parent), []
+    settings, lock_times = Settings(data_dir=path.parent), []
     for number in range(COPIES):
-        turns.append(back_up(settings, copies / f"{number}.sqlite", overwrite=False).seconds)
+        lock_times.append(back_up(settings, copies / f"{number}.sqlite", overwrite=False).seconds)
         time.sleep(1)
-    longest = users.felt(
-        f"{COPIES} copies of {path.stat().st_size / 1e6:.0f} MB, writes kept waiting at most {max(turns):.2f} s"
+    longest = users.report(
+        f"{COPIES} copies of {path.stat().st_size / 1e6:.0f} MB, writes kept waiting at most {max(lock_times):.2f} s"
     )
     assert max(longest["stored run"], longest["/readyz"]) < 1
     assert accepted.waiting() > 0, "the drill needs a longer batch"

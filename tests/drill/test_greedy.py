@@ -45,7 +45,7 @@ async def others(port: int, seconds: float) -> tuple[dict[int, int], list[float]
     return statuses, health, runs
 
 
-def told(statuses: dict[int, int], health: list[float], runs: list[float]) -> str:
+def summary(statuses: dict[int, int], health: list[float], runs: list[float]) -> str:
     return (
         f"the others' answers by status {statuses}, health {quantile(health, 0.5):.0f} ms, p99 "
         f"{quantile(health, 0.99):.0f}; runs {quantile(runs, 0.5):.0f} ms, p99 {quantile(runs, 0.99):.0f}"
@@ -59,7 +59,7 @@ async def idle(port: int) -> None:
         print(f"\n800 idle connections, of which {greedy.open} are left open: ", end="")
         assert greedy.open == 200
         statuses, health, runs = await others(port, SECONDS)
-        print(told(statuses, health, runs))
+        print(summary(statuses, health, runs))
         assert set(statuses) == {200}
         assert (await greedy.call("GET", "/healthz"))[0] == 200
     finally:
@@ -80,7 +80,7 @@ async def busy(port: int) -> None:
         for _ in range(64):
             group.create_task(ask())
         statuses, health, runs = await others(port, SECONDS - 2)
-        print(f"\n64 runs at once, always: {told(statuses, health, runs)}")
+        print(f"\n64 runs at once, always: {summary(statuses, health, runs)}")
         assert set(statuses) == {200}
         assert quantile(runs, 0.99) < 5000
     print(f"the greedy client's answers by status {answers}")

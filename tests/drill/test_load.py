@@ -22,11 +22,11 @@ SECONDS = float(os.environ.get("DRILL_SECONDS", "60"))
 WARM_UP = 5.0  # [s]
 CAPACITY = 15.0  # as long is the capacity measured [s]
 ADDRESSES = [f"127.0.0.{number}" for number in range(2, 22)]
-LOOK = 0.1  # between two looks at what is stored, and at health [s]
+POLL_INTERVAL = 0.1  # of what is stored, and of health [s]
 
 
 @dataclass
-class Tally:
+class Answers:
     """What came back, and how long it took [s]."""
 
     good: list[float] = field(default_factory=list)
@@ -35,70 +35,72 @@ class Tally:
     runs: list[str] = field(default_factory=list)  # that are stored
     health: list[float] = field(default_factory=list)
     stored: list[float] = field(default_factory=list)
-    waits: set[int] = field(default_factory=set)  # what refusals said of it
+    waits: set[int] = field(default_factory=set)  # Retry-After of refusals [s]
 
 
-async def ask(caller: Caller, tally: Tally, *, valid: bool = True) -> None:
+async def ask(caller: Caller, answers: Answers, *, valid: bool = True) -> None:
     """A run nobody asked for yet, or what is none."""
     body = new_run() if valid else new_run(b'"none"')
     begin = time.monotonic()
     status, headers, answer = await caller.call("POST", "/api/v1/runs", body)
     took = time.monotonic() - begin
     if status == 200:
-        tally.good.append(took)
-        tally.runs.append(run_id(answer))
+        answers.good.append(took)
+        answers.runs.append(run_id(answer))
     elif status == 422 and not valid:
-        tally.invalid += 1
+        answers.invalid += 1
     else:
         assert status in (429, 503), status
-        tally.refused.append(took)
-        tally.waits.add(int(headers["retry-after"]))
+        answers.refused.append(took)
+        answers.waits.add(int(headers["retry-after"]))
 
 
-async def look(caller: Caller, paths: Iterator[str], into: list[float], end: float) -> None:
+async def poll(caller: Caller, paths: Iterator[str], into: list[float], end: float) -> None:
     while time.monotonic() < end:
         begin = time.monotonic()
         assert (await caller.call("GET", next(paths)))[0] == 200
         into.append(time.monotonic() - begin)
-        await asyncio.sleep(LOOK)
+        await asyncio.sleep(POLL_INTERVAL)
 
 
-async def closed(callers: list[Caller], connections: int, seconds: float) -> tuple[Tally, float]:
+async def closed_loop(callers: list[Caller], connections: int, seconds: float) -> tuple[Answers, float]:
     """So many who each ask again when they are answered: what came back, and the capacity [1/s]."""
-    tally, begin = Tally(), time.monotonic()
+    answers, begin = Answers(), time.monotonic()
 
     async def one(caller: Caller) -> None:
         while time.monotonic() < begin + seconds:
-            await ask(caller, tally)
+            await ask(caller, answers)
 
     await asyncio.gather(*(one(caller) for caller in callers[:connections]))
-    return tally, len(tally.good) / (time.monotonic() - begin)
+    return answers, len(answers.good) / (time.monotonic() - begin)
 
 
-async def opened(callers: list[Caller], rate: float, stored: list[str], valid: Iterator[bool]) -> tuple[Tally, float]:
+async def open_loop(
+    callers: list[Caller], rate: float, stored: list[str], valid: Iterator[bool]
+) -> tuple[Answers, float]:
     """So many a second [1/s], whatever becomes of those before: what came back, and what was done [1/s]."""
-    tally, begin = Tally(), time.monotonic()
+    answers, begin = Answers(), time.monotonic()
     onlookers = [Caller(callers[0].port, f"127.0.0.{number}") for number in (30, 31)]
     async with asyncio.TaskGroup() as group:
         health, paths = itertools.repeat("/healthz"), itertools.cycle([f"/api/v1/runs/{each}" for each in stored])
-        group.create_task(look(onlookers[0], health, tally.health, begin + SECONDS))
-        group.create_task(look(onlookers[1], paths, tally.stored, begin + SECONDS))
+        group.create_task(poll(onlookers[0], health, answers.health, begin + SECONDS))
+        group.create_task(poll(onlookers[1], paths, answers.stored, begin + SECONDS))
         for number in range(int(rate * SECONDS)):
             await asyncio.sleep(max(0.0, begin + number / rate - time.monotonic()))
-            group.create_task(ask(callers[number % len(callers)], tally, valid=next(valid)))
+            group.create_task(ask(callers[number % len(callers)], answers, valid=next(valid)))
     took = time.monotonic() - begin
     await asyncio.gather(*(caller.close() for caller in onlookers))
-    return tally, len(tally.good) / took
+    return answers, len(answers.good) / took
 
 
-def told(tally: Tally, done: float, rate: float, capacity: float) -> str:
+def summary(answers: Answers, done: float, rate: float, capacity: float) -> str:
     """One paragraph of figures."""
-    good, stored, health = tally.good, tally.stored, tally.health
+    good, stored, health = answers.good, answers.stored, answers.health
     return (
         f"capacity {capacity:.1f}/s, offered {rate:.1f}/s: done {done:.1f}/s ({done / capacity:.0%}), "
         f"answered after {quantile(good, 0.5):.0f} ms, p99 {quantile(good, 0.99):.0f}, max {1000 * max(good):.0f};\n"
-        f"  refused {len(tally.refused)} after {quantile(tally.refused, 0.5):.0f} ms, p99 "
-        f"{quantile(tally.refused, 0.99):.0f}, Retry-After {sorted(tally.waits)}; invalid {tally.invalid};\n"
+        f"  refused {len(answers.refused)} after {quantile(answers.refused, 0.5):.0f} ms, p99 "
+        f"{quantile(answers.refused, 0.99):.0f}, Retry-After {sorted(answers.waits)}; invalid {answers.invalid};\n"
         f"  stored GET {quantile(stored, 0.5):.0f} ms, p99 {quantile(stored, 0.99):.0f}; health "
         f"{quantile(health, 0.5):.0f} ms, p99 {quantile(health, 0.99):.0f}"
     )
@@ -107,15 +109,15 @@ def told(tally: Tally, done: float, rate: float, capacity: float) -> str:
 async def overload(port: int) -> None:
     callers = [Caller(port, address) for address in ADDRESSES]
     try:
-        await closed(callers, 4, WARM_UP)
-        calm, capacity = await closed(callers, 4, CAPACITY)
+        await closed_loop(callers, 4, WARM_UP)
+        calm, capacity = await closed_loop(callers, 4, CAPACITY)
         for name, valid in (("all valid", [True]), ("a tenth invalid", [True] * 9 + [False])):
-            tally, done = await opened(callers, 3 * capacity, calm.runs, itertools.cycle(valid))
-            print(f"\n{name}: {told(tally, done, 3 * capacity, capacity)}")
-            assert statistics.median(tally.refused) < statistics.median(tally.good) / 2, "a refusal comes sooner"
-            assert quantile(tally.good, 0.99) < 5000
-            assert quantile(tally.stored, 0.5) < 100
-            assert quantile(tally.health, 0.99) < 2000
+            answers, done = await open_loop(callers, 3 * capacity, calm.runs, itertools.cycle(valid))
+            print(f"\n{name}: {summary(answers, done, 3 * capacity, capacity)}")
+            assert statistics.median(answers.refused) < statistics.median(answers.good) / 2, "a refusal comes sooner"
+            assert quantile(answers.good, 0.99) < 5000
+            assert quantile(answers.stored, 0.5) < 100
+            assert quantile(answers.health, 0.99) < 2000
             assert done / capacity >= 0.8
     finally:
         await asyncio.gather(*(caller.close() for caller in callers))

@@ -1,4 +1,4 @@
-"""Another program writes to the database for long: requests that write are told so, all others are answered."""
+"""Another program writes to the database for long: requests that write are refused, all others are answered."""
 
 import contextlib
 import sqlite3
@@ -12,13 +12,13 @@ from tests.faults.test_disk_full import SHORT, check_refused, post
 WRITERS = 6
 
 
-def test_who_writes_is_told_and_who_reads_is_answered(service: Process, database: Path) -> None:
+def test_writes_are_refused_and_reads_are_answered(service: Process, database: Path) -> None:
     kept, logged = post(service, 11).json(), len(service.log)
     with (
-        contextlib.closing(sqlite3.connect(database, isolation_level=None)) as stranger,
+        contextlib.closing(sqlite3.connect(database, isolation_level=None)) as other_program,
         ThreadPoolExecutor(WRITERS) as threads,
     ):
-        stranger.execute("BEGIN IMMEDIATE")
+        other_program.execute("BEGIN IMMEDIATE")
         writes = [threads.submit(post, service, 20 + number) for number in range(WRITERS)]
         answered = 0
         while not any(write.done() for write in writes):
@@ -28,7 +28,7 @@ def test_who_writes_is_told_and_who_reads_is_answered(service: Process, database
         assert answered > 1, "no read waits for a writer"
         for write in writes:
             check_refused(write.result())
-        stranger.rollback()
+        other_program.rollback()
     line = "The database did not answer: another program has held a lock on the SQLite database for more than 1 s"
     assert service.log[logged:].count(line) == WRITERS
     assert "Traceback" not in service.log[logged:]

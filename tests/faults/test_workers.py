@@ -103,7 +103,7 @@ def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
             async with asyncio.timeout(30):
                 while psutil.pid_exists(first):
                     await asyncio.sleep(0.01)
-            assert workers.load["busy"] + workers.load["idle"] <= 2, "one, and perhaps the next one's heir"
+            assert workers.load["busy"] + workers.load["idle"] <= 2, "one, and perhaps its successor"
             assert workers.ready
         finally:
             await workers.close()

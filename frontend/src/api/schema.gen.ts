@@ -2084,7 +2084,7 @@ export interface components {
             contradictory: number;
             /**
              * Estimated Cost
-             * @description Estimate, which the limit is held against [s of one core]
+             * @description Estimate, which is compared with the limit [s of one core]
              */
             estimated_cost: number;
             /**
@@ -4522,7 +4522,7 @@ export interface components {
         TuningEstimate: {
             /**
              * Estimated Cost
-             * @description Estimate, which the limit is held against [s of one core]
+             * @description Estimate, which is compared with the limit [s of one core]
              */
             estimated_cost: number;
             /**
