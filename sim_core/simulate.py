@@ -42,14 +42,8 @@ def simulate(
     stages = spans(scenario, strategy, motion)
     step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
     by_ecu = strategy.suspension is SuspensionPolicy.ECU
-    road_input = sample_road(
-        scenario.road,
-        scenario.vehicle.wheelbase,
-        motion,
-        step,
-        fine_step(scenario, strategy),
-        multiple=short_steps(step) if by_ecu else 1,
-    )
+    longest, multiple = fine_step(scenario, strategy), short_steps(step) if by_ecu else 1
+    road_input = sample_road(scenario.road, scenario.vehicle.wheelbase, motion, step, longest, multiple=multiple)
     steps = segments(stages, road_input.position)
     if by_ecu:
         calibration = calibration or ecu_calibration(scenario)

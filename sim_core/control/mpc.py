@@ -133,9 +133,7 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     travel_moves = np.concatenate([p.z_moves[1:, :2], p.end_moves[None, :2]]).transpose(1, 0, 2).reshape(-1, free)
     travel = np.hstack([x_given[:, :STATES], np.zeros((2 * horizon.prediction, FORCES)), x_given[:, STATES:]])
     checks = np.vstack([optimum * KILO, travel + travel_moves @ optimum])
-    bounds = np.concatenate(
-        [np.full(free, horizon.force_limit), np.full(2 * horizon.prediction, terms.deflection_limit)]
-    )
+    bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
     checks /= bounds[:, None]
     bound_gain, preview_norms = _bound(checks)
     return MpcDesign(
