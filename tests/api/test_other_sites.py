@@ -1,7 +1,5 @@
 """Requests that another site's page sends through somebody's browser, or that ask for another host."""
 
-import asyncio
-
 import httpx
 import pytest
 from starlette.responses import Response
@@ -9,6 +7,7 @@ from starlette.responses import Response
 from backend.security import GuardMiddleware
 from backend.settings import Settings
 from tests.api.test_problems import check
+from tests.servers import loops
 
 
 @pytest.mark.parametrize("path", ["batches/nobody/cancel", "tunings/nobody/resume", "runs", "live"])
@@ -37,7 +36,7 @@ def test_only_hosts_that_are_listed_are_served() -> None:
             async with httpx.AsyncClient(transport=httpx.ASGITransport(guard), base_url="http://x") as client:
                 return await client.get(path, headers={"Host": host})
 
-        return asyncio.run(answer())
+        return loops.run(answer)
 
     for host in ("lab.example.com", "LAB.example.com:8000", "a.example.org", "a.b.example.org:1", "[::1]:8000"):
         assert get("/", host).status_code == 200

@@ -13,6 +13,7 @@ import pytest
 from backend.compute import Workers, WorkerTimeoutError
 from backend.worker import run
 from sim_core.scenario import Scenario
+from tests.servers import loops
 
 LIMIT = 2.0  # a task may take [s]; the others here take far less
 CARS_KNOWN = "__import__('sim_core.car.half_car').car.half_car.half_car.cache_info().currsize"
@@ -108,4 +109,4 @@ def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
         finally:
             await workers.close()
 
-    asyncio.run(use())
+    loops.run(use)
