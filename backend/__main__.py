@@ -4,6 +4,7 @@ Worker processes import this module too when they are spawned, so it imports the
 """
 
 import argparse
+import errno
 import os
 import socket
 import sys
@@ -89,7 +90,8 @@ def listen(host: str, port: int) -> socket.socket:
         listener.bind((host, port))
     except OSError as error:
         listener.close()
-        raise OSError(f"{host} port {port}: {error.strerror}") from None
+        remedy = "; --port names another one, as does make run PORT=" if error.errno == errno.EADDRINUSE else ""
+        raise OSError(f"{host} port {port}: {error.strerror}{remedy}") from None
     return listener
 
 

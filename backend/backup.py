@@ -12,7 +12,7 @@ from pathlib import Path
 from sqlalchemy import make_url
 
 from backend.settings import Settings
-from backend.store.sqlite import database_file
+from backend.store.sqlite import database_file, reason
 
 LOCK_TIMEOUT = 30.0  # [s]
 RETRY_INTERVAL = 0.002  # SQLite's own retries are so rare that a busy writer would always be quicker [s]
@@ -57,6 +57,8 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
         raise BackupError("PostgreSQL is copied with pg_dump -Fc (docs/operations.md, Backup and restore)")
     if not file.path.exists():
         raise BackupError(f"There is no database at {file.path}")
+    if file.path.stat().st_size == 0:  # SQLite takes it for a database without tables
+        raise BackupError(f"{file.path} is empty, so there is nothing to copy")
     _check_target(file.path, target, overwrite=overwrite)
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     temporary = Path(name)
@@ -64,9 +66,9 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
         seconds = _copy(file.path, temporary)
         shutil.copymode(file.path, temporary)
         os.fsync(handle)
-        temporary.replace(target)
+        _put_in_place(temporary, target, overwrite=overwrite)
     except sqlite3.Error as error:
-        raise BackupError(f"{file.path}: {error}") from error
+        raise BackupError(f"No copy of {file.path} was made: {reason(error)}") from error
     finally:
         os.close(handle)
         temporary.unlink(missing_ok=True)
@@ -82,7 +84,26 @@ def _check_target(database: Path, target: Path, *, overwrite: bool) -> None:
     if target.exists() and target.samefile(database):
         raise BackupError(f"{target} is the database itself")
     if target.exists() and not overwrite:
-        raise BackupError(f"{target} is there already; --force replaces it")
+        raise _taken(target)
+
+
+def _put_in_place(temporary: Path, target: Path, *, overwrite: bool) -> None:
+    """Give the complete copy its name; a file that is there, or came meanwhile, is replaced only on request."""
+    if not overwrite:
+        try:
+            os.link(temporary, target)
+        except FileExistsError:
+            raise _taken(target) from None
+        except OSError:  # a file system without hard links
+            if target.exists():
+                raise _taken(target) from None
+        else:
+            return
+    temporary.replace(target)
+
+
+def _taken(target: Path) -> BackupError:
+    return BackupError(f"{target} is there already; --force replaces it")
 
 
 def _copy(database: Path, copy: Path) -> float:

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Mapping
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -118,7 +119,7 @@ class Settings(BaseModel):
             return cls.model_validate(values)
         except ValidationError as error:
             reasons = [
-                _reason(item["loc"], "there is no such setting" if item["type"] == "extra_forbidden" else item["msg"])
+                _reason(item["loc"], _unknown(item["loc"][0]) if item["type"] == "extra_forbidden" else item["msg"])
                 for item in error.errors(include_url=False)
             ]
             raise SettingsError("; ".join(reasons)) from None
@@ -207,6 +208,12 @@ def _check_certificates(files: Mapping[str, Path | None]) -> None:
     except ssl.SSLError:
         names = ", ".join(_variable(name) for name in files)
         raise ValueError(f"{names}: they are no authority, certificate and key in PEM that belong together") from None
+
+
+def _unknown(name: int | str) -> str:
+    similar = [_variable(known) for known in get_close_matches(str(name), Settings.model_fields)]
+    perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
+    return f"there is no such setting{perhaps}; docs/operations.md lists all"
 
 
 def _reason(place: tuple[int | str, ...], message: str) -> str:

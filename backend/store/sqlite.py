@@ -19,7 +19,7 @@ REASONS = {
     sqlite3.SQLITE_CANTOPEN: "it cannot be opened",
     sqlite3.SQLITE_CORRUPT: "it is damaged; put a backup in its place",
     sqlite3.SQLITE_FULL: "its disk is full",
-    sqlite3.SQLITE_NOTADB: "it is no SQLite database",
+    sqlite3.SQLITE_NOTADB: "it is no SQLite database; put a backup in its place",
     sqlite3.SQLITE_READONLY: "it or its folder cannot be written to",
 }
 
@@ -161,15 +161,19 @@ def is_locked(error: DBAPIError) -> bool:
     return _code(error) == sqlite3.SQLITE_BUSY
 
 
-def reason(error: DBAPIError) -> str:
+def reason(error: DBAPIError | sqlite3.Error) -> str:
     """Why the database cannot be used, without the statement and its values."""
-    text = str(error.orig).strip().splitlines()
+    text = str(_cause(error)).strip().splitlines()
     return REASONS.get(_code(error), text[0] if text else type(error).__name__)
 
 
-def _code(error: DBAPIError) -> int:
-    extended: Any = getattr(error.orig, "sqlite_errorcode", 0)
+def _code(error: DBAPIError | sqlite3.Error) -> int:
+    extended: Any = getattr(_cause(error), "sqlite_errorcode", 0)
     return int(extended) & 0xFF
+
+
+def _cause(error: DBAPIError | sqlite3.Error) -> BaseException | None:
+    return error.orig if isinstance(error, DBAPIError) else error
 
 
 def wal_is_safe(version: tuple[int, ...]) -> bool:

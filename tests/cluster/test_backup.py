@@ -91,10 +91,32 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     whole = database.read_bytes()
     database.write_bytes(whole[:-4096] + b"\xff" * 4096)
     assert "damaged" in backup("--force", code=2)
+    database.write_bytes(b"no database at all" * 100)
+    assert "it is no SQLite database" in backup("--force", code=2)
+    database.write_bytes(b"")
+    assert "is empty, so there is nothing to copy" in backup("--force", code=2)
     assert (tmp_path / "copy.sqlite").read_text() == "older"
     database.write_bytes(whole)
     backup("--force")
     assert (tmp_path / "copy.sqlite").stat().st_size == len(whole)
+    assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
+
+
+def test_of_two_backups_to_one_file_one_is_refused(
+    sqlite_store: Store, tmp_path: Path, backup: Backup, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save(sqlite_store, "before")
+    copy = tmp_path / "copy.sqlite"
+    fsync = os.fsync
+
+    def be_overtaken(handle: int) -> None:
+        """The other one is complete after this one looked whether there is a file."""
+        fsync(handle)
+        copy.write_text("of the other one")
+
+    monkeypatch.setattr(os, "fsync", be_overtaken)
+    assert "is there already; --force replaces it" in backup(code=2)
+    assert copy.read_text() == "of the other one"
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
 
 

@@ -98,7 +98,7 @@ def test_a_start_that_cannot_work_says_why(
         return message
 
     with socket.create_server(("127.0.0.1", 0)) as taken:
-        assert "in use" in fails("--port", str(taken.getsockname()[1]))
+        assert "in use; --port names another" in fails("--port", str(taken.getsockname()[1]))
     assert "RIDELAB_WORKERS" in fails("--port", "0", RIDELAB_WORKERS="many")
     assert "URL" in fails("--port", "0", RIDELAB_DATABASE_URL="no database")
     (tmp_path / "file").touch()

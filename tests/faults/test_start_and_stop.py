@@ -37,7 +37,7 @@ def test_a_database_that_cannot_be_used_ends_the_start_with_one_sentence(tmp_pat
     (tmp_path / "ridelab.sqlite").write_text("no database at all")
     command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
-    said = f"Ridelab does not start: {tmp_path}/ridelab.sqlite: it is no SQLite database\n"
+    said = f"Ridelab does not start: {tmp_path}/ridelab.sqlite: it is no SQLite database; put a backup in its place\n"
     assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
 
 

@@ -67,6 +67,12 @@ def test_nothing_is_no_value(name: str) -> None:
         Settings.from_environment({variable: ""})
 
 
+def test_an_unknown_setting_is_told_with_those_of_a_similar_name() -> None:
+    said = "there is no such setting, perhaps RIDELAB_ALLOWED_HOSTS; docs/operations.md lists all$"
+    with pytest.raises(SettingsError, match=said):
+        Settings.from_environment({"RIDELAB_ALLOWED_HOST": "lab.example.com"})
+
+
 def test_a_value_on_the_command_line_is_checked_as_well() -> None:
     with pytest.raises(SettingsError, match=r"^RIDELAB_DATA_DIR: it is empty"):
         Settings.from_environment({}, data_dir="")
