@@ -64,12 +64,12 @@ class Backlog:
         if self._open < few:
             return
         wait, own = self.expected_wait, open_of_client * self._mean_interval
-        if wait > self._max_wait:
-            detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
-            raise ProblemError(503, detail, kind="full", retry_after=_retry_after(wait))
         if own > self._max_wait / 2 and open_of_client >= few:
             detail = "This client's open requests already fill half of what may wait."
             raise ProblemError(429, detail, kind="too-many-requests", retry_after=_retry_after(own))
+        if wait > self._max_wait:
+            detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
+            raise ProblemError(503, detail, kind="full", retry_after=_retry_after(wait))
 
     @contextmanager
     def track(self) -> Iterator[None]:

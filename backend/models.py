@@ -11,6 +11,7 @@ from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
 from backend.problem_kinds import KINDS, TYPES
+from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import MAX_SEED
@@ -36,15 +37,13 @@ class Answer(BaseModel):
 
 def _known_strategy(name: str) -> str:
     if name not in STRATEGIES:
-        raise PydanticCustomError(
-            "unknown_strategy", "Unknown strategy; there are {names}", {"names": ", ".join(STRATEGIES)}
-        )
+        raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, STRATEGY_IDS)})
     return name
 
 
 def _known_signal(name: str) -> str:
     if name not in SIGNALS:
-        raise PydanticCustomError("unknown_signal", "Unknown signal; there are {names}", {"names": ", ".join(SIGNALS)})
+        raise PydanticCustomError("unknown_signal", "{said}", {"said": unknown_name("signal", name, list(SIGNALS))})
     return name
 
 

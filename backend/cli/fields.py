@@ -78,7 +78,7 @@ def _unique(specs: Sequence[str], option: str, form: str, read: Any) -> dict[str
 def _split(text: str, option: str, form: str) -> tuple[dotted.DottedField, str]:
     name, sign, value = text.partition("=")
     if not sign or not value:
-        raise InputError(f"{option} takes {form}")
+        raise InputError(f"{option} takes {form}, and {text or 'nothing'} is no such pair")
     try:
         return dotted.field(name.strip()), value.strip()
     except RidelabError as error:

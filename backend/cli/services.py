@@ -77,7 +77,7 @@ class Services:
             try:
                 self._open[address] = self._stack.enter_context(Ridelab(url))
             except ValueError as error:
-                raise InputError(f"--server: {error}") from None
+                raise InputError(f"--server or RIDELAB_SERVER: {error}") from None
         return self._open[address]
 
 

@@ -115,7 +115,7 @@ def test_a_refusal_names_the_field(cli: Cli, scenario: Path) -> None:
     assert cli("run", "--set", "road.bump.start=149", code=2) == ""
     assert cli.error.startswith("road.bump.start: The bump must end before the road does")
     assert cli("run", "--strategy", "best", code=2) == ""
-    assert cli.error.startswith("strategies[0]: Unknown strategy; there are lv, lv_hil, lqr")
+    assert cli.error.startswith("strategies[0]: Unknown strategy best; there are lv, lv_hil, lqr")
 
 
 @pytest.mark.parametrize("file_format", ["csv", "json", "parquet"])

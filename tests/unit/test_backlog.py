@@ -99,6 +99,9 @@ def test_one_client_fills_half_of_what_may_wait(requests: Requests) -> None:
     requests.complete(10)
     assert requests.refusal(own=15) == (429, 2)
     requests.backlog.check(2)
+    requests.arrive(15)  # now the wait is too long for everybody, and whose requests they are is said all the same
+    assert requests.refusal(own=30) == (429, 3)
+    assert requests.refusal(own=2) == (503, 3)
 
 
 def test_a_client_with_few_requests_fills_nothing(requests: Requests) -> None:

@@ -61,7 +61,8 @@ def test_changes_are_set_in_what_is_given() -> None:
         ("road.seed=1.5", "road.seed: Input should be a valid integer"),
         ("mpc.stage_weights.cruise=1,x", "mpc.stage_weights.cruise: three weights are 8,1,1"),
         ("mpc.stage_weights.cruise=0,0,0", "mpc.stage_weights.cruise: At least one weight"),
-        ("road.bump.height", "--set takes FIELD=VALUE"),
+        ("road.bump.height", "--set takes FIELD=VALUE, and road.bump.height is no such pair"),
+        ("road.bump.height=", "--set takes FIELD=VALUE, and road.bump.height= is no such pair"),
     ],
 )
 def test_changes_that_cannot_be_made_name_the_field(change: str, said: str) -> None:
@@ -276,7 +277,7 @@ def test_files_that_are_no_scenario(content: str | bytes, said: str, tmp_path: P
         (["run", "nothing"], "neither a file, nor a preset (paper,"),
         (["run", "http://127.0.0.1:9/docs/abc"], "ends with /r/ID or /s/ID"),
         (["run", "--strategy", "lv", "--baseline", "passive"], "--baseline: one of the strategies that run, lv"),
-        (["run", "--server", "127.0.0.1:9"], "--server: A service's address begins with http://"),
+        (["run", "--server", "127.0.0.1:9"], "--server or RIDELAB_SERVER: A service's address begins with http://"),
         (["run", "--set", "road.bump.hight=1"], "road.bump.hight: Unknown field"),
         (["sweep"], "one of --grid, --latin-hypercube and --list"),
         (["sweep", "--grid", "road.seed=1", "--detach"], "--detach needs --server"),
