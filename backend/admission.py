@@ -5,6 +5,7 @@ from contextlib import contextmanager
 
 from backend.backlog import Backlog, mark_computing
 from backend.limits import RETRY_AFTER, ConcurrencyLimit, TokenBucket, client_key
+from backend.problem_kinds import CHEAPER_RUN
 from backend.problems import ProblemError
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
@@ -67,7 +68,7 @@ class Admission:
         if cost > self._max_request_cost:
             message = (
                 f"The estimated cost of {cost:.3g} s of computing is over the limit of {self._max_request_cost:g} s "
-                "a request; fewer or shorter roads, a higher speed, a longer sample time or shorter horizons cost less"
+                f"a request; fewer roads, {CHEAPER_RUN}"
             )
             raise ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/scenario", "message": message}])
 

@@ -6,6 +6,8 @@ A new kind is one more entry here and one more line in docs/api.md; a test compa
 from dataclasses import dataclass
 
 TYPES = "urn:problem-type:ridelab:"
+# What a refused run's sender can do; the solver first, since it changes most.
+CHEAPER_RUN = "the solver DAQP, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,7 +71,12 @@ _LIST = (
         "Unsupported media type",
         "The body has to be JSON as it is, with the header Content-Type: application/json.",
     ),
-    _kind("other-host", 421, "Other host", "The service does not answer to the name in the Host header."),
+    _kind(
+        "other-host",
+        421,
+        "Other host",
+        "The service does not answer to the name in the Host header; RIDELAB_ALLOWED_HOSTS lists the names it does.",
+    ),
     _kind("invalid-request", 422, "Invalid request", "The request has values that cannot be used; errors names each."),
     _kind("refused", 422, "Refused", "The values fit one by one, but the simulation cannot work with them together."),
     _kind(

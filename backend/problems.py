@@ -13,7 +13,7 @@ from starlette.exceptions import HTTPException
 
 from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.hil.drive import EcuUnavailableError
-from backend.problem_kinds import KINDS, OF_STATUS, TYPES
+from backend.problem_kinds import CHEAPER_RUN, KINDS, OF_STATUS, TYPES
 from backend.telemetry import REFUSED, STORE_ERRORS, request_id
 from backend.unknown_names import locate_in_body, shown_path, unknown_name
 from sim_core.errors import RidelabError, TooExpensiveError
@@ -149,10 +149,7 @@ async def _too_expensive(_: Request, error: Exception) -> Response:
 
 async def _slow(request: Request, _: Exception) -> Response:
     # Not 503: the same again would hold a worker as long again.
-    text = (
-        "The computation took longer than the limit and was ended; fewer or shorter roads, a higher speed, a longer "
-        "sample time or shorter horizons cost less."
-    )
+    text = f"The computation took longer than the limit and was ended; fewer roads, {CHEAPER_RUN}."
     places = [{"pointer": "/scenario", "message": text}] if request.method == "POST" else []
     return problem(422, text, kind="too-expensive", errors=places)
 

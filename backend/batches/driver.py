@@ -21,6 +21,7 @@ from backend import telemetry
 from backend.batches.leadership import Leadership, LeadershipLostError
 from backend.batches.plan import rekeyed
 from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun, Trouble, WaitingRun
+from backend.problem_kinds import CHEAPER_RUN
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import UNFINISHED, State
@@ -47,7 +48,7 @@ STATES: tuple[State, ...] = get_args(State)
 
 REASONS: dict[Trouble, str] = {
     "lost": "The computation ended unexpectedly, twice",
-    "timeout": "The computation took longer than the limit and was ended; a shorter road or shorter horizons cost less",
+    "timeout": f"The computation took longer than the limit and was ended; {CHEAPER_RUN}",
     "bug": "The computation failed with an unforeseen error; it is in the service's log",
 }
 

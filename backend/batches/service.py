@@ -17,6 +17,7 @@ from backend.batches.robustness import BASELINE
 from backend.batches.sweeps import Sweep, SweepError, size
 from backend.batches.table import Format
 from backend.compute import Workers
+from backend.problem_kinds import CHEAPER_RUN
 from backend.problems import ProblemError, pointer
 from backend.runs import ordered
 from backend.settings import Settings
@@ -245,7 +246,8 @@ class Batches:
             )
         if planned.dearest > each:
             raise _too_big(
-                f"One run's estimated cost of {planned.dearest:.3g} s of computing is over the limit of {each:g} s"
+                f"One run's estimated cost of {planned.dearest:.3g} s of computing is over the limit of {each:g} s; "
+                f"{CHEAPER_RUN}"
             )
         return planned
 

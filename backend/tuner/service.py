@@ -13,6 +13,7 @@ from backend.batches import plan
 from backend.batches.service import Batches
 from backend.batches.sweeps import Sweep
 from backend.compute import Workers
+from backend.problem_kinds import CHEAPER_RUN
 from backend.problems import ProblemError
 from backend.settings import Settings
 from backend.store import Store, StoredTuning
@@ -241,7 +242,7 @@ class Tunings:
         if each > settings.max_request_cost:
             raise _too_big(
                 f"One run's estimated cost of {each:.3g} s of computing is over the limit of "
-                f"{settings.max_request_cost:g} s",
+                f"{settings.max_request_cost:g} s; {CHEAPER_RUN}",
                 "/scenario",
             )
         return runs + passive, cost
