@@ -68,9 +68,11 @@ def _application(settings: "Settings") -> "FastAPI":
 
     from sqlalchemy.exc import SQLAlchemyError
 
+    from backend import processes
     from backend.app import create_app
     from backend.store.sqlite import UnusableDatabaseError
 
+    processes.return_freed_memory()
     try:
         app = create_app(settings, workers)
         app.state.store.migrate()

@@ -7,10 +7,12 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
+from backend.limits import RETRY_AFTER
 from backend.problems import ProblemError
 
 MIN_SMOOTHING = 0.1  # weight of the newest interval in the moving average
 MAX_RETRY_AFTER = 60  # [s]
+RELIABLE = 8  # intervals: the first ones of a burst last as long as the service reads all of it
 
 
 @dataclass(slots=True)
@@ -66,10 +68,10 @@ class Backlog:
         wait, own = self.expected_wait, open_of_client * self._mean_interval
         if own > self._max_wait / 2 and open_of_client >= few:
             detail = "This client's open requests already fill half of what may wait."
-            raise ProblemError(429, detail, kind="too-many-requests", retry_after=_retry_after(own))
+            raise ProblemError(429, detail, kind="too-many-requests", retry_after=self._retry_after(own))
         if wait > self._max_wait:
             detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
-            raise ProblemError(503, detail, kind="full", retry_after=_retry_after(wait))
+            raise ProblemError(503, detail, kind="full", retry_after=self._retry_after(wait))
 
     @contextmanager
     def track(self) -> Iterator[None]:
@@ -99,13 +101,15 @@ class Backlog:
             interval /= self._workers  # as many began together
         self._mean_interval += max(MIN_SMOOTHING, 1 / self._intervals) * (interval - self._mean_interval)
 
+    def _retry_after(self, wait: float) -> int:
+        """That wait in whole seconds; soon while too few have completed to tell it, unless none does."""
+        if self._intervals < RELIABLE:
+            wait = min(wait, max(RETRY_AFTER, self._clock() - self._interval_start))
+        return min(MAX_RETRY_AFTER, max(1, math.ceil(wait)))
+
 
 def mark_computing() -> None:
     """Mark the current request as one that computes; without effect where none is tracked."""
     request = _current.get()
     if request is not None:
         request.computed = True
-
-
-def _retry_after(wait: float) -> int:
-    return min(MAX_RETRY_AFTER, max(1, math.ceil(wait)))

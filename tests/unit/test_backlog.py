@@ -75,6 +75,13 @@ def test_twice_the_workers_are_admitted_and_no_more_while_nothing_completes(requ
     assert requests.refusal() == (503, 60), "nothing completed for so long"
 
 
+def test_the_first_completions_of_a_burst_send_nobody_away_for_long(requests: Requests) -> None:
+    requests.arrive(90)
+    requests.complete(after=1.0)  # while it was completed, all of them were read
+    assert requests.backlog.expected_wait > 40
+    assert requests.refusal() == (503, 2)
+
+
 def test_what_does_not_compute_says_nothing_of_the_wait(requests: Requests) -> None:
     requests.arrive(24)
     requests.complete(4)
