@@ -31,15 +31,19 @@ class Caller:
         self._idle: list[Connection] = []
 
     async def call(self, method: str, path: str, body: bytes = b"") -> tuple[int, dict[str, str], bytes]:
-        """Status, headers and body."""
-        reader, writer = await self._connection()
-        head = f"{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
-        writer.write(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)
-        first, *lines = (await reader.readuntil(b"\r\n\r\n")).decode().strip().split("\r\n")
-        headers = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines)}
-        answer = await reader.readexactly(int(headers["content-length"]))
-        self._idle.append((reader, writer))
-        return int(first.split()[1]), headers, answer
+        """Status, headers and body; asked again where the service closed an idle connection just then."""
+        while True:
+            reused = bool(self._idle)
+            reader, writer = await self._connection()
+            try:
+                answer = await _exchange(reader, writer, method, path, body)
+            except (ConnectionError, asyncio.IncompleteReadError):
+                writer.close()
+                if not reused:
+                    raise
+            else:
+                self._idle.append((reader, writer))
+                return answer
 
     async def hold(self, count: int) -> None:
         """Have so many more connections, each of which has asked something."""
@@ -71,6 +75,16 @@ class Caller:
 
     async def _connect(self) -> Connection:
         return await asyncio.open_connection("127.0.0.1", self.port, local_addr=(self._address, 0))
+
+
+async def _exchange(
+    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, method: str, path: str, body: bytes
+) -> tuple[int, dict[str, str], bytes]:
+    head = f"{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+    writer.write(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)
+    first, *lines = (await reader.readuntil(b"\r\n\r\n")).decode().strip().split("\r\n")
+    headers = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines)}
+    return int(first.split()[1]), headers, await reader.readexactly(int(headers["content-length"]))
 
 
 def quantile(times: list[float], share: float) -> float:
