@@ -1,15 +1,24 @@
 """Pages of docs whose commands take long show what these print; UPDATE_DOCS=1 writes it there."""
 
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
 import httpx
 import pytest
 
+from backend.settings import Settings
 from sim_core.study import causes
 from sim_core.study.paper import SEEDS
+from tests.api.conftest import serve
 from tests.api.test_cli_docs import check
 from tests.api.test_paper_docs import PAGE, with_blocks
+
+
+@pytest.fixture
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
+    for service in serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2)):
+        yield service.client
 
 
 def test_robustness_md(client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
