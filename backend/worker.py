@@ -17,6 +17,9 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 
 
+SUMMARY_BYTES = 20 * 1024  # a summary's dictionaries and numbers as Python holds them
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Outcome:
     """One strategy's computed result.
@@ -39,7 +42,7 @@ class Outcome:
     @property
     def size(self) -> int:
         """Memory it takes, roughly [bytes]."""
-        return 8192 + (self.series.nbytes if self.series is not None else 0)
+        return SUMMARY_BYTES + (self.series.nbytes if self.series is not None else 0)
 
 
 def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, Outcome]:

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from backend import digest, strict_json
 from backend.memory import Memory
 from backend.settings import Settings, SettingsError
-from backend.worker import Outcome
+from backend.worker import Outcome, run
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 
@@ -149,3 +149,14 @@ def test_memory_answers_only_for_the_points_it_has() -> None:
     assert memory.get("a", 2000) is not None
     memory.put("a", Outcome(status="ok", summary={}, compute_ms=1.0))
     assert memory.get("a", 2000) is not None, "one without series does not drive out one with"
+
+
+def test_a_result_counts_as_much_as_python_takes_for_it() -> None:
+    """Else results without time histories take twice what the limit allows."""
+
+    def held(value: Any) -> int:
+        parts = [*value, *value.values()] if isinstance(value, dict) else value if isinstance(value, list) else []
+        return sys.getsizeof(value) + sum(map(held, parts))
+
+    outcome = run(Scenario(), ["lv"], None)["lv"]
+    assert 0.5 * outcome.size < held(outcome.summary) <= outcome.size
