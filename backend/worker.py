@@ -16,7 +16,6 @@ from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 
-
 SUMMARY_BYTES = 20 * 1024  # a summary's dictionaries and numbers as Python holds them
 
 
