@@ -135,7 +135,7 @@ def _begin_writing(connection: sqlite3.Connection) -> None:
         except sqlite3.OperationalError as error:
             if error.sqlite_errorcode & 0xFF != sqlite3.SQLITE_BUSY or time.monotonic() > end:
                 raise
-            time.sleep(RETRY_INTERVAL)
+            time.sleep(RETRY_INTERVAL)  # in a command of its own, not in the service
         else:
             return
 

@@ -20,7 +20,7 @@ def return_freed_memory() -> None:
     """Have glibc give large blocks back to the system, and all threads share two heaps.
 
     sim_core has it keep what it frees, which makes a worker's single thread faster. In the service each of its threads
-    would keep a heap of its own, 300 MB in all after an hour of mixed use. Call it once sim_core is imported.
+    would keep a heap of its own. Call it once sim_core is imported.
     """
     with suppress(OSError, AttributeError):  # another C library
         mallopt = ctypes.CDLL(None).mallopt

@@ -15,16 +15,16 @@ from typing import Any, get_args
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(_name, "1")
 
-import numpy as np  # noqa: E402 - after the thread limits above
-from pydantic import BaseModel, ValidationError  # noqa: E402
+import numpy as np  # noqa: E402 - after the thread limits
+from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
 
-from backend.hil.drive import simulate  # noqa: E402
-from benchmarks.timing import table  # noqa: E402
-from sim_core.control import qp  # noqa: E402
-from sim_core.errors import TooExpensiveError  # noqa: E402
-from sim_core.scenario import Scenario  # noqa: E402
-from sim_core.strategies import STRATEGIES  # noqa: E402
-from sim_core.workload import estimate  # noqa: E402
+from backend.hil.drive import simulate  # noqa: E402 - after the thread limits
+from benchmarks.timing import table  # noqa: E402 - after the thread limits
+from sim_core.control import qp  # noqa: E402 - after the thread limits
+from sim_core.errors import TooExpensiveError  # noqa: E402 - after the thread limits
+from sim_core.scenario import Scenario  # noqa: E402 - after the thread limits
+from sim_core.strategies import STRATEGIES  # noqa: E402 - after the thread limits
+from sim_core.workload import estimate  # noqa: E402 - after the thread limits
 
 JUDGED, FITTED = 101, 2  # seeds of the draws: none is fitted that is judged
 QUANTILES = (0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0)

@@ -76,7 +76,7 @@ class TelemetryMiddleware:
             "duration_ms": round(1000 * seconds, 2),
             "client": client[0] if client else None,
         }
-        # Refusals are counted: with a line for each, a full service did 77 % of its capacity and not 88 %.
+        # Refusals are counted: a line for each takes of what a full service could do (tests/drill/test_load.py).
         quiet = route in QUIET or status in (429, 503)
         access.log(logging.DEBUG if quiet else logging.INFO, "request", extra=facts)
 

@@ -116,7 +116,7 @@ def accepted(request: pytest.FixtureRequest, api: Api, tmp_path: Path) -> Iterat
 @pytest.fixture
 def users(api: Api, accepted: Accepted) -> Iterator[Users]:
     users = Users(api.url)
-    time.sleep(3)
+    time.sleep(3)  # of use that nothing disturbs
     users.report("calm")
     yield users
     users.end()
@@ -130,10 +130,10 @@ def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
         with contextlib.closing(sqlite3.connect(path, isolation_level=None, timeout=10)) as other_program:
             other_program.execute(begin)
             other_program.execute("SELECT count(*) FROM runs").fetchone()
-            time.sleep(HELD)
+            time.sleep(HELD)  # the fault itself
         longest = users.report(f"{what}, {HELD:g} s")
         assert max(longest["stored run"], longest["/readyz"]) < 1
-        time.sleep(2)
+        time.sleep(2)  # of use without it
         users.report("afterwards")
     assert "Traceback" not in api.log
 
@@ -146,7 +146,7 @@ def test_backups_during_a_batch(users: Users, accepted: Accepted, tmp_path: Path
     settings, lock_times = Settings(data_dir=path.parent), []
     for number in range(COPIES):
         lock_times.append(back_up(settings, copies / f"{number}.sqlite", overwrite=False).seconds)
-        time.sleep(1)
+        time.sleep(1)  # between two copies users write
     longest = users.report(
         f"{COPIES} copies of {path.stat().st_size / 1e6:.0f} MB, writes kept waiting at most {max(lock_times):.2f} s"
     )

@@ -73,7 +73,7 @@ def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch
 
         def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
             counted.append(1)
-            return step(*arguments)  # type: ignore[operator]
+            return step(*arguments)  # type: ignore[operator]  # the method, bound as a default
 
         with monkeypatch.context() as patched:
             patched.setattr(mpc_module.MpcController, "step", counting)
