@@ -31,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
     options = parser.parse_args(arguments)
 
-    from backend import telemetry
+    from backend import logs
     from backend.settings import Settings, SettingsError
 
     try:
@@ -45,7 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
         return _refuse(str(error))
     except KeyboardInterrupt:  # a start may wait for a lock on the database
         return INTERRUPTED
-    telemetry.configure(settings.log_format, settings.log_level)
+    logs.configure(settings.log_format, settings.log_level)
     return _serve(app, settings, listener, options.host)
 
 
@@ -102,7 +102,7 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
 
     import uvicorn
 
-    from backend.protocol import server_config
+    from backend.http.server import server_config
 
     class Server(uvicorn.Server):
         """Says where it listens, and ends in time whatever hangs."""

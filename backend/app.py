@@ -10,22 +10,23 @@ from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
-from backend import problems
-from backend.admission import Admission
 from backend.batches.driver import Driver
 from backend.batches.service import Batches
 from backend.compute import Workers
 from backend.hil.service import Controllers
+from backend.http import problems
+from backend.http.admission import Admission
+from backend.http.guard import GuardMiddleware
+from backend.http.request_log import RequestLogMiddleware
 from backend.links.service import Links
 from backend.memory import Memory
+from backend.metrics import service_registry
 from backend.paper.service import Paper
 from backend.results import Results
 from backend.routes import batches, controller, health, links, paper, runs, schema, site, tunings
 from backend.runs import Runs
-from backend.security import GuardMiddleware
 from backend.settings import Settings
 from backend.store import Store
-from backend.telemetry import TelemetryMiddleware, service_registry
 from backend.tuner.driver import TuningDriver
 from backend.tuner.service import Tunings
 from sim_core import __version__
@@ -70,7 +71,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         lifespan=_lifespan,
         redirect_slashes=False,  # the address it would send people to comes from the request
         middleware=[
-            Middleware(TelemetryMiddleware),
+            Middleware(RequestLogMiddleware),
             Middleware(GuardMiddleware, settings.hosts),
             Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1),
         ],

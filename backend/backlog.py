@@ -7,11 +7,11 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
-from backend.limits import RETRY_AFTER
-from backend.problems import ProblemError
+from backend.errors import BusyError, TooManyRequestsError
 
 MIN_SMOOTHING = 0.1  # weight of the newest interval in the moving average
 MAX_RETRY_AFTER = 60  # [s]
+SOON = 2  # [s]
 RELIABLE = 8  # intervals: the first ones of a burst last as long as the service reads all of it
 
 
@@ -60,7 +60,7 @@ class Backlog:
         """Refuse a request that would wait too long, or whose client already causes half of the longest wait.
 
         Raises:
-            ProblemError: 503 or 429, with the time after which those in progress will be complete.
+            BusyError, TooManyRequestsError: With the time after which those in progress will be complete.
         """
         few = 2 * self._workers
         if self._open < few:
@@ -68,10 +68,10 @@ class Backlog:
         wait, own = self.expected_wait, open_of_client * self._mean_interval
         if own > self._max_wait / 2 and open_of_client >= few:
             detail = "This client's open requests already fill half of what may wait."
-            raise ProblemError(429, detail, kind="too-many-requests", retry_after=self._retry_after(own))
+            raise TooManyRequestsError(detail, retry_after=self._retry_after(own))
         if wait > self._max_wait:
             detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
-            raise ProblemError(503, detail, kind="full", retry_after=self._retry_after(wait))
+            raise BusyError(detail, retry_after=self._retry_after(wait))
 
     @contextmanager
     def track(self) -> Iterator[None]:
@@ -104,7 +104,7 @@ class Backlog:
     def _retry_after(self, wait: float) -> int:
         """That wait in whole seconds; soon while too few have completed to tell it, unless none does."""
         if self._intervals < RELIABLE:
-            wait = min(wait, max(RETRY_AFTER, self._clock() - self._interval_start))
+            wait = min(wait, max(SOON, self._clock() - self._interval_start))
         return min(MAX_RETRY_AFTER, max(1, math.ceil(wait)))
 
 

@@ -15,7 +15,8 @@ from typing import Any, TypeVar
 from pebble import ProcessExpired, ProcessPool
 
 from backend import processes, slots
-from backend.telemetry import WORKER_FAILURES
+from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
+from backend.metrics import WORKER_FAILURES
 
 logger = logging.getLogger(__name__)
 
@@ -24,18 +25,6 @@ PATIENCE = 60.0  # for a free worker [s]
 ATTEMPTS = 2
 MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
-
-
-class WorkerLostError(Exception):
-    """The worker died during the task, and so did the one that tried again."""
-
-
-class WorkerTimeoutError(Exception):
-    """The task took longer than the limit and was ended."""
-
-
-class WorkersBusyError(Exception):
-    """No worker came free in time."""
 
 
 class Workers:

@@ -10,7 +10,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInf
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
-from backend.problem_kinds import KINDS, TYPES
+from backend.http.kinds import KINDS, TYPES
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario

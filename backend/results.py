@@ -6,11 +6,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from backend import digest, worker
-from backend.admission import Admission
 from backend.compute import Workers
+from backend.http.admission import Admission
 from backend.memory import Memory
+from backend.metrics import CACHE, count_run
 from backend.store import Store, StoredResult
-from backend.telemetry import CACHE, count_run
 from backend.worker import Outcome
 from sim_core.scenario import Scenario
 

@@ -9,16 +9,16 @@ from typing import Any, Literal
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest, exports, figures, pins, series
-from backend.admission import Admission
 from backend.compute import Workers
-from backend.problems import ProblemError
+from backend.errors import GoneError, InvalidError, NewerSchemaError, NotFoundError
+from backend.http.admission import Admission
+from backend.metrics import CACHE
 from backend.reports import run as run_report
 from backend.reports.making import made
 from backend.reports.page import Report
 from backend.results import Results
 from backend.run_answers import default_baseline, entry_answer, run_answer
 from backend.store import Store, StoredBatch, StoredResult, StoredRun
-from backend.telemetry import CACHE
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -99,7 +99,7 @@ class Runs:
         """The stored run, as `Run` or `RoadsRun`.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         return run_answer(await self._stored(run_id))
 
@@ -146,14 +146,16 @@ class Runs:
             encoding: How JSON holds numbers.
 
         Raises:
-            ProblemError: 404, 410, 422, 429 or 503.
+            NotFoundError: No such run.
+            GoneError: Its time histories are gone.
+            InvalidError: Strategies it does not have.
         """
         stored = await self._stored(run_id)
         keys = await self._with_histories(stored)
         names = list(keys) if strategies is None else ordered(strategies)
         if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
             message = f"This run has time histories of {', '.join(keys) or 'no strategy'}; name some of them"
-            raise ProblemError(422, message, errors=[{"parameter": "strategy", "pointer": "", "message": message}])
+            raise InvalidError(message, parameter="strategy")
         export = exports.Export(
             strategies=names,
             signals=series.chosen(signals),
@@ -174,10 +176,11 @@ class Runs:
         """One figure of a stored run, or all of them by name, with data.
 
         Raises:
-            ProblemError: 404, 410, 429 or 503.
+            NotFoundError: No such run or figure.
+            GoneError: Its time histories are gone.
         """
         if name is not None and name not in figures.PANELS:
-            raise ProblemError(404, f"There is no such figure; there are {', '.join(figures.PANELS)}.")
+            raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self._stored(run_id)
         outcomes = await self._outcomes(stored, await self._with_histories(stored), client)
         if name is not None:
@@ -195,21 +198,20 @@ class Runs:
             compressed: Whether whoever asked takes gzip.
 
         Raises:
-            ProblemError: 404, 422, 429 or 503.
+            NotFoundError: No such run.
+            InvalidError: It has no such strategy as `baseline`.
         """
         stored = await self._stored(run_id)
         names = list(stored.by_strategy)
         if baseline is not None and baseline not in names:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
-            raise ProblemError(422, message, errors=[{"parameter": "baseline", "pointer": "", "message": message}])
+            raise InvalidError(message, parameter="baseline")
         outcomes: Mapping[str, Outcome] = {}
         gone = False
         try:
             keys = await self._with_histories(stored)
             outcomes = await self._outcomes(stored, keys, client) if keys else {}
-        except ProblemError as error:
-            if error.status_code != 410:
-                raise
+        except GoneError:
             gone = True
         against = baseline or stored.baseline or default_baseline(names)
         facts = run_report.RunFacts(
@@ -247,7 +249,7 @@ class Runs:
     async def _stored(self, run_id: str) -> StoredRun:
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is None:
-            raise ProblemError(404, "There is no run of this id.")
+            raise NotFoundError("There is no run of this id.")
         return replace(stored, scenario=todays(stored))
 
     async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
@@ -256,19 +258,17 @@ class Runs:
         Of a run over several roads they are the first road's.
 
         Raises:
-            ProblemError: 410, another core version computed the run and nothing is pinned.
+            GoneError: Another core version computed the run and nothing is pinned.
         """
         keys = {item.strategy: item.key for item in stored.shown}
         if stored.core_version == CORE_VERSION:
             return keys
         pinned = await self._store.read(self._store.links.pinned, keys.values())
         if not pinned:
-            raise ProblemError(
-                410,
+            raise GoneError(
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
                 "histories cannot be made again, and no link pinned them. Its metrics stay; post its scenario to run "
-                "it on this version.",
-                kind="other-core-version",
+                "it on this version."
             )
         return {name: key for name, key in keys.items() if key in pinned}
 
@@ -288,12 +288,12 @@ def todays(stored: StoredRun | StoredBatch) -> dict[str, Any]:
     """The scenario of what is stored as today's schema has it.
 
     Raises:
-        ProblemError: 503, a newer version of the service stored it.
+        NewerSchemaError: A newer version of the service stored it.
     """
     try:
         return restored(stored.scenario, stored.schema_version).model_dump(mode="json")
     except NewerScenarioError as error:
-        raise ProblemError(503, f"{error.message}.", kind="newer-schema", retry_after=60) from None
+        raise NewerSchemaError(f"{error.message}.") from None
 
 
 def _breaks(stored: StoredRun) -> dict[str, list[float]]:

@@ -7,7 +7,7 @@ from typing import Protocol
 
 from fastapi.sse import format_sse_event
 
-from backend.admission import Admission
+from backend.http.admission import Admission
 
 LOOK = 0.4  # between two looks for events [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
@@ -48,7 +48,7 @@ async def server_sent(
         client: Who listens.
 
     Raises:
-        ProblemError: 429 and 503 where too many streams are open.
+        TemporaryError: Too many streams are open.
     """
     stream = _stream(ended, events, after, admission, client)
     # The first piece now: a refusal is still an answer of its own, and from here on the stream ends itself.

@@ -27,6 +27,11 @@ def shown_path(path: Path) -> list[str | int]:
     return list(itertools.takewhile(lambda step: isinstance(step, int) or is_name(step), path))
 
 
+def pointer(path: Path) -> str:
+    """JSON pointer (RFC 6901) into the request body."""
+    return "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
+
+
 def unknown_name(what: str, name: str | int, known: Sequence[str]) -> str:
     """Such as `Unknown field hight, perhaps height; there are shape, height, width`."""
     message = f"Unknown {what} {name}" if is_name(name) else f"Unknown {what}"

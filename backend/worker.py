@@ -10,7 +10,8 @@ from typing import Any
 
 import orjson
 
-from backend.hil.drive import EcuUnavailableError, simulate
+from backend.errors import EcuUnavailableError
+from backend.hil.drive import simulate
 from backend.series import SeriesArray, pack
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.result import StrategyResult

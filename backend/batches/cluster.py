@@ -22,7 +22,8 @@ from tornado.httpserver import HTTPServer
 
 from backend.batches.work import run_chunk
 from backend.chunk import Answer, Chunk, ClusterLostError
-from backend.compute import WorkerLostError, Workers, WorkersBusyError, WorkerTimeoutError
+from backend.compute import Workers
+from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
 

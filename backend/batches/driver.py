@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, get_args
 import orjson
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend import telemetry
+from backend import metrics
 from backend.batches.leadership import Leadership, LeadershipLostError
 from backend.batches.plan import rekeyed
 from backend.chunk import Answer, Chunk, ClusterLostError, ComputedRun, Trouble, WaitingRun
-from backend.problem_kinds import CHEAPER_RUN
+from backend.errors import CHEAPER_RUN
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import UNFINISHED, State
@@ -292,9 +292,9 @@ class Driver:
             else:
                 break
         for run in computed:
-            telemetry.count_run("batch", run.status, orjson.loads(run.summary))
+            metrics.count_run("batch", run.status, orjson.loads(run.summary))
         for _ in failures:
-            telemetry.count_run("batch", "failed", {})
+            metrics.count_run("batch", "failed", {})
 
     async def _rekey(self, batch: StoredBatch) -> None:
         """Another core version accepted the batch: what it left uncomputed is computed by this one, under new keys."""
@@ -317,9 +317,9 @@ class Driver:
         counts = await self._store.read(self._store.batches.counts)
         for state in STATES:
             batches, runs = counts.get(state, (0, 0))
-            telemetry.BATCHES.labels(state=state).set(batches)
+            metrics.BATCHES.labels(state=state).set(batches)
             if state in UNFINISHED:
-                telemetry.BATCH_QUEUE.labels(state=state).set(runs)
+                metrics.BATCH_QUEUE.labels(state=state).set(runs)
 
 
 def _reason(run: ComputedRun) -> str:

@@ -9,7 +9,6 @@ from typing import Any
 from cachetools import LRUCache
 
 from backend import digest
-from backend.admission import Admission
 from backend.batches import plan, reading
 from backend.batches import table as batch_table
 from backend.batches.driver import Driver
@@ -17,14 +16,21 @@ from backend.batches.robustness import BASELINE
 from backend.batches.sweeps import Sweep, SweepError, size
 from backend.batches.table import Format
 from backend.compute import Workers
-from backend.problem_kinds import CHEAPER_RUN
-from backend.problems import ProblemError, pointer
+from backend.errors import (
+    CHEAPER_RUN,
+    BusyError,
+    ConflictError,
+    CostLimitError,
+    InvalidError,
+    NotFoundError,
+)
+from backend.http.admission import Admission
 from backend.runs import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredBatch
 from backend.store.batches import FINAL, UNFINISHED, BatchRow
 from backend.streams import server_sent
-from backend.unknown_names import shown_path
+from backend.unknown_names import pointer, shown_path
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 
@@ -52,7 +58,7 @@ class Batches:
         """What that batch would be, as `Estimate`.
 
         Raises:
-            ProblemError: 422, as `create`.
+            InvalidError, CostLimitError: As `create`.
         """
         names = ordered(strategies)
         self._check_size(sweep, names)
@@ -76,8 +82,10 @@ class Batches:
         """Accept a batch, as `Batch`: when this returns, it is committed.
 
         Raises:
-            ProblemError: 409 where the idempotency key had another body, 422 for fields, values and limits,
-                429 and 503 where too much is waiting.
+            ConflictError: The idempotency key had another body.
+            InvalidError: Fields or values that cannot be used.
+            CostLimitError: It is too big.
+            TemporaryError: Too much is waiting.
         """
         names = ordered(strategies)
         base = scenario.model_dump(mode="json")
@@ -121,7 +129,7 @@ class Batches:
         """The batch as it stands, as `Batch`.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         return batch_answer(await self._stored(batch_id))
 
@@ -133,7 +141,7 @@ class Batches:
         """Cancel what waits and what runs; what is finished stays. A finished batch is answered as it is.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         await self._stored(batch_id)
         await self._store.write(self._store.batches.cancel, batch_id)
@@ -144,7 +152,8 @@ class Batches:
         """Server-sent events behind number `after`, as they happen, until the batch has ended.
 
         Raises:
-            ProblemError: 404, or 429 and 503 where too many streams are open.
+            NotFoundError: There is none.
+            TemporaryError: Too many streams are open.
         """
         await self._stored(batch_id)
 
@@ -163,7 +172,7 @@ class Batches:
         """Every row column by column, with those figures, as `BatchTable`.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         batch = await self._stored(batch_id)
         whole: dict[str, list[Any]] = batch_table.columns([], batch.fields, figures)
@@ -183,13 +192,15 @@ class Batches:
         """What its finished rows say as a whole, as `BatchSummary`.
 
         Raises:
-            ProblemError: 404, 422 for a baseline the batch has not, 429 and 503 where too much is being read.
+            NotFoundError: There is none.
+            InvalidError: It has no such strategy as `baseline`.
+            TemporaryError: Too much is being read.
         """
         batch = await self._stored(batch_id)
         against = baseline or (BASELINE if BASELINE in batch.strategies else batch.strategies[0])
         if against not in batch.strategies:
             message = f"The batch has no such strategy; it has {', '.join(batch.strategies)}"
-            raise ProblemError(422, message, errors=[{"parameter": "baseline", "pointer": "", "message": message}])
+            raise InvalidError(message, parameter="baseline")
         asked = (batch.id, against, *figures)
         if asked not in self._summaries:
             with self._admission.reading(client):
@@ -204,7 +215,7 @@ class Batches:
         """The batch and its rows in that format, piece by piece.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         batch = await self._stored(batch_id)
         render: Callable[[StoredBatch, AsyncIterator[list[BatchRow]]], AsyncIterator[bytes]] = {
@@ -223,7 +234,7 @@ class Batches:
     async def _stored(self, batch_id: str) -> StoredBatch:
         batch = await self._store.read(self._store.batches.load, batch_id)
         if batch is None:
-            raise ProblemError(404, "There is no batch of this id.")
+            raise NotFoundError("There is no batch of this id.")
         return batch
 
     async def _planned(self, base: Mapping[str, Any], names: Sequence[str], sweep: Sweep) -> plan.Plan:
@@ -233,12 +244,7 @@ class Batches:
             errors = [
                 {"pointer": pointer(["sweep", *shown_path(path)]), "message": message} for path, message in error.errors
             ]
-            raise ProblemError(
-                422,
-                "The sweep has fields that cannot be used; errors names each.",
-                kind="invalid-request",
-                errors=errors,
-            ) from None
+            raise InvalidError("The sweep has fields that cannot be used; errors names each.", errors=errors) from None
         limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
         if planned.cost > limit:
             raise _too_big(
@@ -259,9 +265,7 @@ class Batches:
     async def _check_room(self) -> None:
         counts = await self._store.read(self._store.batches.counts)
         if sum(counts.get(state, (0, 0))[0] for state in UNFINISHED) >= self._settings.max_unfinished_batches:
-            raise ProblemError(
-                503, "The service is full: too many batches are waiting.", kind="full", retry_after=RETRY_AFTER
-            )
+            raise BusyError("The service is full: too many batches are waiting.", retry_after=RETRY_AFTER)
 
 
 def batch_answer(batch: StoredBatch) -> dict[str, Any]:
@@ -293,9 +297,9 @@ def batch_answer(batch: StoredBatch) -> dict[str, Any]:
 
 def _same(known: StoredBatch, request_hash: str) -> dict[str, Any]:
     if known.request_hash != request_hash:
-        raise ProblemError(409, "This Idempotency-Key came with another request before.", kind="idempotency-key-reused")
+        raise ConflictError("This Idempotency-Key came with another request before.", kind="idempotency-key-reused")
     return batch_answer(known)
 
 
-def _too_big(message: str) -> ProblemError:
-    return ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/sweep", "message": message}])
+def _too_big(message: str) -> CostLimitError:
+    return CostLimitError(message, pointer="/sweep")

@@ -8,7 +8,8 @@ import orjson
 
 from backend.batches.plan import scenario_at
 from backend.chunk import ComputedRun, WaitingRun
-from backend.hil.drive import EcuUnavailableError, simulate
+from backend.errors import EcuUnavailableError
+from backend.hil.drive import simulate
 from backend.worker import elapsed_ms, refusal, summary_json
 from sim_core.errors import RidelabError
 

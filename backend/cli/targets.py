@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any, Literal
 from urllib.parse import urlsplit
 
-from backend import strict_json
 from backend.cli.reporting import InputError
 from backend.cli.services import Services
 from backend.client import Batch, Ridelab, RidelabAPIError, RunResult
 from backend.client.address import without_login
+from backend.http import strict_json
 
 _ID = re.compile(r"[A-Za-z0-9_-]{22}")
 _PAGES: dict[str, Literal["run", "batch", "link"]] = {"r": "run", "b": "batch", "s": "link"}

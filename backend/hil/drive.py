@@ -2,20 +2,16 @@
 
 import logging
 
+from backend.errors import EcuUnavailableError
 from backend.hil import build
 from backend.hil.build import EcuError
 from backend.hil.link import connected
-from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import SuspensionPolicy, strategy_named
 
 logger = logging.getLogger(__name__)
-
-
-class EcuUnavailableError(RidelabError):
-    """The ECU's program cannot take part here and now; the scenario is not to blame, and the result is not kept."""
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from backend.errors import EcuUnavailableError
 from backend.hil import drive
 from backend.hil.build import EcuError
 from backend.hil.link import ProcessEcu, connected
@@ -84,7 +85,7 @@ def drive_by_clock(scenario: Scenario) -> dict[str, Any]:
     try:
         measured = simulate(scenario, "lv_hil", paced, calibration)
     except EcuError as error:
-        raise drive.EcuUnavailableError(error.message) from None
+        raise EcuUnavailableError(error.message) from None
     lock_step = drive.simulate(scenario, "lv_hil")
     return {
         "steps": len(timing.lateness),

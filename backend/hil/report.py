@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
+from backend.errors import EcuUnavailableError
 from backend.hil import drive, effort, firmware
 from backend.hil.build import EcuError
 from backend.hil.effort import STM32F103, Part
@@ -69,7 +70,7 @@ def report(scenario: Scenario) -> dict[str, Any]:
             try:
                 rows.append(_row(changed, variant.checked, part, simulated))
             except EcuError as error:
-                raise drive.EcuUnavailableError(error.message) from None
+                raise EcuUnavailableError(error.message) from None
     return {
         "part": {"name": part.name, "clock": part.clock, "flash": part.flash, "ram": part.ram, "stack": part.stack},
         "sample_time": scenario.mpc.sample_time,

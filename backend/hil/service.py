@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from backend.admission import Admission
 from backend.compute import Workers
+from backend.errors import CostLimitError
 from backend.hil import work
 from backend.hil.realtime import LONGEST
 from backend.hil.report import VARIANTS
-from backend.limits import ConcurrencyLimit, client_key
-from backend.problems import ProblemError
+from backend.http.admission import Admission
+from backend.http.limits import ConcurrencyLimit, client_key
 from sim_core.scenario import Scenario
 from sim_core.workload import duration
 
@@ -30,7 +30,8 @@ class Controllers:
         """A zip of C sources.
 
         Raises:
-            ProblemError: 422, 429 or 503.
+            CostLimitError: It would take too much.
+            TemporaryError: Too much is being computed.
         """
         self._admission.check(scenario, [STRATEGY])
         with self._admission.computing(client, scenario, [STRATEGY]):
@@ -40,7 +41,8 @@ class Controllers:
         """`ControllerReport`.
 
         Raises:
-            ProblemError: 422, 429 or 503.
+            CostLimitError: It would take too much.
+            TemporaryError: Too much is being computed.
         """
         return await self._alone(work.report, scenario, client, len(VARIANTS), BUILDING * len(VARIANTS))
 
@@ -48,13 +50,13 @@ class Controllers:
         """`RealtimeReport`, after as long as the drive takes.
 
         Raises:
-            ProblemError: 422, 429 or 503.
+            CostLimitError: It would take too much.
+            TemporaryError: Too much is being computed.
         """
         time = await self._workers.call(duration, scenario, STRATEGY)
         if time > self._longest:
             message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
-            errors = [{"pointer": "/scenario", "message": message}]
-            raise ProblemError(422, f"{message}.", kind="cost-limit", errors=errors)
+            raise CostLimitError(f"{message}.", pointer="/scenario")
         return await self._alone(work.drive_by_clock, scenario, client, 2)
 
     async def _alone(

@@ -7,13 +7,13 @@ from datetime import UTC, datetime
 from typing import Any
 
 from backend import digest, pins
-from backend.admission import Admission
 from backend.batches.service import batch_answer
 from backend.compute import Workers
+from backend.errors import InvalidError, NotFoundError
+from backend.http.admission import Admission
 from backend.links import preview
 from backend.links.models import SLUG_PATTERN
 from backend.links.preview import Preview
-from backend.problems import ProblemError
 from backend.run_answers import run_answer
 from backend.runs import todays
 from backend.store import Store, StoredBatch, StoredLink, StoredRun
@@ -33,7 +33,8 @@ class Links:
         """A new link to a run, as `CreatedLink`; its time histories are pinned with it.
 
         Raises:
-            ProblemError: 422 for an unknown run, 429; where computing is needed 503 too.
+            InvalidError: No such run.
+            TemporaryError: Too many new links, or too much is being computed.
         """
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is None:
@@ -50,7 +51,8 @@ class Links:
         """A new link to a batch, as `CreatedLink`.
 
         Raises:
-            ProblemError: 422 for an unknown batch, or a view of a field that it does not sweep; 429.
+            InvalidError: No such batch, or a view of a field that it does not sweep.
+            TooManyRequestsError: Too many new links.
         """
         stored = await self._store.read(self._store.batches.load, batch_id)
         if stored is None:
@@ -65,11 +67,11 @@ class Links:
         """What a link opens, as `Link`.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         link = await self._load(slug)
         if link is None:
-            raise ProblemError(404, "There is no link of this slug.")
+            raise NotFoundError("There is no link of this slug.")
         head = {
             "slug": link.slug,
             "url": url(link.slug),
@@ -158,5 +160,5 @@ def _opened_batch(stored: StoredBatch) -> dict[str, Any]:
     }
 
 
-def _unknown(field: str, message: str) -> ProblemError:
-    return ProblemError(422, f"{message}.", kind="unknown", errors=[{"pointer": f"/{field}", "message": message}])
+def _unknown(field: str, message: str) -> InvalidError:
+    return InvalidError(f"{message}.", kind="unknown", pointer=f"/{field}")

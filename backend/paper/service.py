@@ -9,12 +9,11 @@ from functools import partial
 from typing import Any
 
 from backend import digest
-from backend.admission import Admission
 from backend.compute import Workers
-from backend.hil.drive import EcuUnavailableError
+from backend.errors import BusyError, EcuUnavailableError
+from backend.http.admission import Admission
 from backend.paper import answers, drawings, work
 from backend.paper.turns import Turns
-from backend.problems import ProblemError
 from backend.reports import paper as paper_report
 from backend.reports.making import made
 from backend.reports.page import Report
@@ -50,7 +49,7 @@ class Paper:
         """Every cell under these readings (reading -> choice, all of them), as `PaperAnswer`.
 
         Raises:
-            ProblemError: 429 or 503.
+            TemporaryError: Too much is being computed.
         """
         values, reason = await self._values(chosen, roads, client, ahead=True)
         blind, blind_reason = await self._values({**chosen, "preview": "none"}, roads, client, ahead=True)
@@ -64,7 +63,7 @@ class Paper:
         """What each switch does by itself, as `ReadingsAnswer`; as many rows as there are after a while.
 
         Raises:
-            ProblemError: 429 or 503.
+            TemporaryError: Too much is being computed.
         """
         default = DEFAULT.choices
         values, reason = await self._values(default, roads, client)
@@ -83,7 +82,7 @@ class Paper:
         """What each part contributes, as `AttributionAnswer`.
 
         Raises:
-            ProblemError: 429 or 503.
+            TemporaryError: Too much is being computed.
         """
         return answers.attribution(roads, await self._rows(work.combinations, (), roads, client))
 
@@ -91,7 +90,7 @@ class Paper:
         """The paper's figures made by us, as `PaperFigures`.
 
         Raises:
-            ProblemError: 429 or 503.
+            TemporaryError: Too much is being computed.
         """
         peaks = await self._rows(work.peaks_over_speed, (), roads, client)
         found = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
@@ -102,7 +101,7 @@ class Paper:
         """All of it as one HTML file; what each part contributes and the figures are by the default readings.
 
         Raises:
-            ProblemError: 429 or 503.
+            TemporaryError: Too much is being computed.
         """
         found = await self.reproduction(chosen, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
@@ -137,7 +136,7 @@ class Paper:
 
         Raises:
             EcuUnavailableError: The ECU's program cannot take part; nothing is stored then.
-            ProblemError: 429 or 503.
+            TemporaryError: Too much is being computed.
         """
         key = _key(function, given, roads)
         stored = await self._store.read(self._store.runs.load_results, [key])
@@ -150,7 +149,7 @@ class Paper:
             if task is None:
                 if len(self._under_way) >= MOST_UNDER_WAY:
                     detail = "The service is full: too much of the paper page is being computed."
-                    raise ProblemError(503, detail, kind="full", retry_after=RETRY_AFTER)
+                    raise BusyError(detail, retry_after=RETRY_AFTER)
                 task = self._under_way[key] = asyncio.create_task(self._compute(key, function, given, roads))
             self._waiting[task] += 1
             try:

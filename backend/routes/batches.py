@@ -9,8 +9,8 @@ from fastapi.responses import StreamingResponse
 from backend.batches import models as models_batches
 from backend.batches import robustness
 from backend.batches.service import Batches
+from backend.errors import InvalidError
 from backend.models import Problem
-from backend.problems import ProblemError
 from backend.routes import router
 from backend.routes.deps import IMMUTABLE, Client, json_answer
 from backend.routes.runs import MEDIA_TYPES
@@ -178,10 +178,10 @@ def _figures(text: str, known: Iterable[str]) -> list[str]:
     """The figures named, each once.
 
     Raises:
-        ProblemError: 422, one is unknown.
+        InvalidError: One is unknown.
     """
     names = [name.strip() for name in text.split(",") if name.strip()]
     if not set(names) <= set(known):
         message = f"Unknown figure; there are {', '.join(known)}"
-        raise ProblemError(422, message, errors=[{"parameter": "figures", "pointer": "", "message": message}])
+        raise InvalidError(message, parameter="figures")
     return list(dict.fromkeys(names))

@@ -7,7 +7,8 @@ from fastapi import Depends, Request, Response
 from backend.hil import models
 from backend.hil.export import FOLDER
 from backend.hil.service import Controllers
-from backend.routes import ScenarioRoute, router
+from backend.http.routing import ScenarioRoute
+from backend.routes import router
 from backend.routes.deps import Client, json_answer, unless_gone
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)

@@ -9,9 +9,9 @@ from fastapi import Depends, Request, Response
 from fastapi.responses import HTMLResponse
 from starlette.requests import ClientDisconnect
 
+from backend.http.routing import client_address
 from backend.links.service import Links
 from backend.reports.page import Report
-from backend.routes import client_address
 from backend.runs import Runs
 
 T = TypeVar("T")

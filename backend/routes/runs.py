@@ -7,9 +7,10 @@ from fastapi.responses import HTMLResponse
 
 from backend import models
 from backend.digest import RUN_ID_LENGTH
-from backend.problems import ProblemError
+from backend.errors import InvalidError
+from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.roads_models import CreatedRoadsRun, RoadsRun
-from backend.routes import ComputingRoute, ScenarioRoute, router
+from backend.routes import router
 from backend.routes.deps import (
     IMMUTABLE,
     Client,
@@ -157,12 +158,12 @@ def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str]
     """The names in a comma-separated parameter; None where it was omitted.
 
     Raises:
-        ProblemError: 422, one of them is unknown.
+        InvalidError: One of them is unknown.
     """
     if text is None:
         return None
     names = [name.strip() for name in text.split(",")]
     if not set(names) <= set(known):
         message = f"Unknown name; there are {', '.join(known)}"
-        raise ProblemError(422, message, errors=[{"parameter": parameter, "pointer": "", "message": message}])
+        raise InvalidError(message, parameter=parameter)
     return names

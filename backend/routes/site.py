@@ -7,9 +7,9 @@ from fastapi import APIRouter, FastAPI
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
+from backend.http.problems import RequestError
 from backend.links import preview
 from backend.links.preview import Preview
-from backend.problems import ProblemError
 from backend.routes.deps import IMMUTABLE, LinksService
 
 DOCS_PAGE = """<!doctype html>
@@ -100,7 +100,7 @@ def add_site(app: FastAPI, dist: Path) -> None:
 
 def _check_built(index: Path) -> None:
     if not index.is_file():
-        raise ProblemError(503, "The dashboard is not built: make setup builds it. The API answers.", kind="not-built")
+        raise RequestError("not-built", "The dashboard is not built: make setup builds it. The API answers.")
 
 
 def _file(path: Path) -> Callable[[], Awaitable[Response]]:

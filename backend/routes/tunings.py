@@ -5,8 +5,9 @@ from typing import Annotated
 from fastapi import Depends, Header, Path, Query, Request, Response
 from fastapi.responses import StreamingResponse
 
+from backend.http.routing import ScenarioRoute
 from backend.models import Problem
-from backend.routes import ScenarioRoute, router
+from backend.routes import router
 from backend.routes.batches import IdempotencyKey
 from backend.routes.deps import Client, json_answer
 from backend.tuner import models as models_tuner

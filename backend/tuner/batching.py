@@ -44,7 +44,7 @@ class TuningBatches:
         """Hand in each set of weights on each road, a set's roads side by side.
 
         Raises:
-            ProblemError: As `Batches.create`.
+            ServiceError: As `Batches.create`.
         """
         scenario = Scenario.model_validate(tuning.request["scenario"])
         sweep = Sweep.model_validate({"list": [{**weights, ROAD: seed} for weights in sets for seed in seeds]})

@@ -9,8 +9,7 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from backend.batches.driver import Driver
 from backend.batches.service import Batches
-from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
-from backend.problems import ProblemError
+from backend.errors import ServiceError, TemporaryError, WorkerTimeoutError
 from backend.store import Store, StoredTuning
 from backend.store.tunings import UNFINISHED
 from backend.tuner.batching import TuningBatches, TuningFailedError
@@ -26,7 +25,6 @@ logger = logging.getLogger(__name__)
 AT_ONCE = 4  # tunings driven side by side; the others wait in the order they were accepted
 LOOK = 0.4  # between two looks at what was accepted, here or by another service [s]
 PAUSE = 2.0  # after the database failed or the service was full [s]
-PASSING = frozenset({429, 503})  # refusals that pass
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
 
@@ -92,7 +90,7 @@ class TuningDriver:
                 reason = await self._step(tuning)
                 if reason is not None:
                     await self._store.write(self._store.tunings.fail, tuning, reason)
-        except (SQLAlchemyError, OSError, WorkerLostError, WorkersBusyError, WorkerTimeoutError, ProblemError) as error:
+        except (SQLAlchemyError, OSError, ServiceError) as error:
             logger.warning("Tuning %s rests: %s", tuning_id, type(error).__name__)
             await asyncio.sleep(PAUSE)
         except Exception:  # not even its failure could be noted: it is tried again
@@ -106,7 +104,7 @@ class TuningDriver:
         """Take the next step; the reason why there is none, where it failed.
 
         Raises:
-            ProblemError: The service is full; it passes.
+            TemporaryError, WorkerTimeoutError: The service is full or the machine slow; it is tried again.
         """
         try:
             if tuning.core_version != CORE_VERSION:
@@ -115,12 +113,10 @@ class TuningDriver:
                 await self._steps.take(tuning)
         except (TuningFailedError, UndefinedObjectiveError) as error:
             return str(error)
-        except ProblemError as error:
-            if error.status_code in PASSING:
-                raise
-            return str(error.detail)
-        except (SQLAlchemyError, OSError, WorkerLostError, WorkersBusyError, WorkerTimeoutError):
+        except (SQLAlchemyError, OSError, TemporaryError, WorkerTimeoutError):
             raise
+        except ServiceError as error:
+            return error.message
         except Exception:  # a bug of ours: this tuning fails and says so, the others go on
             logger.exception("Tuning %s failed", tuning.id)
             return UNFORESEEN

@@ -8,13 +8,19 @@ from datetime import UTC, datetime
 from typing import Any
 
 from backend import digest
-from backend.admission import Admission
 from backend.batches import plan
 from backend.batches.service import Batches
 from backend.batches.sweeps import Sweep
 from backend.compute import Workers
-from backend.problem_kinds import CHEAPER_RUN
-from backend.problems import ProblemError
+from backend.errors import (
+    CHEAPER_RUN,
+    BusyError,
+    ConflictError,
+    CostLimitError,
+    InvalidError,
+    NotFoundError,
+)
+from backend.http.admission import Admission
 from backend.settings import Settings
 from backend.store import Store, StoredTuning
 from backend.store.tunings import FINAL, UNFINISHED
@@ -55,7 +61,7 @@ class Tunings:
         """What that tuning would be, as `TuningEstimate`.
 
         Raises:
-            ProblemError: 422, as `create`.
+            CostLimitError: As `create`.
         """
         request = _stored_request(wanted)
         runs, cost = self._workload(request, wanted.trials)
@@ -75,8 +81,9 @@ class Tunings:
         """Accept a tuning, as `Tuning`: when this returns, it is committed.
 
         Raises:
-            ProblemError: 409 where the idempotency key had another body, 422 for limits of cost, 503 where too many
-                are waiting.
+            ConflictError: The idempotency key had another body.
+            CostLimitError: It is too big.
+            BusyError: Too many are waiting.
         """
         request = _stored_request(wanted)
         body = digest.canonical({**request, "trials": wanted.trials})
@@ -119,7 +126,7 @@ class Tunings:
         """The tuning as it stands, as `Tuning`.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         return await self._answer(await self._stored(tuning_id))
 
@@ -132,7 +139,7 @@ class Tunings:
         """Every trial, as `Trials`.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         tuning = await self._stored(tuning_id)
         found = await self._store.read(self._store.tunings.trials, tuning.id)
@@ -142,7 +149,7 @@ class Tunings:
         """End it and the batch it waits for; complete generations stay. One that has ended is answered as it is.
 
         Raises:
-            ProblemError: 404.
+            NotFoundError: There is none.
         """
         await self._stored(tuning_id)
         await self._store.write(self._store.tunings.cancel, tuning_id)
@@ -155,25 +162,22 @@ class Tunings:
         """Go on where it stopped, up to so many trials; one that has not ended is answered as it is.
 
         Raises:
-            ProblemError: 404; 409 where it has not ended and other trials are asked for, or where there is nothing
-                left to do; 422 for limits.
+            NotFoundError: There is none.
+            ConflictError: It has not ended and other trials are asked for, or there is nothing left to do.
+            InvalidError: It has more trials already.
+            CostLimitError: It would be too big.
         """
         tuning = await self._stored(tuning_id)
         total = tuning.total if trials is None else trials
         if tuning.state in UNFINISHED and total == tuning.total:
             return await self._answer(tuning)
         if tuning.state in UNFINISHED:
-            raise ProblemError(409, "It has not ended: cancel it to change its number of trials.", kind="not-ended")
+            raise ConflictError("It has not ended: cancel it to change its number of trials.", kind="not-ended")
         if total < tuning.done + tuning.failed:
             message = f"It has {tuning.done + tuning.failed} trials already"
-            raise ProblemError(
-                422,
-                message,
-                kind="invalid-request",
-                errors=[{"parameter": "trials", "pointer": "", "message": message}],
-            )
+            raise InvalidError(message, parameter="trials")
         if tuning.state == "done" and total == tuning.total:
-            raise ProblemError(409, "It is done: name a greater number of trials to go on.", kind="done")
+            raise ConflictError("It is done: name a greater number of trials to go on.", kind="done")
         _, cost = self._workload(tuning.request, total)
         await self._check_room()
         await self._store.write(self._store.tunings.resume, tuning_id, total, cost)
@@ -184,7 +188,8 @@ class Tunings:
         """Server-sent events behind number `after`, as they happen, until the tuning has ended.
 
         Raises:
-            ProblemError: 404, or 429 and 503 where too many streams are open.
+            NotFoundError: There is none.
+            TemporaryError: Too many streams are open.
         """
         await self._stored(tuning_id)
 
@@ -207,21 +212,19 @@ class Tunings:
     async def _stored(self, tuning_id: str) -> StoredTuning:
         tuning = await self._store.read(self._store.tunings.load, tuning_id)
         if tuning is None:
-            raise ProblemError(404, "There is no tuning of this id.")
+            raise NotFoundError("There is no tuning of this id.")
         return tuning
 
     async def _same(self, known: StoredTuning, request_hash: str) -> dict[str, Any]:
         if known.request_hash != request_hash:
-            raise ProblemError(
-                409, "This Idempotency-Key came with another request before.", kind="idempotency-key-reused"
-            )
+            raise ConflictError("This Idempotency-Key came with another request before.", kind="idempotency-key-reused")
         return await self._answer(known)
 
     def _workload(self, request: Mapping[str, Any], trials: int) -> tuple[int, float]:
         """Runs at most, and their estimated cost [s of one core].
 
         Raises:
-            ProblemError: 422, over the limits of a batch.
+            CostLimitError: Over the limits of a batch.
         """
         scenario = Scenario.model_validate(request["scenario"])
         aims = Aims(objectives=request["objectives"], limits=request["limits"])
@@ -250,9 +253,7 @@ class Tunings:
     async def _check_room(self) -> None:
         counts = await self._store.read(self._store.tunings.counts)
         if sum(counts.get(state, 0) for state in UNFINISHED) >= self._settings.max_unfinished_batches:
-            raise ProblemError(
-                503, "The service is full: too many tunings are waiting.", kind="full", retry_after=RETRY_AFTER
-            )
+            raise BusyError("The service is full: too many tunings are waiting.", retry_after=RETRY_AFTER)
 
 
 def _stored_request(wanted: TuningRequest) -> dict[str, Any]:
@@ -265,5 +266,5 @@ def _stored_request(wanted: TuningRequest) -> dict[str, Any]:
     }
 
 
-def _too_big(message: str, pointer: str = "/trials") -> ProblemError:
-    return ProblemError(422, message, kind="cost-limit", errors=[{"pointer": pointer, "message": message}])
+def _too_big(message: str, pointer: str = "/trials") -> CostLimitError:
+    return CostLimitError(message, pointer=pointer)

@@ -38,7 +38,7 @@ class Steps:
         Raises:
             TuningFailedError: It cannot go on.
             UndefinedObjectiveError: An objective cannot be told.
-            ProblemError: As `Batches.create`.
+            ServiceError: As `Batches.create`.
         """
         trials = await self._store.read(self._store.tunings.trials, tuning.id)
         aims = Aims(objectives=tuning.request["objectives"], limits=tuning.request["limits"])

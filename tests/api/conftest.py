@@ -16,7 +16,7 @@ from fastapi import FastAPI
 
 from backend.__main__ import listen
 from backend.app import create_app
-from backend.protocol import server_config
+from backend.http.server import server_config
 from backend.settings import Settings
 from tests.api.cli import Cli
 from tests.servers.process import wait_until

@@ -11,10 +11,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend.admission import Admission
 from backend.backlog import Backlog
-from backend.limits import ConcurrencyLimit, TokenBucket, client_key
-from backend.problems import ProblemError
+from backend.errors import BusyError, TooManyRequestsError
+from backend.http.admission import Admission
+from backend.http.limits import ConcurrencyLimit, TokenBucket, client_key
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 from tests.servers.process import wait_until
@@ -24,10 +24,9 @@ PASSIVE = estimate(Scenario(), "passive")
 
 def refusal(act: Callable[[], Any]) -> tuple[int, int]:
     """Status and `Retry-After`."""
-    with pytest.raises(ProblemError) as refused:
+    with pytest.raises((BusyError, TooManyRequestsError)) as refused:
         act()
-    assert refused.value.headers is not None
-    return refused.value.status_code, int(refused.value.headers["Retry-After"])
+    return 503 if isinstance(refused.value, BusyError) else 429, refused.value.retry_after or 0
 
 
 def admission(**limits: Any) -> Admission:
@@ -125,7 +124,7 @@ def test_a_rate_never_lets_through_more_than_it_says(waits: list[float], burst: 
         now += wait
         try:
             rate.take("a")
-        except ProblemError:
+        except TooManyRequestsError:
             continue
         taken += 1
         assert taken <= burst + (now - begin) * each_second + 1e-6

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import uvicorn
 
-from backend.connections import HEALTH_CONNECTIONS
+from backend.http.connections import HEALTH_CONNECTIONS
 from tests.api.test_hostile_connections import BODY, JSON, Address, check_problem, head, impatient, rest
 from tests.servers.process import wait_until
 

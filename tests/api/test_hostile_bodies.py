@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend import routes, strict_json
-from backend.strict_json import MAX_DEPTH, MAX_MEMBERS, StrictJSONError, parse
+from backend.http import routing, strict_json
+from backend.http.strict_json import MAX_DEPTH, MAX_MEMBERS, StrictJSONError, parse
 from tests.servers.process import wait_until
 
 JSON = {"Content-Type": "application/json"}
@@ -110,7 +110,7 @@ def test_a_scenario_has_only_so_many_values(client: httpx.Client, path: str) -> 
     body = '{"strategies": ["passive"], "scenario": {"lqr": {"weights": [' + "1," * 10_000 + "1]}}}"
     response = client.post(f"/api/v1/{path}", content=body, headers=JSON)
     assert response.status_code == 413
-    assert str(routes.SCENARIO_VALUES) in response.json()["detail"]
+    assert str(routing.SCENARIO_VALUES) in response.json()["detail"]
 
 
 @pytest.mark.parametrize("length", [200, 300_000])
@@ -127,7 +127,7 @@ def test_long_bodies_are_parsed_beside_the_event_loop(
     monkeypatch.setattr(strict_json, "parse", spy)
     body = '{"strategies": ["passive"]' + " " * length + "}"
     assert client.post("/api/v1/runs", content=body, headers=JSON).status_code == 200
-    assert [name.startswith("strict-json") for name in threads] == [length > routes.BULKY]
+    assert [name.startswith("strict-json") for name in threads] == [length > routing.BULKY]
 
 
 def test_one_client_sends_only_so_many_long_bodies_at_once(service: Any, client: httpx.Client) -> None:

@@ -15,8 +15,8 @@ import uvicorn
 from fastapi import FastAPI
 from starlette.datastructures import State
 
-from backend.protocol import GuardedProtocol, server_config
-from backend.security import HEADERS
+from backend.http.guard import HEADERS
+from backend.http.server import GuardedProtocol, server_config
 
 Address = tuple[str, int]
 JSON = b"Content-Type: application/json\r\n"

@@ -12,7 +12,7 @@ import httpx
 import pytest
 
 from backend.batches import table as batch_table
-from backend.security import CONTENT_SECURITY_POLICY, HEADERS
+from backend.http.guard import CONTENT_SECURITY_POLICY, HEADERS
 from backend.settings import Settings
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from sqlalchemy import delete, select, update
 
 from backend import exports, pins
-from backend.admission import Admission
+from backend.http.admission import Admission
 from backend.links.models import CreatedLink, Link
 from backend.store import Store
 from backend.store.tables import pinned_series, results, run_results, runs

@@ -10,8 +10,8 @@ import httpx
 import pytest
 
 from backend.app import create_app
+from backend.http.kinds import KINDS
 from backend.models import Catalogue, PresetAnswer, StrategyAnswer
-from backend.problem_kinds import KINDS
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario

@@ -4,7 +4,7 @@ import httpx
 import pytest
 from starlette.responses import Response
 
-from backend.security import GuardMiddleware
+from backend.http.guard import GuardMiddleware
 from backend.settings import Settings
 from tests.api.test_problems import check
 from tests.servers import loops

@@ -13,7 +13,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from backend import digest, strict_json
+from backend import digest
+from backend.http import strict_json
 from backend.memory import Memory
 from backend.settings import Settings, SettingsError
 from backend.worker import Outcome, run

@@ -13,10 +13,10 @@ import pytest
 import structlog
 from prometheus_client.parser import text_string_to_metric_families
 
-from backend.problems import problem
-from backend.telemetry import configure, count_run
-from backend.telemetry.logs import CONTROL
-from backend.telemetry.requests import SANE
+from backend.http.problems import problem
+from backend.http.request_log import SANE
+from backend.logs import CONTROL, configure
+from backend.metrics import count_run
 from sim_core import __version__
 from sim_core.scenario import Scenario
 from tests.servers.process import wait_until
@@ -153,7 +153,7 @@ def test_a_problem_tells_its_requests_name(client: httpx.Client, path: str) -> N
 
 
 def test_outside_a_request_a_problem_has_no_name() -> None:
-    assert json.loads(bytes(problem(404).body))["request_id"] == ""
+    assert json.loads(bytes(problem("not-found").body))["request_id"] == ""
 
 
 @pytest.fixture

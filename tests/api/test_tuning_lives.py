@@ -10,8 +10,7 @@ from pydantic import TypeAdapter
 from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
-from backend.compute import WorkersBusyError
-from backend.problems import ProblemError
+from backend.errors import BusyError, CostLimitError, WorkersBusyError
 from backend.store.tables import tunings
 from backend.tuner import batching, driver, models
 from backend.tuner.measure import Failure
@@ -142,7 +141,7 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
     service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     errors: list[Exception] = [
-        ProblemError(503, "The service is full."),
+        BusyError("The service is full."),
         OperationalError("INSERT", {}, Exception("disk full")),
         WorkersBusyError(),
     ]
@@ -159,7 +158,7 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
     errors.append(ValueError("a bug"))
     failed = wait_for(client, begin(client, trials=8)["id"])
     assert (failed["state"], failed["reason"]) == ("failed", driver.UNFORESEEN)
-    errors.append(ProblemError(422, "It is too big now."))
+    errors.append(CostLimitError("It is too big now."))
     client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
     assert wait_for(client, failed["id"])["reason"] == "It is too big now."
     client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()

@@ -8,8 +8,8 @@ import pytest
 from prometheus_client.core import Metric
 from pydantic_core import PydanticUndefined
 
+from backend.metrics import service_registry
 from backend.settings import Settings
-from backend.telemetry import service_registry
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs/operations.md").read_text()

@@ -10,7 +10,8 @@ from typing import Any
 import psutil
 import pytest
 
-from backend.compute import Workers, WorkerTimeoutError
+from backend.compute import Workers
+from backend.errors import WorkerTimeoutError
 from backend.worker import run
 from sim_core.scenario import Scenario
 from tests.servers import loops

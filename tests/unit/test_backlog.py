@@ -6,7 +6,7 @@ from contextlib import ExitStack
 import pytest
 
 from backend.backlog import Backlog, mark_computing
-from backend.problems import ProblemError
+from backend.errors import BusyError, TooManyRequestsError
 
 INTERVAL = 0.1  # between two completions while others wait [s]
 
@@ -42,9 +42,9 @@ class Requests:
 
     def refusal(self, own: int = 0) -> tuple[int, int]:
         """Status and `Retry-After` of a new request whose client has so many open."""
-        with pytest.raises(ProblemError) as refused:
+        with pytest.raises((BusyError, TooManyRequestsError)) as refused:
             self.backlog.check(own)
-        return refused.value.status_code, int((refused.value.headers or {})["Retry-After"])
+        return 503 if isinstance(refused.value, BusyError) else 429, refused.value.retry_after or 0
 
 
 @pytest.fixture

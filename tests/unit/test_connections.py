@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from backend.connections import HEALTH_CONNECTIONS, Connections, Decision
+from backend.http.connections import HEALTH_CONNECTIONS, Connections, Decision
 
 
 @dataclass(eq=False)

@@ -15,9 +15,9 @@ import numpy as np
 import psutil
 import pytest
 
+from backend.errors import EcuUnavailableError
 from backend.hil import build, drive, link
 from backend.hil.build import EcuError
-from backend.hil.drive import EcuUnavailableError
 from backend.hil.link import connected
 from backend.hil.tables import fingerprint
 from sim_core.ecu.calibration import Calibration

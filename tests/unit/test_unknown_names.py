@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 import pytest
 from pydantic import BaseModel, Field
 
-from backend.unknown_names import is_name, locate_in_body, unknown_name
+from backend.unknown_names import is_name, locate_in_body, pointer, unknown_name
 
 
 class Circle(BaseModel):
@@ -50,3 +50,7 @@ def test_only_what_looks_like_a_name_is_repeated() -> None:
     assert unknown_name("parameter", "x", []) == "Unknown parameter x; there are none"
     assert is_name("road.bump_2")
     assert not any(is_name(text) for text in ("", "a b", "a/b", "ä", "a" * 81, "a\n"))
+
+
+def test_a_json_pointer_is_escaped() -> None:
+    assert pointer(["a/b", "c~d", 0]) == "/a~1b/c~0d/0"

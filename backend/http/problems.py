@@ -11,11 +11,11 @@ from fastapi.responses import Response
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
-from backend.compute import WorkerLostError, WorkersBusyError, WorkerTimeoutError
-from backend.hil.drive import EcuUnavailableError
-from backend.problem_kinds import CHEAPER_RUN, KINDS, OF_STATUS, TYPES
-from backend.telemetry import REFUSED, STORE_ERRORS, request_id
-from backend.unknown_names import locate_in_body, shown_path, unknown_name
+from backend.errors import EcuUnavailableError, ServiceError
+from backend.http.kinds import KINDS, OF_STATUS, TYPES
+from backend.http.request_log import request_id
+from backend.metrics import REFUSED, STORE_ERRORS
+from backend.unknown_names import locate_in_body, pointer, shown_path, unknown_name
 from sim_core.errors import RidelabError, TooExpensiveError
 
 logger = logging.getLogger(__name__)
@@ -23,48 +23,46 @@ logger = logging.getLogger(__name__)
 MEDIA_TYPE = "application/problem+json"
 MOST_ERRORS = 50
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
+RETRY_SOON = {"Retry-After": "2"}
 
 
-class ProblemError(HTTPException):
-    """An error with its own text; raised anywhere below a route.
+class RequestError(ServiceError):
+    """A request that cannot be used as it was sent.
 
     Args:
-        status: HTTP status.
-        detail: What is wrong and what would be right, for a person to read.
-        kind: One of `backend.problem_kinds`; None is what that status usually means.
-        errors: `{"pointer" or "parameter", "message"}` for each place concerned.
-        retry_after: Seconds for the `Retry-After` header.
+        kind: One of `backend.http.kinds`.
+        message: What is wrong and what would be right, for a person to read; None is the kind's meaning.
+        status: HTTP status, of a kind with several.
+        errors: `{"pointer" or "parameter", "message"}` of each part that is to blame.
     """
 
     def __init__(
         self,
-        status: int,
-        detail: str,
+        kind: str,
+        message: str | None = None,
         *,
-        kind: str | None = None,
+        status: int | None = None,
         errors: Sequence[Mapping[str, str]] = (),
-        retry_after: int | None = None,
     ) -> None:
-        headers = {"Retry-After": str(retry_after)} if retry_after is not None else None
-        super().__init__(status, detail, headers)
-        self.kind = kind
-        self.errors = errors
+        super().__init__(message or KINDS[kind].meaning, kind=kind, errors=errors)
+        self.status = status
 
 
 def problem(
-    status: int,
+    kind: str,
     detail: str | None = None,
     *,
-    kind: str | None = None,
+    status: int | None = None,
     errors: Sequence[Mapping[str, str]] = (),
     headers: Mapping[str, str] | None = None,
 ) -> Response:
-    """The response that says so."""
-    entry = KINDS[kind] if kind is not None else OF_STATUS[status]
+    """The response that says so; its status is the kind's first one unless another one is named."""
+    entry = KINDS[kind]
+    status = status or entry.statuses[0]
     if status in PROTECTING:
-        REFUSED.labels(entry.name).inc()
+        REFUSED.labels(kind).inc()
     content = {
-        "type": f"{TYPES}{entry.name}",
+        "type": f"{TYPES}{kind}",
         "title": entry.title,
         "status": status,
         "detail": detail or entry.meaning,
@@ -74,36 +72,35 @@ def problem(
     return Response(orjson.dumps(content), status, dict(headers or {}), MEDIA_TYPE)
 
 
-def pointer(path: Sequence[str | int]) -> str:
-    """JSON pointer (RFC 6901) into the request body."""
-    return "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
-
-
 def register(app: FastAPI) -> None:
     """Make every exception leave as a problem. What none of these know, `GuardMiddleware` answers with 500."""
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(RequestValidationError, _invalid)
+    app.add_exception_handler(ServiceError, _service)
     app.add_exception_handler(RidelabError, _refused)
     app.add_exception_handler(TooExpensiveError, _too_expensive)
     app.add_exception_handler(EcuUnavailableError, _ecu_unavailable)
     app.add_exception_handler(SQLAlchemyError, _store)
-    app.add_exception_handler(WorkerLostError, _lost)
-    app.add_exception_handler(WorkersBusyError, _busy)
-    app.add_exception_handler(WorkerTimeoutError, _slow)
+
+
+async def _service(request: Request, error: Exception) -> Response:
+    error = cast(ServiceError, error)
+    headers = {} if error.retry_after is None else {"Retry-After": str(error.retry_after)}
+    # Nothing points into a body that is not there.
+    errors = [place for place in error.errors if not place["pointer"] or request.method not in ("GET", "HEAD")]
+    return problem(error.kind, error.message, status=getattr(error, "status", None), errors=errors, headers=headers)
 
 
 async def _http(request: Request, error: Exception) -> Response:
+    """The framework's own: its text might hold the path or a value, so ours is sent."""
     error = cast(HTTPException, error)
-    if isinstance(error, ProblemError):
-        return problem(error.status_code, error.detail, kind=error.kind, errors=error.errors, headers=error.headers)
-    # The framework's own: its text might hold the path or a value, so ours is sent.
     headers = dict(error.headers or {})
     if error.status_code == 405:
         # It names the methods of one route, and an address may have several.
         described = request.app.openapi()["paths"].get(getattr(request.scope.get("route"), "path", None), {})
         known = {name.strip() for name in headers.get("allow", headers.get("Allow", "")).split(",") if name}
         headers = {"Allow": ", ".join(sorted(known | {method.upper() for method in described}))}
-    return problem(error.status_code, headers=headers)
+    return problem(OF_STATUS[error.status_code].name, headers=headers)
 
 
 async def _invalid(request: Request, error: Exception) -> Response:
@@ -111,47 +108,31 @@ async def _invalid(request: Request, error: Exception) -> Response:
     body = getattr(request.scope.get("route"), "body_field", None)
     model = body.field_info.annotation if body is not None else None
     found = [_place(item, model) for item in error.errors()[:MOST_ERRORS]]
-    return problem(422, errors=found)
+    return problem("invalid-request", errors=found)
 
 
 async def _refused(_: Request, error: Exception) -> Response:
     error = cast(RidelabError, error)
     place = pointer(["scenario", *error.field.split(".")]) if error.field else ""
-    return problem(422, error.message, kind="refused", errors=[{"pointer": place, "message": error.message}])
+    return problem("refused", error.message, errors=[{"pointer": place, "message": error.message}])
 
 
 async def _ecu_unavailable(_: Request, error: Exception) -> Response:
     # Without Retry-After: somebody has to do what it says, and a client that waited would wait in vain.
-    return problem(503, f"{cast(EcuUnavailableError, error).message}.", kind="ecu-unavailable")
+    return problem("ecu-unavailable", f"{cast(EcuUnavailableError, error).message}.")
 
 
 async def _store(_: Request, error: Exception) -> Response:
     STORE_ERRORS.inc()
     # Its own text holds the statement's values; the driver's does not.
     logger.error("The database did not answer: %s", getattr(error, "orig", None) or type(error).__name__)
-    return problem(503, "The database does not answer.", kind="store-unavailable", headers={"Retry-After": "5"})
-
-
-async def _lost(_: Request, __: Exception) -> Response:
-    text = "The computation ended unexpectedly, twice. Other requests are answered as before."
-    return problem(503, text, kind="worker-lost", headers={"Retry-After": "5"})
-
-
-async def _busy(_: Request, __: Exception) -> Response:
-    return problem(503, "No worker came free in time.", kind="full", headers={"Retry-After": "10"})
+    return problem("store-unavailable", headers={"Retry-After": "5"})
 
 
 async def _too_expensive(_: Request, error: Exception) -> Response:
     error = cast(TooExpensiveError, error)
     places = [{"pointer": pointer(["scenario", *field.split(".")]), "message": error.message} for field in error.fields]
-    return problem(422, f"{error.message}.", kind="too-expensive", errors=places)
-
-
-async def _slow(request: Request, _: Exception) -> Response:
-    # Not 503: the same again would hold a worker as long again.
-    text = f"The computation took longer than the limit and was ended; fewer roads, {CHEAPER_RUN}."
-    places = [{"pointer": "/scenario", "message": text}] if request.method == "POST" else []
-    return problem(422, text, kind="too-expensive", errors=places)
+    return problem("too-expensive", f"{error.message}.", errors=places)
 
 
 def _place(item: Mapping[str, Any], model: Any) -> dict[str, str]:

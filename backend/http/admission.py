@@ -4,9 +4,8 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 from backend.backlog import Backlog, mark_computing
-from backend.limits import RETRY_AFTER, ConcurrencyLimit, TokenBucket, client_key
-from backend.problem_kinds import CHEAPER_RUN
-from backend.problems import ProblemError
+from backend.errors import CHEAPER_RUN, BusyError, CostLimitError
+from backend.http.limits import ConcurrencyLimit, TokenBucket, client_key
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 
@@ -62,7 +61,7 @@ class Admission:
         """Refuse a request that is too big for anybody; what it costs beside the runs counts too [s of one core].
 
         Raises:
-            ProblemError: 422, naming limit and estimate.
+            CostLimitError: Naming limit and estimate.
         """
         cost = beside + sum(estimate(scenario, strategy) for strategy in strategies)
         if cost > self._max_request_cost:
@@ -70,13 +69,14 @@ class Admission:
                 f"The estimated cost of {cost:.3g} s of computing is over the limit of {self._max_request_cost:g} s "
                 f"a request; fewer roads, {CHEAPER_RUN}"
             )
-            raise ProblemError(422, message, kind="cost-limit", errors=[{"pointer": "/scenario", "message": message}])
+            raise CostLimitError(message, pointer="/scenario")
 
     def check_admission(self, client: str) -> None:
         """Refuse a request that may compute before anything is done for it, so that refusals cost next to nothing.
 
         Raises:
-            ProblemError: 429 where the client has too many open, 503 where the service has or the wait would be long.
+            TooManyRequestsError: The client has too many open.
+            BusyError: The service has, or the wait would be long.
         """
         client = client_key(client)
         self._admitted.check(client)
@@ -90,7 +90,7 @@ class Admission:
         threads from the requests that were admitted.
 
         Raises:
-            ProblemError: As `check_admission`.
+            TemporaryError: As `check_admission`.
         """
         self.check_admission(client)
         with self._admitted.acquired(client_key(client)), self._backlog.track():
@@ -101,7 +101,8 @@ class Admission:
         """Count a request that only reads, but much.
 
         Raises:
-            ProblemError: 429 where the client has too many open, 503 where the service has.
+            TooManyRequestsError: The client has too many open.
+            BusyError: The service has.
         """
         client = client_key(client)
         self._admitted.check(client)
@@ -113,15 +114,14 @@ class Admission:
         """Count what is computed for that client.
 
         Raises:
-            ProblemError: 429 where the client has too many open, 503 where the service is full.
+            TooManyRequestsError: The client has too many open.
+            BusyError: The service is full.
         """
         client = client_key(client)
         self._requests.check(client)
         cost = sum(estimate(scenario, strategy) for strategy in strategies)
         if self._queued_cost and self._queued_cost + cost > self._max_queued_cost:
-            raise ProblemError(
-                503, "The service is full: too much computing is waiting.", kind="full", retry_after=RETRY_AFTER
-            )
+            raise BusyError("The service is full: too much computing is waiting.")
         mark_computing()
         with self._requests.acquired(client):
             self._queued_cost += cost
@@ -137,7 +137,8 @@ class Admission:
         """Count an event stream of that client.
 
         Raises:
-            ProblemError: 429 where the client has too many open, 503 where the service has.
+            TooManyRequestsError: The client has too many open.
+            BusyError: The service has.
         """
         client = client_key(client)
         self._streams.check(client)
@@ -149,7 +150,8 @@ class Admission:
         """Count a long request body of that client, while it is received and worked on.
 
         Raises:
-            ProblemError: 429 where the client has too many open, 503 where the service has.
+            TooManyRequestsError: The client has too many open.
+            BusyError: The service has.
         """
         client = client_key(client)
         self._bodies.check(client)
@@ -160,6 +162,6 @@ class Admission:
         """Count a new link of that client: links are kept for ever, so nobody makes them by the thousand.
 
         Raises:
-            ProblemError: 429.
+            TooManyRequestsError: Too many a second.
         """
         self._links.take(client_key(client))

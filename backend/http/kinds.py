@@ -6,8 +6,6 @@ A new kind is one more entry here and one more line in docs/api.md; a test compa
 from dataclasses import dataclass
 
 TYPES = "urn:problem-type:ridelab:"
-# What a refused run's sender can do; the solver first, since it changes most.
-CHEAPER_RUN = "the solver DAQP, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,12 +18,11 @@ import uvicorn
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from backend.connections import Connections, Decision
-from backend.limits import RETRY_AFTER
-from backend.problems import problem
-from backend.security import HEADERS, HEALTH_ONLY
+from backend.http.connections import Connections, Decision
+from backend.http.guard import HEADERS, HEALTH_ONLY
+from backend.http.problems import RETRY_SOON, problem
+from backend.http.request_log import HEADER
 from backend.settings import Settings
-from backend.telemetry.requests import HEADER
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
@@ -49,7 +48,7 @@ class GuardedProtocol(H11Protocol):
         super().connection_made(transport)
         match self.OPEN.add(self, self.client[0] if self.client else ""):
             case Decision.REFUSE:
-                self._refuse(503, "connections")
+                self._refuse("connections")
                 return
             case Decision.HEALTH_ONLY:
                 self.app_state = {**self.app_state, HEALTH_ONLY: True}
@@ -114,8 +113,8 @@ class GuardedProtocol(H11Protocol):
 
     def send_400_response(self, msg: str) -> None:
         """Answer what is not HTTP; the parser knows whether it was only too long."""
-        status = 431 if getattr(sys.exc_info()[1], "error_status_hint", 400) == 431 else 400
-        self._refuse(status, "headers-too-long" if status == 431 else "malformed-request", msg)
+        too_long = getattr(sys.exc_info()[1], "error_status_hint", 400) == 431
+        self._refuse("headers-too-long" if too_long else "malformed-request", msg)
 
     def _answering(self) -> bool:
         return self.cycle is not None and not self.cycle.response_complete
@@ -135,27 +134,27 @@ class GuardedProtocol(H11Protocol):
             return
         began = bool(self.conn.trailing_data[0]) and self.conn.our_state is h11.IDLE
         if began:
-            self._refuse(408, "slow-head")
+            self._refuse("slow-head")
         else:
             self.transport.close()
 
-    def _refuse(self, status: int, kind: str, detail: str | None = None) -> None:
+    def _refuse(self, kind: str, detail: str | None = None) -> None:
         """Answer without the application, and close."""
         if self.conn.our_state not in (h11.IDLE, h11.SEND_RESPONSE):
             self.transport.abort()  # in the middle of another answer
             return
         name = uuid4().hex
-        response = problem(status, detail, kind=kind)
+        response = problem(kind, detail)
         content: dict[str, Any] = {**orjson.loads(response.body), "request_id": name}
         body = orjson.dumps(content)
         headers = {**HEADERS, HEADER: name, "Content-Type": str(response.media_type), "Cache-Control": "no-store"}
         headers |= {"Content-Length": str(len(body)), "Connection": "close"}
-        if status == 503:
-            headers["Retry-After"] = str(RETRY_AFTER)
-        logger.warning("Refused a connection: %d %s", status, kind, extra={"request_id": name})
-        for event in (h11.Response(status_code=status, headers=list(headers.items())), h11.Data(data=body)):
+        if response.status_code == 503:
+            headers |= RETRY_SOON
+        logger.warning("Refused a connection: %s", kind, extra={"request_id": name})
+        head = h11.Response(status_code=response.status_code, headers=list(headers.items()))
+        for event in (head, h11.Data(data=body), h11.EndOfMessage()):
             self.transport.write(self.conn.send(event) or b"")
-        self.transport.write(self.conn.send(h11.EndOfMessage()) or b"")
         self.transport.close()
 
 

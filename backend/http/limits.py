@@ -7,9 +7,8 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from backend.problems import ProblemError
+from backend.errors import BusyError, TooManyRequestsError
 
-RETRY_AFTER = 2  # [s]
 IPV6_PREFIX = 64  # bits: one customer of a provider usually has 2^64 addresses
 
 
@@ -35,19 +34,13 @@ class ConcurrencyLimit:
         """Refuse where one more would be over a limit.
 
         Raises:
-            ProblemError: 429 for the client's own limit, 503 for everybody's.
+            TooManyRequestsError: The client's own limit.
+            BusyError: Everybody's.
         """
         if self._open[client] >= self._per_client:
-            raise ProblemError(
-                429,
-                f"At most {self._per_client} {self._what} of one client may be open at once.",
-                kind="too-many-requests",
-                retry_after=RETRY_AFTER,
-            )
+            raise TooManyRequestsError(f"At most {self._per_client} {self._what} of one client may be open at once.")
         if self._total is not None and self.open >= self._total:
-            raise ProblemError(
-                503, f"The service is full: too many {self._what} are open.", kind="full", retry_after=RETRY_AFTER
-            )
+            raise BusyError(f"The service is full: too many {self._what} are open.")
 
     @contextmanager
     def acquired(self, client: str) -> Iterator[None]:
@@ -86,16 +79,14 @@ class TokenBucket:
         """Take a token.
 
         Raises:
-            ProblemError: 429, with the time after which there is a token again.
+            TooManyRequestsError: With the time after which there is a token again.
         """
         now = self._clock()
         full_at = max(now, self._full_at.get(client, now)) + 1 / self._each_second
         wait = full_at - now - self._burst / self._each_second
         if wait > 1e-9:
-            raise ProblemError(
-                429,
+            raise TooManyRequestsError(
                 f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second.",
-                kind="too-many-requests",
                 retry_after=max(1, math.ceil(wait)),
             )
         if len(self._full_at) >= self.MOST_CLIENTS:

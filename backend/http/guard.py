@@ -9,8 +9,7 @@ from starlette.requests import ClientDisconnect
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from backend.limits import RETRY_AFTER
-from backend.problems import problem
+from backend.http.problems import RETRY_SOON, problem
 
 logger = logging.getLogger(__name__)
 
@@ -91,7 +90,7 @@ class GuardMiddleware:
             logger.exception("An unforeseen error")
             if started:
                 raise  # too late for another answer: the server breaks the connection off
-            await problem(500)(inner, receive, guarded)
+            await problem("internal-error")(inner, receive, guarded)
         finally:
             scope.update({key: inner[key] for key in MATCHED if key in inner})  # for those outside, HEAD or GET
 
@@ -99,18 +98,18 @@ class GuardMiddleware:
         """The answer to a head that no well-meaning client sends."""
         headers: list[tuple[bytes, bytes]] = scope["headers"]
         if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
-            return problem(414, f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)
+            return problem("address-too-long", f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)
         if sum(len(name) + len(value) + 4 for name, value in headers) > LONGEST_HEADERS:
-            return problem(431, f"The headers may have {LONGEST_HEADERS} bytes in all.", headers=CLOSE)
+            return problem("headers-too-long", f"The headers may have {LONGEST_HEADERS} bytes in all.", headers=CLOSE)
         if {b"content-length", b"transfer-encoding"} <= {name for name, _ in headers}:
             # A proxy before us may have believed the other one: what follows on this connection is anybody's.
-            return problem(400, "The request body has two lengths.", kind="two-lengths", headers=CLOSE)
+            return problem("two-lengths", "The request body has two lengths.", headers=CLOSE)
         if scope["method"] not in SAFE and (b"sec-fetch-site", b"cross-site") in headers:
-            return problem(403, kind="cross-site")
+            return problem("cross-site")
         if scope["path"] not in HEALTH and HEALTH_ONLY in scope.get("state", ()):
-            return problem(503, kind="connections", headers={**CLOSE, "Retry-After": str(RETRY_AFTER)})
+            return problem("connections", headers=CLOSE | RETRY_SOON)
         if self._hosts and scope["path"] not in HEALTH and not _matches_any(self._hosts, _host(headers)):
-            return problem(421, kind="other-host")
+            return problem("other-host")
         return None
 
 

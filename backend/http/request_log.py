@@ -10,7 +10,7 @@ import structlog
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from backend.telemetry.metrics import LATENCY
+from backend.metrics import LATENCY
 
 access = logging.getLogger("backend.access")
 
@@ -28,7 +28,7 @@ def request_id() -> str:
     return _current.get()
 
 
-class TelemetryMiddleware:
+class RequestLogMiddleware:
     """The outermost layer. Takes the request's name from the caller where it is harmless, else makes one."""
 
     def __init__(self, app: ASGIApp) -> None:

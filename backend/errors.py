@@ -1,0 +1,131 @@
+"""What the service refuses or cannot do. `backend.http` makes answers of these; nothing here knows HTTP."""
+
+from collections.abc import Mapping, Sequence
+
+from sim_core.errors import RidelabError
+
+# What a refused run's sender can do; the solver first, since it changes most.
+CHEAPER_RUN = "the solver DAQP, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
+TIME_LIMIT = f"The computation took longer than the limit and was ended; fewer roads, {CHEAPER_RUN}."
+
+
+class ServiceError(Exception):
+    """Base of what a service raises on purpose.
+
+    Args:
+        message: What is wrong and what would be right, for a person to read.
+        kind: One of `backend.http.kinds`, where the class has several.
+        pointer: The part of the request's body that is to blame (RFC 6901).
+        parameter: The parameter that is to blame.
+        errors: `{"pointer" or "parameter", "message"}` of each, where several are.
+        retry_after: When it may be over [s].
+    """
+
+    kind = "internal-error"
+    retry_after: int | None = None
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        kind: str | None = None,
+        pointer: str | None = None,
+        parameter: str | None = None,
+        errors: Sequence[Mapping[str, str]] = (),
+        retry_after: int | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.message = message
+        self.kind = kind or self.kind
+        self.retry_after = retry_after or self.retry_after
+        self.errors = list(errors)
+        if parameter is not None:
+            self.errors.append({"parameter": parameter, "pointer": "", "message": message.removesuffix(".")})
+        elif pointer is not None:
+            self.errors.append({"pointer": pointer, "message": message.removesuffix(".")})
+
+
+class NotFoundError(ServiceError):
+    """There is nothing of this id."""
+
+    kind = "not-found"
+
+
+class GoneError(ServiceError):
+    """Another version computed the run, and its time histories are gone."""
+
+    kind = "other-core-version"
+
+
+class ConflictError(ServiceError):
+    """What is asked for does not fit the state of what is there; its kind says why."""
+
+
+class InvalidError(ServiceError):
+    """Values that cannot be used."""
+
+    kind = "invalid-request"
+
+
+class CostLimitError(ServiceError):
+    """The estimated cost or the number of runs is over a limit."""
+
+    kind = "cost-limit"
+
+
+class WorkerTimeoutError(ServiceError):
+    """The task took longer than the limit and was ended: not temporary, the same again would take as long again."""
+
+    kind = "too-expensive"
+
+    def __init__(self) -> None:
+        super().__init__(TIME_LIMIT, pointer="/scenario")
+
+
+class TemporaryError(ServiceError):
+    """The request is right, and may be answered later."""
+
+
+class BusyError(TemporaryError):
+    """The service has too much to do at the moment."""
+
+    kind = "full"
+    retry_after = 2
+
+
+class TooManyRequestsError(TemporaryError):
+    """One client has too much open, or asks too often."""
+
+    kind = "too-many-requests"
+    retry_after = 2
+
+
+class NewerSchemaError(TemporaryError):
+    """A newer version of the service stored this."""
+
+    kind = "newer-schema"
+    retry_after = 60
+
+
+class WorkerLostError(TemporaryError):
+    """The worker died during the task, and so did the one that tried again."""
+
+    kind = "worker-lost"
+    retry_after = 5
+
+    def __init__(self) -> None:
+        super().__init__("The computation ended unexpectedly, twice. Other requests are answered as before.")
+
+
+class WorkersBusyError(TemporaryError):
+    """No worker came free in time."""
+
+    kind = "full"
+    retry_after = 10
+
+    def __init__(self) -> None:
+        super().__init__("No worker came free in time.")
+
+
+class EcuUnavailableError(RidelabError):
+    """The ECU's program cannot take part here and now; the scenario is not to blame, and the result is not kept."""
