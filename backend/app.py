@@ -18,12 +18,13 @@ from backend.http import problems
 from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
+from backend.http.tokens import TokenMiddleware, Tokens
 from backend.links.service import Links
 from backend.memory import Memory
 from backend.metrics import service_registry
 from backend.paper.service import Paper
 from backend.results import Results
-from backend.routes import batches, controller, health, links, paper, runs, schema, site, tunings
+from backend.routes import batches, controller, health, links, login, paper, runs, schema, site, tunings
 from backend.runs import Runs
 from backend.settings import Settings
 from backend.store import Store
@@ -48,6 +49,7 @@ ROUTERS = (
     paper.paper,
     controller.controller,
     schema.schema,
+    login.login,
     health.health,
 )
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
@@ -62,6 +64,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         settings: Of the service.
         workers: Perhaps spawned already; by default its own.
     """
+    tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
     app = FastAPI(
         title="Ridelab",
         version=__version__,
@@ -73,10 +76,12 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         middleware=[
             Middleware(RequestLogMiddleware),
             Middleware(GuardMiddleware, settings.hosts),
+            *([Middleware(TokenMiddleware, tokens)] if tokens is not None else []),
             Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1),
         ],
     )
     app.state.settings = settings
+    app.state.tokens = tokens
     app.state.store = Store(settings.store_url)
     app.state.workers = workers or Workers(settings.workers, timeout=settings.run_timeout)
     problems.register(app)

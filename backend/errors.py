@@ -51,6 +51,12 @@ class NotFoundError(ServiceError):
     kind = "not-found"
 
 
+class ForbiddenError(ServiceError):
+    """It belongs to another token."""
+
+    kind = "other-token"
+
+
 class GoneError(ServiceError):
     """Another version computed the run, and its time histories are gone."""
 

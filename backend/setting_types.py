@@ -39,6 +39,17 @@ def _proxies(text: str) -> str:
     return text
 
 
+def _tokens_file(path: Path) -> Path:
+    """One that can be used now; the service reads it again when it changes."""
+    from backend.http.tokens import read_tokens  # only where there is one: it needs the web stack
+
+    try:
+        read_tokens(path)
+    except OSError:
+        raise ValueError(f"{path} cannot be read") from None
+    return path
+
+
 def _hosts(text: str) -> str:
     """Host names as a browser sends them, without the port."""
     for name in items(text):
@@ -47,6 +58,7 @@ def _hosts(text: str) -> str:
     return text
 
 
+TokensFile = Annotated[Path, AfterValidator(_tokens_file)]
 NewFolder = Annotated[Path, AfterValidator(_folder)]
 SchedulerAddress = Annotated[str, AfterValidator(_scheduler)]
 Proxies = Annotated[str, AfterValidator(_proxies)]

@@ -17,10 +17,10 @@ from pydantic import (
     model_validator,
 )
 
-from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, items
+from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, TokensFile, items
 
 PREFIX = "RIDELAB_"
-CLIENT_VARIABLES = {"RIDELAB_SERVER"}  # of the command line; a service starts all the same
+CLIENT_VARIABLES = {"RIDELAB_SERVER", "RIDELAB_TOKEN"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
 
 
@@ -92,6 +92,9 @@ class Settings(BaseModel):
     )
     allowed_hosts: Hosts = Field(
         "", description="Names the service answers to, with commas; *.example.com is all below it; none is any."
+    )
+    tokens_file: TokensFile | None = Field(
+        None, description="File with a name and a token a line: then the API answers those with a token only."
     )
     log_format: Literal["json", "console"] | None = Field(
         None, description="Without one text on a terminal, else JSON."

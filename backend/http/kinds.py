@@ -35,6 +35,12 @@ def _kind(name: str, statuses: int | tuple[int, ...], title: str, meaning: str) 
 _LIST = (
     _kind("malformed-request", 400, "Malformed request", "The request could not be read."),
     _kind("two-lengths", 400, "Two lengths", "The request has both Content-Length and Transfer-Encoding."),
+    _kind(
+        "token-required",
+        401,
+        "Token required",
+        "The service answers those with a token: Authorization: Bearer, or the page's login.",
+    ),
     _kind("forbidden", 403, "Forbidden", "The proxy before the service does not pass this request on."),
     _kind(
         "cross-site",
@@ -42,6 +48,7 @@ _LIST = (
         "Request of another site",
         "Another site's page sent this request through a browser, and it would change something.",
     ),
+    _kind("other-token", 403, "Another token's", "It belongs to another token, which alone may change it."),
     _kind("not-found", 404, "Not found", "There is nothing at this address, or nothing of this id."),
     _kind(
         "method-not-allowed", 405, "Method not allowed", "This address does not answer that method; Allow names those."

@@ -23,6 +23,7 @@ logger = logging.getLogger(__name__)
 MEDIA_TYPE = "application/problem+json"
 MOST_ERRORS = 50
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
+CHALLENGE = {"WWW-Authenticate": 'Bearer realm="Ridelab"'}
 RETRY_SOON = {"Retry-After": "2"}
 
 
@@ -61,6 +62,7 @@ def problem(
     status = status or entry.statuses[0]
     if status in PROTECTING:
         REFUSED.labels(kind).inc()
+    headers = {**CHALLENGE, **(headers or {})} if status == 401 else dict(headers or {})
     content = {
         "type": f"{TYPES}{kind}",
         "title": entry.title,
@@ -69,7 +71,7 @@ def problem(
         "errors": list(errors),
         "request_id": request_id(),
     }
-    return Response(orjson.dumps(content), status, dict(headers or {}), MEDIA_TYPE)
+    return Response(orjson.dumps(content), status, headers, MEDIA_TYPE)
 
 
 def register(app: FastAPI) -> None:

@@ -76,6 +76,8 @@ class RequestLogMiddleware:
             "duration_ms": round(1000 * seconds, 2),
             "client": client[0] if client else None,
         }
+        if caller := scope.get("state", {}).get("caller"):
+            facts["token"] = caller
         # Refusals are counted: a line for each takes of what a full service could do (tests/drill/test_load.py).
         quiet = route in QUIET or status in (429, 503)
         access.log(logging.DEBUG if quiet else logging.INFO, "request", extra=facts)

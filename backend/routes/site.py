@@ -8,6 +8,7 @@ from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
 from backend.http.problems import RequestError
+from backend.http.tokens import Caller
 from backend.links import preview
 from backend.links.preview import Preview
 from backend.routes.deps import IMMUTABLE, LinksService
@@ -75,8 +76,10 @@ def add_site(app: FastAPI, dist: Path) -> None:
         site.add_api_route(path, page, methods=["GET"])
 
     @site.get("/s/{slug}")
-    async def shared(slug: str, service: LinksService) -> Response:
+    async def shared(slug: str, service: LinksService, caller: Caller) -> Response:
         _check_built(index)
+        if app.state.tokens is not None and caller is None:
+            return await page()  # which asks for a token; nothing of what is shared is in it
         found = await service.preview(slug)
         text = preview.page(index.read_text(encoding="utf-8"), found or Preview(), shared=found is not None)
         headers = {"Cache-Control": "no-cache", "X-Robots-Tag": "noindex"}

@@ -10,6 +10,7 @@ import "./global.css";
 import { pageAt } from "./pages";
 import { loadPlotly } from "./plots/plotly";
 import { ErrorBoundary } from "./shell/ErrorBoundary";
+import { LoginGate } from "./shell/LoginGate";
 import { createLab } from "./state/lab";
 import { watchPrinting } from "./state/printing";
 import { createRouter } from "./state/router";
@@ -49,7 +50,9 @@ createRoot(root).render(
     <QueryClientProvider client={queries}>
       <MantineProvider theme={theme} defaultColorScheme="auto">
         <ErrorBoundary>
-          <Suspense>{page}</Suspense>
+          <Suspense>
+            <LoginGate>{page}</LoginGate>
+          </Suspense>
         </ErrorBoundary>
       </MantineProvider>
     </QueryClientProvider>

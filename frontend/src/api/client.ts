@@ -2,6 +2,7 @@
 
 import { connection } from "./connection";
 import { decodeSeries } from "./decode";
+import { login } from "./login";
 import { ApiProblem, Unreachable, isAbort, isTransient, readProblem } from "./problem";
 import { readRun } from "./roads";
 import type {
@@ -62,6 +63,7 @@ async function send(path: string, init: RequestInit): Promise<Response> {
   const problem = readProblem(response.status, body, response.headers.get("retry-after"));
   if (problem.status === 502 || problem.status === 504) connection.lost("down");
   else if (isTransient(problem)) connection.lost("busy", problem.retryAfter ?? 0);
+  else if (problem.kind === "token-required") login.want();
   throw problem;
 }
 

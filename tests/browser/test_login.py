@@ -1,0 +1,41 @@
+"""A service with tokens: the page asks once, and everything goes on from there, event streams included."""
+
+from pathlib import Path
+
+from playwright.sync_api import Browser, expect
+
+from tests.browser.dashboard import Dashboard
+from tests.servers.api import Api
+from tests.servers.process import request
+
+TOKEN = "ann-0123456789abcdef"  # noqa: S105  # nobody's
+
+
+def test_the_page_asks_for_a_token_once(browser: Browser, tmp_path: Path) -> None:
+    tokens = tmp_path / "tokens"
+    tokens.write_text(f"ann {TOKEN}\n")
+    limits = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_TOKENS_FILE": str(tokens)}
+    api = Api(tmp_path, **limits)
+    api.wait_until_ready()
+    context = browser.new_context(base_url=api.url)
+    dashboard = Dashboard(context.new_page(), api.url)
+    page = dashboard.page
+    try:
+        page.goto("/")
+        expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
+        page.get_by_label("Token").fill("not the one")
+        page.get_by_role("button", name="Log in").click()
+        expect(page.get_by_text("This is none of the service's tokens.")).to_be_visible()
+        page.get_by_label("Token").fill(TOKEN)
+        page.get_by_role("button", name="Log in").click()
+        dashboard.expect_curves()
+        assert page.evaluate("document.cookie") == "", "no script reads it"
+
+        body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}}
+        accepted = request("POST", f"{api.url}/api/v1/batches", json=body, headers={"Authorization": f"Bearer {TOKEN}"})
+        page.goto(f"/b/{accepted.json()['id']}")
+        expect(page.get_by_text("done", exact=False).first).to_be_visible()
+        assert dashboard.failures == []
+    finally:
+        context.close()
+        api.end()
