@@ -11,7 +11,7 @@ PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper setup development compiler lock clean
+.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper setup development compiler lock pin clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -106,6 +106,9 @@ lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
 	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
+
+pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
+	backend/deploy/pin_images.sh
 
 clean:
 	rm -rf $(VENV) .cache frontend/dist frontend/node_modules

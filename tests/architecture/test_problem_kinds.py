@@ -10,7 +10,7 @@ from backend.http.kinds import KINDS, OF_STATUS, TYPES
 
 ROOT = Path(__file__).parents[2]
 ROW = re.compile(r"^\| `([a-z-]+)` \| ([\d, ]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)
-PROXY = re.compile(r"http-error status (\d+) content-type application/problem\+json string '(.*?)'")
+PROXY = re.compile(r"http-error status (\d+) content-type application/problem\+json lf-string '(.*?)'")
 
 
 def raised() -> Iterator[str]:
@@ -52,6 +52,7 @@ def test_the_proxys_problems_are_of_the_list() -> None:
         assert status in kind.statuses
         assert content["detail"]
         assert content["errors"] == []
+        assert content["request_id"] == "%[unique-id]"
 
 
 def test_the_page_shows_each_with_its_statuses_its_meaning_and_an_example() -> None:

@@ -4,6 +4,7 @@ import importlib.util
 import os
 import re
 import shlex
+import shutil
 import ssl
 import subprocess
 import sys
@@ -19,6 +20,7 @@ from tests.servers.programs import find
 ROOT = Path(__file__).parents[2]
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 SERVICES: dict[str, dict[str, Any]] = COMPOSE["services"]
+IMAGE = r"[a-z]+:\d+[\w.-]*(?:@sha256:[0-9a-f]{64})?"
 VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
 
 every_service = pytest.mark.parametrize("service", SERVICES.values(), ids=SERVICES.keys())
@@ -63,13 +65,39 @@ def test_a_service_is_bounded_watched_and_started_again(service: dict[str, Any])
 @every_service
 def test_images_are_our_own_or_of_a_version(service: dict[str, Any]) -> None:
     if "build" not in service:
-        assert re.fullmatch(r"[a-z]+:\d+[\w.-]*", service["image"])
+        ours = service["image"] == SERVICES["api"]["image"]
+        assert service["pull_policy"] == "never" if ours else re.fullmatch(IMAGE, service["image"])
+
+
+def test_one_service_builds_the_image() -> None:
+    assert [name for name, service in SERVICES.items() if "build" in service] == ["api"]
+
+
+def test_images_are_pinned_by_digest_once_there_is_a_registry(tmp_path: Path) -> None:
+    """As `make pin` does it, twice, with a docker that makes digests up."""
+    files = [shutil.copy(ROOT / name, tmp_path) for name in ("Dockerfile", "docker-compose.yml")]
+    docker = tmp_path / "docker"
+    command = [ROOT / "backend/deploy/pin_images.sh", *files]
+    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    for digit in "ab":
+        docker.write_text(f'#!/bin/sh\nprintf "sha256:%064d" 0 | tr 0 {digit}\n')
+        docker.chmod(0o755)
+        subprocess.run(command, env=environment, check=True, capture_output=True)
+        for file in map(Path, files):
+            unpinned = (ROOT / file.name).read_text()
+            found = re.findall(rf"^(?:FROM|    image:) ({IMAGE})", unpinned, re.MULTILINE)
+            assert found
+            pinned = file.read_text()
+            assert pinned.count(f"@sha256:{digit * 64}") == len(found) == pinned.count("@sha256:")
+    docker.write_text("#!/bin/sh\necho no such image\n")
+    done = subprocess.run(command, env=environment, capture_output=True, check=False)
+    assert done.returncode == 1
 
 
 def test_only_the_proxy_is_reached_from_outside_and_by_default_from_this_machine_only() -> None:
     assert [name for name, service in SERVICES.items() if "ports" in service] == ["proxy"]
-    (port,) = SERVICES["proxy"]["ports"]
-    assert VARIABLE.sub(r"\2", port) == "127.0.0.1:8000:8080"
+    ports = [VARIABLE.sub(r"\2", port) for port in SERVICES["proxy"]["ports"]]
+    assert ports == ["127.0.0.1:8000:8080", "127.0.0.1:8443:8443"]
     inside = {name for name, network in COMPOSE["networks"].items() if (network or {}).get("internal")}
     assert {name for name, service in SERVICES.items() if set(service["networks"]) - inside} == {"proxy"}
     meet_the_proxy = {name for name, service in SERVICES.items() if set(service["networks"]) & {"edge", "front"}}
@@ -79,7 +107,7 @@ def test_only_the_proxy_is_reached_from_outside_and_by_default_from_this_machine
 def test_secrets_are_files_and_not_in_the_file(tmp_path: Path) -> None:
     for name, service in SERVICES.items():
         for key, value in service.get("environment", {}).items():
-            if re.search("PASSWORD|SECRET|TOKEN|KEY|CERT", key):
+            if value is not None and re.search("PASSWORD|SECRET|TOKEN|KEY|CERT", key):
                 assert value.startswith("/run/secrets/"), f"{name}: {key}"
                 assert value.removeprefix("/run/secrets/") in service["secrets"], f"{name}: {key}"
             assert not re.search(r"://[^/@]*:[^/@]*@", str(value)), f"{name}: {key} holds a password"
@@ -108,6 +136,7 @@ def test_the_script_makes_secrets_that_fit_together_and_keeps_them(tmp_path: Pat
     context.load_cert_chain(folder / "dask_cert.pem", folder / "dask_key.pem")
     verify = ["openssl", "verify", "-CAfile", f"{folder}/dask_ca.pem", f"{folder}/dask_cert.pem"]
     subprocess.run(verify, check=True, capture_output=True)
+    ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(folder / "proxy.pem")
     assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == made
 
 
@@ -121,10 +150,9 @@ def test_what_may_be_changed_is_in_the_example_with_its_default() -> None:
 def test_the_service_knows_its_settings(tmp_path: Path) -> None:
     make_secrets(tmp_path)
     files = {f"/run/secrets/{name}": tmp_path / secret["file"] for name, secret in COMPOSE["secrets"].items()}
-    environment = {
-        name: str(files.get(value, VARIABLE.sub(r"\2", value)))
-        for name, value in SERVICES["api"]["environment"].items()
-    }
+    (tmp_path / "secrets/tokens").write_text("ann 0123456789abcdef")
+    asked = {**SERVICES["api"]["environment"], "RIDELAB_TOKENS_FILE": "/run/secrets/tokens"}  # as .env may have it
+    environment = {name: str(files.get(value, VARIABLE.sub(r"\2", value))) for name, value in asked.items()}
     settings = Settings.from_environment(environment)
     password = (tmp_path / "secrets/database_password").read_text().strip()
     assert settings.store_url == f"postgresql+psycopg://ridelab:{password}@database/ridelab"
@@ -145,9 +173,7 @@ def test_the_proxy_takes_its_configuration(certificate: bool, tmp_path: Path) ->
     environment = os.environ.copy()
     if certificate:
         make_secrets(tmp_path)
-        both = [(tmp_path / "secrets" / name).read_text() for name in ("dask_cert.pem", "dask_key.pem")]
-        (tmp_path / "both.pem").write_text("".join(both))
-        environment["PROXY_CERTIFICATE"] = str(tmp_path / "both.pem")
+        environment |= {"PROXY_CERTIFICATE": f"{tmp_path}/secrets/proxy.pem", "PROXY_REDIRECT": "https://x"}
     targets = {item["target"]: COMPOSE["configs"][item["source"]]["file"] for item in SERVICES["proxy"]["configs"]}
     words = [targets.get(word, word) for word in SERVICES["proxy"]["command"][1:]]
     command = [find("haproxy", package="haproxy"), "-c", *words]

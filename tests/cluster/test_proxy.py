@@ -1,6 +1,7 @@
 """The reverse proxy with its real configuration: what it lets through, for how long, and what it does when one dies."""
 
 import contextlib
+import re
 import socket
 import ssl
 import subprocess
@@ -11,9 +12,11 @@ from pathlib import Path
 import httpx
 import pytest
 
+from backend.models import Problem
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
-from tests.servers.process import wait_until
+from tests.servers.process import ROOT, wait_until
+from tests.servers.programs import find
 
 LONGEST = 1024 * 1024
 REQUEST_TIMEOUT = 1.0  # what the tests give a request to arrive; ten seconds in production [s]
@@ -30,21 +33,11 @@ def replicas() -> Iterator[list[Replica]]:
 
 @pytest.fixture(scope="module")
 def certificate(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A certificate for localhost that signed itself, with its key, as HAProxy reads them."""
-    path = tmp_path_factory.mktemp("certificate") / "localhost.pem"
-    key = [
-        "-newkey",
-        "ec",
-        "-pkeyopt",
-        "ec_paramgen_curve:prime256v1",
-        "-nodes",
-        "-keyout",
-        str(path.with_suffix(".key")),
-    ]
-    name = ["-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost,IP:127.0.0.1"]
-    subprocess.run(["openssl", "req", "-x509", *key, *name, "-out", str(path)], check=True, capture_output=True)
-    path.write_text(path.read_text() + path.with_suffix(".key").read_text())
-    return path
+    """As the script makes it for docker-compose.yml: for localhost, signed by itself, with its key."""
+    find("openssl", package="openssl")
+    folder = tmp_path_factory.mktemp("certificate") / "secrets"
+    subprocess.run([ROOT / "backend/deploy/secrets.sh", folder], check=True, capture_output=True)
+    return folder / "proxy.pem"
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +76,9 @@ def who_serves(client: httpx.Client) -> set[str]:
 def assert_problem(response: httpx.Response, status: int) -> None:
     assert response.status_code == status
     assert response.headers["Content-Type"] == "application/problem+json"
-    assert response.json()["status"] == status
+    content = Problem.model_validate(response.json())
+    assert content.status == status
+    assert content.request_id == response.headers["X-Request-ID"] != ""
     assert response.headers["X-Content-Type-Options"] == "nosniff"
     assert "default-src 'none'" in response.headers["Content-Security-Policy"]
 
@@ -187,6 +182,13 @@ def test_metrics_are_for_inside_however_they_are_spelt(proxy: Proxy, client: htt
         assert_problem(client.get(target), 403)
 
 
+def test_a_harmless_name_of_a_request_passes_and_another_one_is_replaced(client: httpx.Client) -> None:
+    for name, passes in (("trace-1", True), ("x" * 65, False), ("a b", False)):
+        heard = client.get("/", headers={"X-Request-ID": name}).json()["headers"]["x-request-id"]
+        assert (heard == name) is passes
+        assert re.fullmatch(r"[\w.-]{1,64}", heard)
+
+
 def test_other_paths_pass_as_they_are(client: httpx.Client) -> None:
     path = "/s/abc?x=%20metrics"
     assert client.get(path).json()["path"] == path
@@ -252,3 +254,15 @@ def test_with_a_certificate_it_speaks_tls(proxy: Proxy, client: httpx.Client, ce
         old.maximum_version = ssl.TLSVersion.TLSv1_1
     with pytest.raises(httpx.ConnectError):
         httpx.get(f"https://127.0.0.1:{proxy.tls_port}", verify=old)
+
+
+def test_plain_http_is_sent_on_to_https_where_that_is_named(tmp_path: Path, certificate: Path) -> None:
+    there = "https://lab.example.com:8443"
+    proxy = Proxy(tmp_path, ["127.0.0.1:9"], PROXY_CERTIFICATE=str(certificate), PROXY_REDIRECT=there)
+    try:
+        answer = httpx.post(f"{proxy.url}/api/v1/runs?x=1")
+        assert (answer.status_code, answer.headers["location"]) == (308, f"{there}/api/v1/runs?x=1")
+        secure = f"https://127.0.0.1:{proxy.tls_port}/"
+        assert httpx.get(secure, verify=ssl.create_default_context(cafile=str(certificate))).status_code == 503
+    finally:
+        proxy.end()
