@@ -1,8 +1,8 @@
 """Controller and plant over a run's control steps: speculative blocks of the linear closed loop.
 
 The half-car is linear and every controller is a linear law until a limit binds. So a block of control steps is
-driven as if none did, accepted up to the first step at which one would, that step is decided exactly by the
-controller, and so on. Only steps at a limit cost a call each (docs/decisions/0002-speculative-blocks.md).
+driven as if none did and accepted up to the first step at which one would; that step and those after it are decided
+exactly by the controller until none binds any more, and so on (docs/decisions/0002-speculative-blocks.md).
 """
 
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ from sim_core.recurrence import Recurrence, recurrence
 from sim_core.scenario import Actuator, Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy
 
-_FIRST_BLOCK, _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 256, 512, 8
+_LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 1024, 16
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -81,43 +81,44 @@ class ClosedLoop:
             feed = self._controller.feed(stage, first, last)
             inputs = np.hstack([self._forcing[first:last] + feed @ plant.B.T, feed])
             free_run = _free_run(plant, law)
-            k, block = first, _FIRST_BLOCK
+            k, block = first, _LONGEST_BLOCK
             while k < last:
                 stop = min(k + block, last)
                 z = free_run.run(loop[k], inputs[k - first : stop - first])
-                exact, free = self._limits_met(stage, z, k)
+                free = self._free(stage, z, k)
                 count = len(free) if free.all() else int(free.argmin())
                 loop[k : k + count + 1] = z[: count + 1]
                 k += count
-                block = min(2 * block, _LONGEST_BLOCK)
-                if k < stop:
+                block, limit_binds = min(2 * block, _LONGEST_BLOCK), k < stop
+                while limit_binds and k < last:
                     state, previous = loop[k, :n], loop[k, n:]
-                    by_law = exact[count]  # then only the actuator's limits bind
-                    wanted = z[count + 1, n:] if by_law else self._controller.step(k, stage, state[:STATES], previous)
+                    wanted, limit_binds = self._controller.step(k, stage, state[:STATES], previous)
                     command = self._actuated(wanted, previous)
+                    limit_binds |= command is not wanted
                     loop[k + 1, :n] = plant.A @ state + plant.B @ command + self._forcing[k]
                     loop[k + 1, n:] = command
-                    limited, k, block = limited + 1, k + 1, _BLOCK_AFTER_LIMIT
+                    limited, k, block = limited + limit_binds, k + 1, _BLOCK_AFTER_LIMIT
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
     def _actuated(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
-        """The command within the actuator's limits, after the previous one (2,) [N]."""
+        """What the actuator gives after the previous command (2,) [N]: or `wanted` itself."""
         if not self._limited_actuator:
             return wanted
         change = np.clip(wanted - previous, -self._most_change, self._most_change)
         reached = np.where(change == wanted - previous, wanted, previous + change)
-        return np.clip(reached, -self._most_force, self._most_force)
+        command = np.clip(reached, -self._most_force, self._most_force)
+        return wanted if np.array_equal(command, wanted) else command
 
-    def _limits_met(self, stage: str, z: FloatArray, k: int) -> tuple[BoolArray, BoolArray]:
-        """In which steps of a block speculated from step k on the law is exact, and no limit at all binds (n,) each."""
+    def _free(self, stage: str, z: FloatArray, k: int) -> BoolArray:
+        """In which steps of a block speculated from step k on no limit binds (n,)."""
         n = self._plant.size
         now, commands = z[:-1], z[1:, n:]
         measured = now if n == STATES else np.hstack([now[:, :STATES], now[:, n:]])
-        exact = free = self._controller.holds(k, stage, measured, commands)
+        free = self._controller.holds(k, stage, measured, commands)
         if self._limited_actuator:
-            free = free & (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
+            free &= (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
             free &= (np.abs(commands) <= self._most_force).all(axis=1)
-        return exact, free
+        return free
 
 
 def drive_controller(

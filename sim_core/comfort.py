@@ -88,19 +88,22 @@ def _wk_states() -> tuple[FloatArray, FloatArray, FloatArray]:
     return A, B, C
 
 
-def weighted(columns: FloatArray, step: float) -> FloatArray:
-    """Acceleration [m/s^2] through Wk, from rest: samples but the last of each column, end to end.
+def weighted(columns: FloatArray, step: float, samples: int) -> FloatArray:
+    """So many samples of acceleration [m/s^2] through Wk, from rest; one after another within each column in turn.
 
     Args:
         columns: Samples `step` apart, straight in between, from one jump to the next (samples, columns): a column's
             last sample and the next one's first are at the same time.
         step: In s.
+        samples: How many, from the first on.
     """
-    rows = columns.T
-    weighting = _weighting(step, rows.shape[1], 1 << len(rows).bit_length())
-    inputs = rows @ weighting.inputs
+    weighting = _weighting(step, len(columns), 1 << columns.shape[1].bit_length())
+    inputs = columns.T @ weighting.inputs
     states = weighting.between.run(np.zeros(inputs.shape[1]), inputs)[:-1]
-    return (np.hstack([states, rows]) @ weighting.outputs).ravel()
+    n = states.shape[1]
+    through = states @ weighting.outputs[:n]
+    through += columns.T @ weighting.outputs[n:]
+    return through.reshape(-1)[:samples]
 
 
 def vibration_dose(weighted_acceleration: FloatArray, step: float) -> float:

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.car.plant import RECORDED
@@ -21,12 +20,13 @@ from sim_core.recording import Recording
 from sim_core.result import Series, Span, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
-from sim_core.windows import SNAP, Windows, segments_of, weights_of, windows_of
+from sim_core.windows import SNAP, Sections, Windows, sections_of, windows_of
 
 _ROW = {signal: row for row, signal in enumerate(RECORDED)}  # the first are METRIC_SIGNALS
-_JUMPING = ("body_acceleration", "pitch_acceleration")  # with the force; steep lines in between
-_LOAD_ROWS = _ROW["front_tyre_load"], _ROW["rear_tyre_load"]
-_LOADS = slice(_LOAD_ROWS[0], _LOAD_ROWS[1] + 1)
+_JUMPING = slice(2)  # the accelerations: they jump with the force and are steep lines in between
+_LOADS = slice(_ROW["front_tyre_load"], _ROW["rear_tyre_load"] + 1)
+_FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
+_SPEEDS = slice(_ROW["front_deflection_speed"], _ROW["rear_deflection_speed"] + 1)
 
 
 def evaluate(
@@ -38,21 +38,23 @@ def evaluate(
 ) -> StrategyResult:
     """Everything a run reports, from its recording."""
     bump, road_input = scenario.road.bump, recording.road_input
-    report, loop = recording.report, recording.loop
-    bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
-    table = recording.table
-    places = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, *table.shape[1:])
+    report, loop, table = recording.report, recording.loop, recording.table
+    samples, commands = table.shape[1:]
+    bump_end = bump.start + bump.width
+    complete = bump_end + scenario.vehicle.wheelbase
+    windows = windows_of(
+        road_input.drive, drive, (bump.start, bump_end), complete, scenario.road.length, samples - 1, commands
+    )
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
-    metrics = _by_window(table[: len(METRIC_SIGNALS)], places, road_input, tyres)
+    metrics = _by_window(table[: len(METRIC_SIGNALS)], windows, road_input, tyres)
 
-    arrival = float(drive.at(np.array(drive.time_at(bump.start)))[1])
+    arrival = windows.arrival_speed
     static = scenario.real_vehicle.static_loads
     planned = strategy.speed is SpeedPolicy.PLANNED
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
-    power = _power(table)
-    filtered = weighted(table[_ROW["body_acceleration"]], road_input.fine_step)[: len(road_input.series["time"])]
+    filtered = weighted(table[_ROW["body_acceleration"]], road_input.fine_step, len(road_input.series["time"]))
     return StrategyResult(
         strategy=strategy.id,
         metrics=metrics,
@@ -61,13 +63,12 @@ def evaluate(
             "vibration_dose": vibration_dose(filtered, road_input.fine_step),
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-            "actuator_mean_power": float(power.ravel() @ places.weights[-1]),
-            "actuator_peak_power": float(max(power[block].max(initial=0) for part in places.within for block in part)),
+            **_power(table, windows),
         },
         events={
-            **_airborne(table, places, static),
+            **_airborne(table[_LOADS], windows, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
-            "bump_complete": bump_end <= scenario.road.length,
+            "bump_complete": complete <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
             "limited_steps": recording.limited,
             "qp_solves": report.solves,
@@ -94,26 +95,22 @@ def evaluate(
 
 
 def _by_window(
-    table: FloatArray, places: Windows, road_input: RoadInput, tyres: tuple[float, float]
+    table: FloatArray, windows: Windows, road_input: RoadInput, tyres: tuple[float, float]
 ) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS."""
-    samples = table.reshape(len(table), -1)
-    rms = _rms(table, places.weights, places.segments)
-    peaks = [_peaks(table, part) for part in places.within]
-    _add_kinks(peaks, table[_LOADS], tyres, places, road_input)
-    following = table.shape[2]  # the next sample of a command
-    arrival, leaving, end = (
-        np.abs(samples[:, i] + share * (samples[:, i + following] - samples[:, i])) if share else np.zeros(len(samples))
-        for i, share in places.ends
-    )
-    rough, bump = np.maximum(peaks[0], arrival), np.maximum.reduce([peaks[1], arrival, leaving])
-    by_window = rough, bump, np.maximum.reduce([rough, bump, peaks[2], end])
+    durations = windows.sections.durations
+    rough, bump, _ = squares = _squares(table, windows.sections).T
+    means = rough / durations[0], bump / durations[1], squares.sum(axis=0) / durations.sum()
+    highest = np.maximum(table.max(axis=1), -table.min(axis=1))
+    peaks = _peaks(table, highest, windows)
+    kinks = _peaks_at_kinks(table[_LOADS], highest[_LOADS], peaks[:, _LOADS], tyres, windows, road_input)
+    peaks[:, _LOADS] = np.maximum(peaks[:, _LOADS], kinks)
     return {
         window: {
-            signal: {"rms": float(rms[_ROW[signal], i]), "peak": float(by_window[i][_ROW[signal]])}
-            for signal in METRIC_SIGNALS
+            signal: {"rms": rms, "peak": peak}
+            for signal, rms, peak in zip(METRIC_SIGNALS, np.sqrt(mean).tolist(), highest.tolist(), strict=True)
         }
-        for i, window in enumerate(WINDOWS)
+        for window, mean, highest in zip(WINDOWS, means, (*peaks[:2], peaks.max(axis=0)), strict=True)
     }
 
 
@@ -135,102 +132,111 @@ def rms_between(series: Series, drive: Drive, stretches: Sequence[tuple[float, f
     spans = [(drive.time_at(first) / fine_step, drive.time_at(last) / fine_step) for first, last in stretches]
     if any(not 0 <= first < last <= fine * commands + SNAP for first, last in spans):
         raise ValueError("A stretch ends behind its beginning and lies on the road that was driven")
-    segments = segments_of(spans, fine, commands)[np.newaxis]
-    rms = _rms(table, weights_of(segments).reshape(1, -1), segments.reshape(1, -1))
-    return {signal: float(rms[_ROW[signal], 0]) for signal in METRIC_SIGNALS}
+    sections = sections_of(spans, fine)
+    means = _squares(table, sections).sum(axis=1) / sections.durations.sum()
+    return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
 
 
-def _rms(table: FloatArray, weights: FloatArray, segments: FloatArray) -> FloatArray:
-    """RMS of METRIC_SIGNALS in each window (8, windows)."""
-    samples = table.reshape(len(table), -1)
-    squares = (samples * samples) @ weights.T
-    for signal in _JUMPING:  # straight between samples: a trapezoid's (a² + b²)/2 is (b - a)²/6 more than their mean
-        change = np.diff(table[_ROW[signal]], axis=0).ravel()
-        squares[_ROW[signal]] -= segments @ (change * change) / 6
-    return np.asarray(np.sqrt(np.maximum(squares, 0)))
+def _squares(table: FloatArray, sections: Sections) -> FloatArray:
+    """The square of each of METRIC_SIGNALS, integrated over each section (8, sections), in fine steps."""
+    squares = _integrals(table, table, sections)
+    low, high = table[_JUMPING, :-1], table[_JUMPING, 1:]  # straight in between: the square's mean is (a² + ab + b²)/3
+    products = np.stack(
+        [np.vecdot(low[:, :, inner], high[:, :, inner]).sum(axis=1) for inner in sections.inner], axis=1
+    )
+    at_edges = (low[:, :, sections.edges] * high[:, :, sections.edges]).reshape(len(low), -1)
+    squares[_JUMPING] += (products + at_edges @ sections.shares.T - squares[_JUMPING]) / 3
+    return squares
 
 
-def _peaks(table: FloatArray, blocks: tuple[tuple[slice, slice], ...]) -> FloatArray:
-    """Largest magnitude of each signal in those blocks (signals,)."""
-    found = np.zeros(len(table))
-    for fine, commands in blocks:
-        part = table[:, fine, commands]
-        np.maximum(found, part.max(axis=(1, 2), initial=0), out=found)
-        np.maximum(found, -part.min(axis=(1, 2), initial=0), out=found)
-    return found
-
-
-def _add_kinks(
-    peaks: Sequence[FloatArray],
-    loads: FloatArray,
-    tyres: tuple[float, float],
-    places: Windows,
-    road_input: RoadInput,
-) -> None:
-    """Raise the peaks of the tyre loads to their values at kinks of the road between two samples.
-
-    There a load deviates from the line between the samples by the tyre's stiffness times the height of the kink.
+def _integrals(a: FloatArray, b: FloatArray, sections: Sections) -> FloatArray:
+    """The product of each signal in `a` with that in `b`, integrated by trapezoids over each section.
 
     Args:
-        peaks: Of METRIC_SIGNALS at the samples, in each of Windows.within.
+        a: Signals (signals, fine steps of a command + 1, commands).
+        b: As many.
+        sections: Over which.
+
+    Returns:
+        In fine steps (signals, sections).
+    """
+    samples = np.stack([np.vecdot(a[:, :, inner], b[:, :, inner]) for inner in sections.inner], axis=1)
+    whole = samples.sum(axis=2) - (samples[:, :, 0] + samples[:, :, -1]) / 2
+    at_edges = a[:, :, sections.edges] * b[:, :, sections.edges]
+    lines = (at_edges[:, :-1] + at_edges[:, 1:]) / 2
+    return np.asarray(whole + lines.reshape(len(a), -1) @ sections.shares.T)
+
+
+def _peaks(table: FloatArray, highest: FloatArray, windows: Windows) -> FloatArray:
+    """Largest magnitude of each signal in each section (sections, signals), at samples and at its ends.
+
+    Args:
+        table: Signals (signals, fine steps of a command + 1, commands).
+        highest: Their largest magnitude under each command (signals, commands).
+        windows: Where the sections lie.
+    """
+    sections = windows.sections
+    inner = [highest[:, commands].max(axis=1, initial=0) for commands in sections.inner]
+    at_edges = table[:, :, sections.edges].reshape(len(table), -1)
+    edges = [np.abs(at_edges @ weights).max(axis=1, initial=0) for weights in windows.edge_values]
+    return np.maximum(inner, edges)
+
+
+def _peaks_at_kinks(
+    loads: FloatArray,
+    highest: FloatArray,
+    peaks: FloatArray,
+    tyres: tuple[float, float],
+    windows: Windows,
+    road_input: RoadInput,
+) -> FloatArray:
+    """Largest magnitude of the tyre loads at kinks of the road between two samples, in each section (sections, 2).
+
+    There a load deviates from the line between the samples by the tyre's stiffness times the height of the kink. Only
+    kinks that may raise a peak count: under commands whose samples come near it.
+
+    Args:
         loads: Front and rear (2, fine steps of a command + 1, commands) [N].
+        highest: Their largest magnitude under each command (2, commands) [N].
+        peaks: Their largest magnitude in each section, at samples (sections, 2) [N].
         tyres: Stiffness, front and rear [N/m].
-        places: Where the windows lie.
+        windows: Where the sections lie.
         road_input: The road under the axles.
     """
-    kinks, near = road_input.drive.kinks, _kinks_near_peaks(peaks, loads, tyres, places, road_input)
-    axles, step = kinks.axle[near], kinks.step[near] % (loads.shape[1] - 1)
-    command = places.kink_command[near] % loads.shape[2]
-    share, height = road_input.at_kinks(near)
-    before, after = loads[axles, step, command], loads[axles, step + 1, command]
-    values = np.abs(before + share * (after - before) + np.take(tyres, axles) * height)
-    for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
-        for peak, part in zip(peaks, axle, strict=True):
-            first, last = near.searchsorted((part.start, part.stop))
-            peak[row] = max(peak[row], values[first:last].max(initial=0))
+    most_rise = max(tyres) * road_input.surface.max_chord_deviation(road_input.drive.max_step_distance)
+    near = windows.always_near.copy()
+    for inner, peak in zip(windows.sections.inner, peaks, strict=True):
+        near[:, inner] |= highest[:, inner] >= peak[:, np.newaxis] - most_rise
+    kinks = np.flatnonzero(near.take(windows.kink_command))
+    samples, commands = loads.shape[1:]
+    met = road_input.drive.kinks
+    axle, step, share = met.axle(kinks), met.step[kinks] % (samples - 1), met.share[kinks]
+    sample = (axle * (samples - 1) + step) * commands + windows.kink_command[kinks]
+    before, after = loads.take(sample), loads.take(sample + commands)
+    values = np.abs(before + share * (after - before) + np.take(tyres, axle) * road_input.above_chord(kinks))
+    ends = kinks.searchsorted(windows.kink_ends).tolist()
+    return np.array([[values[first:last].max(initial=0) for first, last in axle] for axle in ends]).T
 
 
-def _kinks_near_peaks(
-    peaks: Sequence[FloatArray],
-    loads: FloatArray,
-    tyres: tuple[float, float],
-    places: Windows,
-    road_input: RoadInput,
-) -> NDArray[np.intp]:
-    """Indices of the kinks that may raise a peak: under commands whose load comes near it, and those of the bump."""
-    kinks, bump, margin = road_input.drive.kinks, road_input.surface.bump, road_input.drive.max_step_distance
-    most_rise = max(tyres) * road_input.surface.max_chord_deviation(margin)
-    highest = np.maximum(loads.max(axis=1), -loads.min(axis=1)).take(places.kink_command)
-    near = np.zeros(len(highest), dtype=bool)
-    for row, axle in zip(_LOAD_ROWS, places.kinks, strict=True):
-        for peak, part in zip(peaks, axle, strict=True):
-            near[part] |= highest[part] >= peak[row] - most_rise
-    for part in (slice(kinks.rear), slice(kinks.rear, None)):
-        first, last = kinks.position[part].searchsorted((bump.start - margin, bump.start + bump.width + margin))
-        near[part][first:last] = True
-    return np.flatnonzero(near)
+def _power(table: FloatArray, windows: Windows) -> dict[str, float]:
+    """Mean and largest |u·ḋ| summed over both axles [W]."""
+    front, rear = np.abs(table[_FORCES] * table[_SPEEDS])
+    power = np.sqrt(front + rear)[np.newaxis]
+    mean = _integrals(power, power, windows.sections).sum() / windows.sections.durations.sum()
+    peak = _peaks(power, power.max(axis=1), windows).max()
+    return {"actuator_mean_power": float(mean), "actuator_peak_power": float(peak) ** 2}
 
 
-def _power(table: FloatArray) -> FloatArray:
-    """|u·ḋ| summed over both axles (fine steps of a command + 1, commands) [W]."""
-    front, rear = (
-        np.abs(table[_ROW[f"{axle}_force"]] * table[_ROW[f"{axle}_deflection_speed"]]) for axle in ("front", "rear")
-    )
-    return np.asarray(front + rear)
-
-
-def _airborne(table: FloatArray, places: Windows, static: tuple[float, float]) -> dict[str, float]:
+def _airborne(loads: FloatArray, windows: Windows, static: tuple[float, float]) -> dict[str, float]:
     """Time with a tyre pulling on the road, which only the linear model can [ms]."""
-    loads = table[_LOADS].reshape(2, -1)
-    if all(load.min() >= -rest for load, rest in zip(loads, static, strict=True)):
-        return {"airborne_ms": 0.0, "front_airborne_ms": 0.0, "rear_airborne_ms": 0.0}
-    front, rear = (load < -rest for load, rest in zip(loads, static, strict=True))
-    milliseconds = places.weights[-1] * (places.duration * 1000)
-    return {
-        "airborne_ms": float((front | rear) @ milliseconds),
-        "front_airborne_ms": float(front @ milliseconds),
-        "rear_airborne_ms": float(rear @ milliseconds),
-    }
+    keys = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
+    pulling = loads < -np.reshape(static, (2, 1, 1))
+    if not pulling.any():
+        return dict.fromkeys(keys, 0.0)
+    front, rear = pulling
+    samples = np.array([front | rear, front, rear], dtype=np.float64)
+    milliseconds = _integrals(samples, samples, windows.sections).sum(axis=1) * (windows.fine_step * 1000)
+    return dict(zip(keys, milliseconds.tolist(), strict=True))
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

@@ -1,7 +1,7 @@
 """x[i + 1] = M x[i] + f[i] over many steps at once.
 
 Steps are taken in groups: what a group's own inputs do is one matrix product for all groups, the states between groups
-are prefix sums with doubling strides (Hillis and Steele 1986), and what those do is one product again.
+follow the same kind of recurrence with fewer steps, and what those do is one product again.
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 
-_GROUP = 8  # steps; fewer make longer prefix sums, more make larger products
+_GROUP = 8  # steps; fewer make more levels, more make larger products
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -20,12 +20,12 @@ class Recurrence:
     Attributes:
         own: Inputs of a group's steps to the states after each (group · n, group · n).
         onward: The state before a group to the states after each of its steps (n, group · n).
-        strides: Powers group, 2 group, 4 group, … of M (n, n).
+        groups: From group to group; None where one group is all.
     """
 
     own: FloatArray
     onward: FloatArray
-    strides: tuple[FloatArray, ...]
+    groups: "Recurrence | None"
 
     def run(self, start: FloatArray, inputs: FloatArray) -> FloatArray:
         """All states (steps + 1, n), the first being `start` (n,), for inputs (steps, n)."""
@@ -37,28 +37,28 @@ class Recurrence:
         states[0] = start
         after = states[1:].reshape(groups, -1)
         np.matmul(inputs.reshape(groups, -1), self.own, out=after)
-        before = np.empty((groups, n))
-        before[0], before[1:] = start, after[:-1, -n:]
-        stride = 1
-        for power in self.strides:
-            if stride >= groups:
-                break
-            before[stride:] += before[:-stride] @ power
-            stride *= 2
-        after += before @ self.onward
+        if self.groups is None or groups == 1:
+            after += start @ self.onward
+        else:
+            after += self.groups.run(start, after[:-1, -n:]) @ self.onward
         return states[: steps + 1]
 
 
 def recurrence(matrix: FloatArray, most_steps: int) -> Recurrence:
     """Prepare x[i + 1] = matrix · x[i] + f[i] for runs of at most so many steps."""
+    return _transposed(matrix.T, most_steps)
+
+
+def _transposed(matrix: FloatArray, most_steps: int) -> Recurrence:
     n = len(matrix)
     powers = [np.eye(n)]
     for _ in range(_GROUP):
-        powers.append(powers[-1] @ matrix.T)
+        powers.append(powers[-1] @ matrix)
     own = np.zeros((_GROUP, n, _GROUP, n))
     for first in range(_GROUP):
         own[first, :, first:] = np.stack(powers[: _GROUP - first], axis=1)
-    strides = [powers[_GROUP]]
-    while _GROUP << len(strides) < most_steps:
-        strides.append(strides[-1] @ strides[-1])
-    return Recurrence(own.reshape(_GROUP * n, -1), np.hstack(powers[1:]), tuple(strides))
+    return Recurrence(
+        own=own.reshape(_GROUP * n, -1),
+        onward=np.hstack(powers[1:]),
+        groups=_transposed(powers[_GROUP], -(-most_steps // _GROUP) - 1) if most_steps > _GROUP else None,
+    )

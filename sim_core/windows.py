@@ -1,4 +1,4 @@
-"""Where windows lie in a record: shares of its samples and lines, by the time the front axle spends in each."""
+"""Where windows and other sections of a drive lie in its record, by the time the front axle spends in each."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,107 +8,131 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.arrays import FloatArray
+from sim_core.arrays import BoolArray, FloatArray
 from sim_core.caching import cached
-from sim_core.catalogue import WINDOWS
 from sim_core.drive.sampling import SampledDrive
 from sim_core.drive.speed_profile import Drive
 
-SNAP = 1e-6  # of a fine step: a window that ends so near to a sample ends there
-_NEAR = 1e-3  # of a fine step: a kink met so near to a window's end is met at it
+SNAP = 1e-6  # of a fine step: a section that ends so near to a sample ends there
+_NEAR = 1e-3  # of a fine step: a kink met so near to a section's end is met at it
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Sections:
+    """Where sections of a drive lie in a record's signals (fine steps of a command + 1, commands).
+
+    Attributes:
+        inner: The commands wholly in each section.
+        edges: The commands within which a section ends (e,).
+        shares: How much of each fine step of those, flattened, is in each section (sections, fine · e).
+        durations: Of the sections (sections,) [fine steps].
+    """
+
+    inner: tuple[slice, ...]
+    edges: NDArray[np.intp]
+    shares: FloatArray
+    durations: FloatArray
+
+
+def sections_of(spans: Sequence[tuple[float, float]], fine: int) -> Sections:
+    """Sections that begin and end so many fine steps from x = 0, with `fine` of them in a command."""
+    spans = [(_snapped(first), _snapped(last)) for first, last in spans]
+    edges = np.array(sorted({int(place // fine) for span in spans for place in span if place % fine}), dtype=np.intp)
+    steps = fine * edges + np.arange(fine)[:, None]
+    shares = [np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) for first, last in spans]
+    return Sections(
+        inner=tuple(slice(ceil(first / fine), int(last // fine)) for first, last in spans),
+        edges=edges,
+        shares=np.reshape(shares, (len(spans), -1)),
+        durations=np.array([last - first for first, last in spans]),
+    )
+
+
+def _snapped(place: float) -> float:
+    nearest = round(place)
+    return float(nearest) if abs(place - nearest) < SNAP else place
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Windows:
-    """Where a record's windows lie in a signal of it (fine steps of a command + 1, commands).
+    """Where a record's windows lie, and the kinks of the road in it.
 
     Attributes:
-        weights: Share of each sample, flattened, in a window's mean (windows, samples), by trapezoids.
-        segments: Share of each line from a sample to the next of its command in the same (windows, lines).
-        within: The samples of the rough road, of the bump, and of what follows it, in blocks of samples and commands.
-        ends: Of the windows' ends between two samples, the one before, flattened, and how far on to the next.
+        sections: The rough road, the bump, and what follows it; together the whole run.
+        edge_values: For each of them, the samples at its `edges` that lie in it, and the values between two samples at
+            its ends: weights of the edges' samples, flattened ((fine + 1) · e, values).
+        fine_step: In s.
         kink_command: Index of the command under which each kink is met, in (axle, command), flattened (k,).
-        kinks: Those met on the rough road, on the bump, and after it, by axle.
-        duration: Of the whole record [s].
+        kink_ends: First and one past the last kink of each axle in each section (2, sections, 2).
+        always_near: The commands whose kinks may raise a peak whatever their samples are: where an axle is on the bump,
+            and those within which a section ends (2, commands).
+        arrival_speed: Speed of the car as the front axle meets the bump [m/s].
     """
 
-    weights: FloatArray
-    segments: FloatArray
-    within: tuple[tuple[tuple[slice, slice], ...], ...]
-    ends: tuple[tuple[int, float], ...]
+    sections: Sections
+    edge_values: tuple[FloatArray, ...]
+    fine_step: float
     kink_command: NDArray[np.intp]
-    kinks: tuple[tuple[slice, ...], ...]
-    duration: float
+    kink_ends: NDArray[np.intp]
+    always_near: BoolArray
+    arrival_speed: float
 
 
 @cached
 def windows_of(
     sampled: SampledDrive,
     drive: Drive,
-    bump_start: float,
+    bump: tuple[float, float],
     bump_end: float,
     length: float,
-    per_command: int,
+    fine: int,
     commands: int,
 ) -> Windows:
-    """The windows of a record of so many held commands with so many samples each."""
-    h, fine = sampled.fine_step, per_command - 1
-    arrival, leaving, end = (drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))
-    edges = [round(place) if abs(place - round(place)) < SNAP else place for place in (0.0, arrival, leaving, end)]
-    spans = list(pairwise(edges))
+    """The windows of a record of so many held commands.
 
-    ends = (spans[0], spans[1], (edges[0], edges[-1]))
-    segments = np.stack([segments_of([window], fine, commands) for window in ends])
-
-    def sample(step: int) -> int:
-        return step % fine * commands + step // fine
-
-    kinks, driven = sampled.kinks, sampled.position[:, sampled.on_record.start :]
-    low, high = driven[kinks.axle, kinks.step], driven[kinks.axle, kinks.step + 1]
-    met = kinks.step + (kinks.position - low) / (high - low)
-
-    def met_within(axle: slice) -> tuple[slice, ...]:
-        edges = [met[axle].searchsorted((first - _NEAR, last + _NEAR)) + axle.start for first, last in spans]
-        return tuple(slice(first, last) for first, last in edges)
-
+    Args:
+        sampled: The drive, sampled.
+        drive: The same.
+        bump: First and last position of the bump [m].
+        bump_end: Where the front axle is when the rear one has left it [m].
+        length: Of the road [m].
+        fine: Fine steps in a command.
+        commands: On record.
+    """
+    h = sampled.fine_step
+    places = [0.0, *(drive.time_at(place) / h for place in (bump[0], min(bump_end, length), length))]
+    spans = list(pairwise(map(_snapped, places)))
+    sections = sections_of(spans, fine)
+    kinks, margin = sampled.kinks, sampled.max_step_distance
+    kink_command = kinks.step // fine
+    kink_command[kinks.rear :] += commands
+    always_near = np.zeros((2, commands), dtype=bool)
+    always_near[:, sections.edges] = True
+    kink_ends = np.empty((2, len(spans), 2), dtype=np.intp)
+    for axle, part in enumerate((slice(kinks.rear), slice(kinks.rear, None))):
+        met, offset = kinks.step[part] + kinks.share[part], axle * kinks.rear
+        kink_ends[axle] = [met.searchsorted((first - _NEAR, last + _NEAR)) + offset for first, last in spans]
+        first, last = kinks.position[part].searchsorted((bump[0] - margin, bump[1] + margin))
+        always_near.reshape(-1)[kink_command[part][first:last]] = True
     return Windows(
-        weights=weights_of(segments).reshape(len(WINDOWS), -1),
-        segments=segments.reshape(len(WINDOWS), -1),
-        within=tuple(_blocks(ceil(first), floor(last), fine) for first, last in spans),
-        ends=tuple((sample(floor(place)), place - floor(place)) for place in edges[1:]),
-        kink_command=kinks.step // fine + kinks.axle * commands,
-        kinks=(met_within(slice(0, kinks.rear)), met_within(slice(kinks.rear, len(met)))),
-        duration=(edges[-1] - edges[0]) * h,
+        sections=sections,
+        edge_values=tuple(_edge_values(first, last, sections.edges, fine) for first, last in spans),
+        fine_step=h,
+        kink_command=kink_command,
+        kink_ends=kink_ends,
+        always_near=always_near,
+        arrival_speed=float(drive.at(np.array(drive.time_at(bump[0])))[1]),
     )
 
 
-def _blocks(first: int, last: int, fine: int) -> tuple[tuple[slice, slice], ...]:
-    """The samples from one fine step to another, both included; where a command ends at the last, its end alone."""
-    start, begin = divmod(first, fine)
-    stop, after = divmod(last, fine)
-    everything = slice(None)
-    if last < first:
-        return ()
-    if start == stop:
-        return ((slice(begin, after + 1), slice(start, start + 1)),)
-    blocks = [(slice(begin, None), slice(start, start + 1)), (everything, slice(start + 1, stop))]
-    if after:
-        blocks.append((slice(after + 1), slice(stop, stop + 1)))
-    return tuple(blocks)
-
-
-def segments_of(spans: Sequence[tuple[float, float]], fine: int, commands: int) -> FloatArray:
-    """Share of each fine step in the time of these spans, given in fine steps (fine, commands)."""
-    steps = np.arange(commands * fine)
-    inside = [np.clip(np.minimum(steps + 1, last) - np.maximum(steps, first), 0.0, 1.0) for first, last in spans]
-    share = np.sum(inside, axis=0) / sum(last - first for first, last in spans)
-    return np.asarray(share.reshape(commands, fine).T)
-
-
-def weights_of(segments: FloatArray) -> FloatArray:
-    """Share of each sample, by trapezoids, where `segments` is that of each fine step (windows, fine + 1, commands)."""
-    windows, fine, commands = segments.shape
-    weights = np.zeros((windows, fine + 1, commands))
-    weights[:, :-1] = segments / 2
-    weights[:, 1:] += segments / 2
-    return weights
+def _edge_values(first: float, last: float, edges: NDArray[np.intp], fine: int) -> FloatArray:
+    """One of `Windows.edge_values`, for a section's first and last place in fine steps."""
+    columns = []
+    for i, begin in enumerate(fine * edges):
+        low, high = max(first, begin), min(last, begin + fine)
+        for place in sorted({low, high, *range(ceil(low), floor(high) + 1)}) if low < high else ():
+            step = min(int(place - begin), fine - 1)
+            column = np.zeros((fine + 1, len(edges)))
+            column[step, i], column[step + 1, i] = begin + step + 1 - place, place - begin - step
+            columns.append(column.reshape(-1))
+    return np.reshape(columns, (len(columns), (fine + 1) * len(edges))).T

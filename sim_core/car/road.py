@@ -60,15 +60,24 @@ class RoadProfile:
 
     def height(self, position: FloatArray) -> FloatArray:
         """Road height [m] at positions [m] of any shape; level beyond the road made."""
-        return self.height_at(position, grid_place(position, len(self.roughness)))
+        height = self._roughness_at(grid_place(position, len(self.roughness)))
+        on_bump = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
+        height[on_bump] += bump_height(self.bump, position[on_bump])
+        return height
 
-    def height_at(self, position: FloatArray, place: GridPlace) -> FloatArray:
-        """The same at positions whose place on the grid is known."""
-        height = self.roughness.take(place.cell)
-        height += place.share * self.rise.take(place.cell)
-        if self.bump.height:
-            inside = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
-            height[inside] += bump_height(self.bump, position[inside])
+    def height_along(self, axles: FloatArray, place: GridPlace) -> FloatArray:
+        """The same under axles that drive along the road (axles, n), where their places on the grid are known."""
+        height = self._roughness_at(place)
+        for heights, driven in zip(height, axles, strict=True):
+            first = driven.searchsorted(self.bump.start, side="right")
+            last = driven.searchsorted(self.bump.start + self.bump.width)
+            heights[first:last] += bump_height(self.bump, driven[first:last])
+        return height
+
+    def _roughness_at(self, place: GridPlace) -> FloatArray:
+        height = self.rise.take(place.cell)
+        height *= place.share
+        height += self.roughness.take(place.cell)
         return height
 
     def max_chord_deviation(self, length: float) -> float:
@@ -120,9 +129,10 @@ def stationary_deviation(roughness: float) -> float:
 
 
 @cached
-def _fade(keep: float, count: int) -> FloatArray:
-    """Powers 1, 2, … of a number (count,), each the one before times it: a longer road only goes on."""
-    return np.full(count, keep).cumprod()
+def _fade(keep: float, count: int) -> tuple[FloatArray, FloatArray]:
+    """Powers 1, 2, … of a number, each the one before times it: a longer road only goes on; 1 over them; (count,)."""
+    powers = np.full(count, keep).cumprod()
+    return powers, 1 / powers
 
 
 @cached
@@ -133,13 +143,13 @@ def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, 
     seed gives the same road for every length: a longer one only goes on.
     """
     count = grid_samples(length)
-    deviation = stationary_deviation(roughness)
     keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
     noise = np.random.default_rng(seed).standard_normal(count)
-    noise[0] *= deviation
-    noise[1:] *= deviation * sqrt(1 - keep**2)
-    fade = _fade(keep, count)
-    samples: FloatArray = fade * (noise / fade).cumsum()  # each sample is `keep` of the one before, and its noise
+    noise[1:] *= sqrt(1 - keep**2)
+    fade, grow = _fade(keep, count)
+    samples: FloatArray = (noise * grow).cumsum()  # each sample is `keep` of the one before, and its noise
+    samples *= fade
+    samples *= stationary_deviation(roughness)
     rise = samples[1:] - samples[:-1]
     samples.flags.writeable = rise.flags.writeable = False
     return samples, rise

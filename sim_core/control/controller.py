@@ -59,8 +59,8 @@ class Controller(ABC):
         """
 
     @abstractmethod
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
-        """The command (2,) [N] of one control step, limits included.
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
+        """The command (2,) [N] of one control step, limits included, and whether one of them binds.
 
         Args:
             step: Index of the control step.
@@ -84,6 +84,6 @@ class PassiveController(Controller):
         """Always."""
         return np.ones(len(commands), dtype=np.bool_)
 
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
         """Zero."""
-        return np.zeros(FORCES)
+        return np.zeros(FORCES), False

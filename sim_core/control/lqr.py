@@ -124,9 +124,9 @@ class LqrController(Controller):
         """Where its forces are within the limit."""
         return np.asarray((np.abs(commands) <= self._limit * WITHIN).all(axis=1))
 
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
         """The regulator's force, clipped."""
         force = self._law.gain[:, :STATES] @ state
         if self._feed is not None:
             force = force + self._feed[step]
-        return np.clip(force, -self._limit, self._limit)
+        return np.clip(force, -self._limit, self._limit), not (np.abs(force) <= self._limit * WITHIN).all()

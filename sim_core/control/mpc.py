@@ -35,9 +35,9 @@ class MpcDesign:
 
     The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
     b = row_limits - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each
-    force and deflection of the horizon on [the same], each over its bound. In single precision, `bound_gain`
-    (rows, 11) are the checks on [state; previous command; mean deceleration of the preview], and `preview_norms`
-    (rows, 3) their norms on the rest: with `Forecast.spread` they bound each check (Cauchy-Schwarz).
+    force and deflection of the horizon on [the same], each over its bound. In single precision, `bound` (2 rows, 14)
+    are the checks of either sign on [state; previous command; mean deceleration of the preview], then their norms on
+    the rest: with `Forecast.spread` they bound each check (Cauchy-Schwarz).
     """
 
     shape: QpShape
@@ -48,8 +48,7 @@ class MpcDesign:
     feed: FloatArray
     checks: FloatArray
     bounds: FloatArray
-    bound_gain: NDArray[np.float32]
-    preview_norms: NDArray[np.float32]
+    bound: NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -135,7 +134,6 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     checks = np.vstack([optimum * KILO, travel + travel_moves @ optimum])
     bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
     checks /= bounds[:, None]
-    bound_gain, preview_norms = _bound(checks)
     return MpcDesign(
         shape=_shape(H, travel_moves, horizon.prediction, horizon.force_limit),
         linear=2 * linear,
@@ -145,16 +143,16 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         feed=optimum[:FORCES, STATES + FORCES :] * KILO,
         checks=checks,
         bounds=bounds,
-        bound_gain=bound_gain,
-        preview_norms=preview_norms,
+        bound=_bound(checks),
     )
 
 
-def _bound(checks: FloatArray) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """`bound_gain` and `preview_norms` of a design with these checks."""
+def _bound(checks: FloatArray) -> NDArray[np.float32]:
+    """`MpcDesign.bound` of a design with these checks."""
     by_disturbance = checks[:, MEASURED:].reshape(len(checks), DISTURBANCES, -1)
     gain = np.hstack([checks[:, :MEASURED], by_disturbance[:, 2].sum(axis=1)[:, None]])
-    return gain.astype(np.float32), np.linalg.norm(by_disturbance, axis=2).astype(np.float32)
+    norms = np.linalg.norm(by_disturbance, axis=2)
+    return np.block([[gain, norms], [-gain, norms]]).astype(np.float32)
 
 
 def _shape(H: FloatArray, travel_moves: FloatArray, horizon: int, force_limit: float) -> QpShape:
@@ -181,8 +179,7 @@ class MpcController(Controller):
         super().__init__()
         self._designs = designs
         self._windows = preview.windows
-        self._mean_braking = preview.braking
-        self._spread = preview.spread.astype(np.float32)
+        self._sums = np.vstack([preview.braking, preview.spread])
         self._limit = mpc.force_limit
         self._order = (mpc.solver, *(name for name in SOLVERS if name != mpc.solver))
         self._solvers: dict[tuple[str, str], QpSolver] = {}
@@ -202,49 +199,47 @@ class MpcController(Controller):
 
         A bound rules most steps out; those near a limit are judged by the checks themselves.
         """
-        checks, within = self._designs[stage].checks, np.zeros(len(measured), dtype=bool)
-        if len(measured) >= _MIN_BOUND_STEPS:
-            within = self._clear_of_limits(first, stage, measured)
+        design, steps = self._designs[stage], slice(first, first + len(measured))
+        if len(measured) < _MIN_BOUND_STEPS:
+            inputs = np.hstack([measured, flattened(self._windows[:, steps])])
+            return np.asarray((np.abs(inputs @ design.checks.T) <= WITHIN).all(axis=1))  # a NaN is within nothing
+        bound = design.bound @ np.concatenate([measured.T, self._sums[:, steps]], dtype=np.float32)
+        within = np.asarray(bound.max(axis=0) <= _BOUND_MARGIN)
         near = np.flatnonzero(~within)
         if len(near):
             inputs = np.hstack([measured[near], flattened(self._windows[:, first + near])])
-            within[near] = (np.abs(inputs @ checks.T) <= WITHIN).all(axis=1)  # a NaN is within nothing
+            within[near] = (np.abs(inputs @ design.checks.T) <= WITHIN).all(axis=1)
         return within
 
-    def _clear_of_limits(self, first: int, stage: str, measured: FloatArray) -> BoolArray:
-        """In which steps from the first on no check comes near its limit, by a bound (n,)."""
-        design = self._designs[stage]
-        steps = slice(first, first + len(measured))
-        inputs = np.empty((MEASURED + 1, len(measured)), dtype=np.float32)
-        inputs[:-1], inputs[-1] = measured.T, self._mean_braking[steps]
-        bound = design.bound_gain @ inputs
-        np.abs(bound, out=bound)
-        bound += design.preview_norms @ self._spread[:, steps]
-        return np.asarray(bound.max(axis=0) <= _BOUND_MARGIN)
-
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> FloatArray:
-        """The first force of the constrained optimum.
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
+        """The first force of the constrained optimum, and whether it differs from the law's.
 
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.
         """
+        design = self._designs[stage]
+        given = np.concatenate([state, previous, self._windows[:, step].reshape(-1)])
+        checks = design.checks @ given
+        if np.abs(checks).max() <= WITHIN:
+            return checks[:FORCES] * self._limit, False
         if sum(solver.spent for solver in self._solvers.values()) > MAX_EFFORT:
             raise TooExpensiveError("The run's QPs take too many iterations", fields=self._costly_fields)
-        chosen = self._designs[stage]
-        given = np.concatenate([state, previous, self._windows[:, step].ravel()])
-        f = np.zeros(len(chosen.shape.H))
-        f[:-2] = chosen.linear @ given
+        f = np.zeros(len(design.shape.H))
+        f[:-2] = design.linear @ given
         f[-2:] = SLACK_LINEAR / CENTI
-        b = chosen.row_limits - chosen.rows_given @ given
+        b = design.row_limits - design.rows_given @ given
         self.report.solves += 1
+        force = previous
         for attempt, name in enumerate(self._order):
             solver = self._solvers.get((stage, name))
             if solver is None:
-                solver = self._solvers[stage, name] = SOLVERS[name](chosen.shape)
+                solver = self._solvers[stage, name] = SOLVERS[name](design.shape)
             y = solver.solve(f, b)
             if y is not None:
                 self.report.fallbacks += attempt
                 self.report.max_slack = max(self.report.max_slack, float(y[-2:].max()) / CENTI)
-                return np.clip(y[:FORCES] * KILO, -self._limit, self._limit)
-        self.report.failures += 1
-        return np.clip(previous, -self._limit, self._limit)
+                force = y[:FORCES] * KILO
+                break
+        else:
+            self.report.failures += 1
+        return np.minimum(np.maximum(force, -self._limit), self._limit), True

@@ -51,15 +51,13 @@ def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multip
     """
     n = len(y)
     box, rows = multipliers[:n], multipliers[n:]
-    gradient = shape.H @ y + f + box + rows @ shape.A
-    stationary = (np.abs(gradient) / (1 + np.abs(f))).max()
     above, slack = y - shape.low, np.concatenate([shape.high - y, b - shape.A @ y])
-    primal = max(0.0, -above.min(), -slack.min())
+    gradient = shape.H @ y + f + box + rows @ shape.A
     force = 1 + np.abs(multipliers).max()
-    wrong_sign = max(0.0, -rows.min(initial=0.0)) / force
-    slack[:n] = np.where(box < 0, above, slack[:n])
-    gap = np.abs(multipliers * slack).max() / force
-    return float(max(stationary, primal, wrong_sign, gap)) if np.isfinite(y).all() else float("nan")
+    gap = multipliers * slack
+    gap[:n] = np.where(box < 0, box * above, gap[:n])
+    violations = np.abs(gradient) / (1 + np.abs(f)), -above, -slack, -rows / force, np.abs(gap) / force
+    return float(np.concatenate(violations).max())
 
 
 class QpSolver(ABC):

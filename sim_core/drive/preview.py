@@ -12,8 +12,8 @@ from numpy.lib.stride_tricks import sliding_window_view
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.road import profile
-from sim_core.drive.sampling import RoadInput
+from sim_core.car.road import GridPlace, grid_place
+from sim_core.drive.sampling import RoadInput, SampledDrive
 from sim_core.drive.speed_profile import Drive
 from sim_core.scenario import Mismatch, Preview, Road
 
@@ -83,7 +83,8 @@ def preview(
 def sliding_forecast(disturbances: FloatArray, horizon: int) -> Forecast:
     """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1)."""
     sums = np.zeros((2, DISTURBANCES, disturbances.shape[1] + 1))
-    np.cumsum([disturbances, disturbances**2], axis=2, out=sums[:, :, 1:])
+    disturbances.cumsum(axis=1, out=sums[0, :, 1:])
+    (disturbances * disturbances).cumsum(axis=1, out=sums[1, :, 1:])
     total, squares = sums[:, :, horizon:] - sums[:, :, :-horizon]
     braking = total[2] / horizon
     squares[2] -= total[2] * braking
@@ -99,19 +100,32 @@ def _by_sensors(
     road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float, mismatch: Mismatch
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
-    surface, time, h = profile(road), road_input.time, road_input.step
+    sampled, surface = road_input.drive, road_input.surface
+    offset, delay, samples = mismatch.preview_offset, mismatch.preview_delay, len(surface.roughness)
+    axles, place, braking = _ahead(drive, sampled, horizon, wheelbase, offset, delay, samples)
+    height = mismatch.preview_gain * surface.height_along(axles, place)
+    if mismatch.preview_noise:
+        generator = np.random.default_rng((road.seed, _NOISE_STREAM))
+        height += mismatch.preview_noise * generator.standard_normal(height.shape)
+    return sliding_forecast(np.vstack([np.diff(height) / sampled.step, braking]), horizon)
+
+
+@cached
+def _ahead(
+    drive: Drive,
+    sampled: SampledDrive,
+    horizon: int,
+    wheelbase: float,
+    offset: float,
+    delay: float,
+    grid_samples: int,
+) -> tuple[FloatArray, GridPlace, FloatArray]:
+    """Where sensors take the axles to be at every control instant to come (2, n + 1) [m]; the braking in between."""
+    time, h = sampled.time, sampled.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
-    position, _ = drive.at(further - mismatch.preview_delay)
-    position = position - mismatch.preview_offset
-    noise = np.random.default_rng((road.seed, _NOISE_STREAM)) if mismatch.preview_noise else None
-    disturbances = np.empty((DISTURBANCES, len(further) - 1))
-    for axle, behind in enumerate((0.0, wheelbase)):
-        height = mismatch.preview_gain * surface.height(position - behind)
-        if noise is not None:
-            height = height + mismatch.preview_noise * noise.standard_normal(len(height))
-        disturbances[axle] = np.diff(height) / h
-    disturbances[2] = drive.sample(drive.braking, further[:-1] + h / 2)
-    return sliding_forecast(disturbances, horizon)
+    position = drive.at(further - delay)[0] - offset
+    axles = np.stack([position, position - wheelbase])
+    return axles, grid_place(axles, grid_samples), drive.sample(drive.braking, further[:-1] + h / 2)
 
 
 @cached
@@ -119,7 +133,7 @@ def _without_sensors(
     mode: Preview, road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float
 ) -> Forecast:
     """Without sensors: the rear axle meets what the front has met, or the road is level; braking stays as it is."""
-    surface, time, h = profile(road), road_input.time, road_input.step
+    surface, time, h = road_input.surface, road_input.time, road_input.step
     windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
     position, speed = drive.at(time[:-1])
     braking = drive.sample(drive.braking, time[:-1])

@@ -37,15 +37,19 @@ class Kinks:
 
     Attributes:
         position: Of the kinks (k,) [m], the front axle's, then the rear's, each in the order they are met.
-        axle: 0 front, 1 rear (k,).
         step: The fine step from x = 0 in which each is met (k,).
+        share: Of that step, after which it is met (k,).
         rear: Index of the rear axle's first.
     """
 
     position: FloatArray
-    axle: NDArray[np.intp]
     step: NDArray[np.intp]
+    share: FloatArray
     rear: int
+
+    def axle(self, indices: NDArray[np.intp]) -> NDArray[np.intp]:
+        """0 for those of these kinks that the front axle meets, 1 for the rear's."""
+        return (indices >= self.rear).astype(np.intp)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -97,6 +101,7 @@ class RoadInput:
         disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
             (steps, 3 · fine), fine step after fine step.
         surface: The road.
+        height: Of the road under both axles at every fine instant (2, n + 1) [m].
         series: The record's signals that no suspension changes (catalogue.SIGNALS).
     """
 
@@ -104,6 +109,7 @@ class RoadInput:
     position: FloatArray
     disturbance: FloatArray
     surface: RoadProfile
+    height: FloatArray
     series: dict[str, FloatArray]
 
     @property
@@ -131,14 +137,13 @@ class RoadInput:
         """Fine step [s]."""
         return self.drive.fine_step
 
-    def at_kinks(self, indices: NDArray[np.intp]) -> tuple[FloatArray, FloatArray]:
-        """Share of its fine step after which each of these kinks is met, and its height above that step's chord [m]."""
-        kinks, driven = self.drive.kinks, self.drive.position
-        axle, step = kinks.axle[indices], kinks.step[indices] + self.on_record.start
-        position = np.stack([driven[axle, step], kinks.position[indices], driven[axle, step + 1]])
-        low, height, high = self.surface.height(position)
-        share = (position[1] - position[0]) / (position[2] - position[0])
-        return share, height - low - share * (high - low)
+    def above_chord(self, indices: NDArray[np.intp]) -> FloatArray:
+        """Height of these kinks above the chord of the fine step in which they are met [m]."""
+        kinks, heights = self.drive.kinks, self.height
+        sample = kinks.axle(indices) * heights.shape[1] + self.on_record.start + kinks.step[indices]
+        low, high = heights.take(sample), heights.take(sample + 1)
+        chord: FloatArray = low + kinks.share[indices] * (high - low)
+        return self.surface.height(kinks.position[indices]) - chord
 
 
 def fine_step(scenario: Scenario, strategy: Strategy) -> float:
@@ -179,19 +184,20 @@ def sample_road(
     """
     fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
     sampled = _sampled(drive, road.length, wheelbase, step, fine, kinks(road.bump))
-    surface, h = profile(road), sampled.fine_step
-    height = surface.height_at(sampled.position, sampled.place)
+    surface = profile(road)
+    height = surface.height_along(sampled.position, sampled.place)
     held = np.empty((len(sampled.braking), DISTURBANCES))
-    held[:, :2] = ((height[:, 1:] - height[:, :-1]) * (1 / h)).T
+    held[:, :2] = ((height[:, 1:] - height[:, :-1]) * (1 / sampled.fine_step)).T
     held[:, 2] = sampled.braking
-    heights = height[:, sampled.on_record]
-    heights.flags.writeable = False
+    height.flags.writeable = False
+    front, rear = height[:, sampled.on_record]
     return RoadInput(
         drive=sampled,
         position=sampled.position[0, : -1 : sampled.fine],
         disturbance=held.reshape(len(sampled.time) - 1, sampled.fine * DISTURBANCES),
         surface=surface,
-        series=sampled.series | {"front_road": heights[0], "rear_road": heights[1]},
+        height=height,
+        series=sampled.series | {"front_road": front, "rear_road": rear},
     )
 
 
@@ -235,15 +241,18 @@ def _sampled(
 
 def _kinks(position: FloatArray, bump_kinks: tuple[float, ...]) -> Kinks:
     """Of axles at those positions from x = 0 on (2, n + 1) [m]."""
-    met, steps = [], []
+    positions, steps, shares = [], [], []
     for driven in position:
         begin, end = float(driven[0]), float(driven[-1])
-        kink = np.sort(np.concatenate([grid_between(begin, end), bump_kinks]))
-        met.append(kink[(kink > begin) & (kink < end)])
-        steps.append(driven.searchsorted(met[-1]) - 1)
+        met = np.sort(np.concatenate([grid_between(begin, end), bump_kinks]))
+        met = met[(met > begin) & (met < end)]
+        step = driven.searchsorted(met) - 1
+        positions.append(met)
+        steps.append(step)
+        shares.append((met - driven[step]) / (driven[step + 1] - driven[step]))
     return Kinks(
-        position=np.concatenate(met),
-        axle=np.repeat([0, 1], [len(each) for each in met]),
+        position=np.concatenate(positions),
         step=np.concatenate(steps),
-        rear=len(met[0]),
+        share=np.concatenate(shares),
+        rear=len(positions[0]),
     )

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sim_core import closed_loop
+from sim_core.control import mpc
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 
@@ -16,7 +17,7 @@ LAGGING = Scenario(actuator=Actuator(bandwidth=10, rate_limit=40_000))
 @pytest.mark.parametrize("strategy", ["lv", "suspension_only", "lqr", "passive"])
 def test_blocks_equal_single_steps(scenario: Scenario, strategy: str, monkeypatch: pytest.MonkeyPatch) -> None:
     fast = simulate(scenario, strategy)
-    for name in ("_FIRST_BLOCK", "_LONGEST_BLOCK", "_BLOCK_AFTER_LIMIT"):
+    for name in ("_LONGEST_BLOCK", "_BLOCK_AFTER_LIMIT"):
         monkeypatch.setattr(closed_loop, name, 1)
     single = simulate(scenario, strategy)
     assert fast.events == pytest.approx(single.events, abs=1e-9)
@@ -39,9 +40,8 @@ def test_solver_always_on_equals_solver_only_at_limits(strategy: str, monkeypatc
     """The unconstrained optimum that meets every limit is the QP's solution."""
     scenario = Scenario(road=Road(length=112, bump=Bump(start=30)), speed=Speed(detection_distance=20))
     sometimes = simulate(scenario, strategy)
-    monkeypatch.setattr(
-        closed_loop.ClosedLoop, "_limits_met", lambda self, stage, z, k: (np.zeros(len(z) - 1, bool),) * 2
-    )
+    for name in ("WITHIN", "_BOUND_MARGIN"):
+        monkeypatch.setattr(mpc, name, -1.0)
     always = simulate(scenario, strategy)
     assert always.events["qp_solves"] > 10 * max(1, sometimes.events["qp_solves"])
     assert always.events["qp_failures"] == always.events["qp_fallbacks"] == 0

@@ -43,7 +43,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         ecu = ModelEcu(ecu_calibration(scenario), previous=previous)
         rows, count, finished, slack = ecu.optimum(i % 3, state, preview)
         qp = MpcController(designs, sliding_forecast(preview, horizon), scenario.mpc)
-        force = qp.step(0, STAGES[i % 3], state, previous * 1000)
+        force, _ = qp.step(0, STAGES[i % 3], state, previous * 1000)
         if finished:
             np.testing.assert_allclose(rows[:FORCES] * 1000, force, atol=1e-6)
             assert max(slack, 0) / 100 == pytest.approx(qp.report.max_slack, abs=1e-9)

@@ -113,7 +113,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         z = np.concatenate([state, previous])
         wanted = law.gain @ z + feeds[k]
         if not controller.holds(k, stages[k], z[None], wanted[None])[0]:
-            wanted = controller.step(k, stages[k], state, previous)
+            wanted, _ = controller.step(k, stages[k], state, previous)
         previous = np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest)
         return previous
 
