@@ -8,7 +8,7 @@ from backend.hil import work
 from backend.hil.realtime import LONGEST
 from backend.hil.report import VARIANTS
 from backend.http.admission import Admission
-from backend.http.limits import ConcurrencyLimit, client_key
+from backend.http.limits import ConcurrencyLimit
 from sim_core.scenario import Scenario
 from sim_core.workload import duration
 
@@ -64,8 +64,6 @@ class Controllers:
     ) -> dict[str, Any]:
         names = [STRATEGY] * drives
         self._admission.check(scenario, names, beside)
-        key = client_key(client)
-        self._long.check(key)
-        with self._long.acquired(key), self._admission.computing(client, scenario, names):
+        with self._long.acquired(client), self._admission.computing(client, scenario, names):
             answer: dict[str, Any] = await self._workers.call(function, scenario, ends_with_caller=True)
             return answer

@@ -1,17 +1,20 @@
 """How much is accepted at once, so that an overload is refused early and nobody waits for ever."""
 
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 
 from backend.backlog import Backlog, mark_computing
 from backend.errors import CHEAPER_RUN, BusyError, CostLimitError
-from backend.http.limits import ConcurrencyLimit, TokenBucket, client_key
+from backend.http.limits import ConcurrencyLimit, TokenBucket
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 
 
 class Admission:
     """Counts what is open, for each client and in all: requests that compute (also in estimated seconds), streams.
+
+    What counts as open raises a TemporaryError where the client has too much of it (TooManyRequestsError) or the
+    service has (BusyError).
 
     Args:
         max_request_cost: Greatest estimate of one request [s of one core].
@@ -37,9 +40,9 @@ class Admission:
         self._max_request_cost = max_request_cost
         self._max_queued_cost = max_queued_cost
         self._queued_cost = 0.0
-        self._requests = ConcurrencyLimit(what="computing requests", per_client=max_client_requests)
+        self._computing = ConcurrencyLimit(what="computing requests", per_client=max_client_requests)
         self._streams = ConcurrencyLimit(what="event streams", per_client=max_client_streams, total=max_streams)
-        self._admitted = ConcurrencyLimit(
+        self._requests = ConcurrencyLimit(
             what="requests", per_client=max_client_requests, total=8 * max_client_requests
         )
         self._bodies = ConcurrencyLimit(what="long request bodies", per_client=4, total=16)
@@ -52,7 +55,7 @@ class Admission:
         return {
             "cost": self._queued_cost,
             "wait": self._backlog.expected_wait,
-            "requests": self._requests.open,
+            "requests": self._computing.open,
             "streams": self._streams.open,
             "bodies": self._bodies.open,
         }
@@ -65,103 +68,60 @@ class Admission:
         """
         cost = beside + sum(estimate(scenario, strategy) for strategy in strategies)
         if cost > self._max_request_cost:
-            message = (
+            raise CostLimitError(
                 f"The estimated cost of {cost:.3g} s of computing is over the limit of {self._max_request_cost:g} s "
-                f"a request; fewer roads, {CHEAPER_RUN}"
+                f"a request; fewer roads, {CHEAPER_RUN}",
+                pointer="/scenario",
             )
-            raise CostLimitError(message, pointer="/scenario")
 
     def check_admission(self, client: str) -> None:
         """Refuse a request that may compute before anything is done for it, so that refusals cost next to nothing.
 
         Raises:
-            TooManyRequestsError: The client has too many open.
-            BusyError: The service has, or the wait would be long.
+            TemporaryError: As above, or the wait would be long.
         """
-        client = client_key(client)
-        self._admitted.check(client)
-        self._backlog.check(self._admitted.open_by(client))
+        self._requests.check(client)
+        self._backlog.check(self._requests.open_by(client))
 
     @contextmanager
     def admitted(self, client: str) -> Iterator[None]:
-        """Count a request that may compute, from before its body is parsed to its answer.
+        """A request that may compute, from before its body is parsed to its answer.
 
         A lookup in the database costs much more than a refusal: without this limit a flood would keep the database's
         threads from the requests that were admitted.
-
-        Raises:
-            TemporaryError: As `check_admission`.
         """
         self.check_admission(client)
-        with self._admitted.acquired(client_key(client)), self._backlog.track():
+        with self._requests.acquired(client), self._backlog.track():
             yield
 
-    @contextmanager
-    def reading(self, client: str) -> Iterator[None]:
-        """Count a request that only reads, but much.
-
-        Raises:
-            TooManyRequestsError: The client has too many open.
-            BusyError: The service has.
-        """
-        client = client_key(client)
-        self._admitted.check(client)
-        with self._admitted.acquired(client):
-            yield
+    def reading(self, client: str) -> AbstractContextManager[None]:
+        """A request that only reads, but much."""
+        return self._requests.acquired(client)
 
     @contextmanager
     def computing(self, client: str, scenario: Scenario, strategies: Iterable[str]) -> Iterator[None]:
-        """Count what is computed for that client.
-
-        Raises:
-            TooManyRequestsError: The client has too many open.
-            BusyError: The service is full.
-        """
-        client = client_key(client)
-        self._requests.check(client)
-        cost = sum(estimate(scenario, strategy) for strategy in strategies)
-        if self._queued_cost and self._queued_cost + cost > self._max_queued_cost:
-            raise BusyError("The service is full: too much computing is waiting.")
-        mark_computing()
-        with self._requests.acquired(client):
+        """What is computed for that client."""
+        with self._computing.acquired(client):
+            cost = sum(estimate(scenario, strategy) for strategy in strategies)
+            if self._queued_cost and self._queued_cost + cost > self._max_queued_cost:
+                raise BusyError("The service is full: too much computing is waiting.")
+            mark_computing()
             self._queued_cost += cost
             try:
                 yield
             finally:
                 self._queued_cost -= cost
-                if self._requests.open == 1:  # this one, which ends
+                if self._computing.open == 1:  # this one, which ends
                     self._queued_cost = 0.0  # no drift from rounding
 
-    @contextmanager
-    def streaming(self, client: str) -> Iterator[None]:
-        """Count an event stream of that client.
+    def streaming(self, client: str) -> AbstractContextManager[None]:
+        """An event stream."""
+        return self._streams.acquired(client)
 
-        Raises:
-            TooManyRequestsError: The client has too many open.
-            BusyError: The service has.
-        """
-        client = client_key(client)
-        self._streams.check(client)
-        with self._streams.acquired(client):
-            yield
-
-    @contextmanager
-    def receiving(self, client: str) -> Iterator[None]:
-        """Count a long request body of that client, while it is received and worked on.
-
-        Raises:
-            TooManyRequestsError: The client has too many open.
-            BusyError: The service has.
-        """
-        client = client_key(client)
-        self._bodies.check(client)
-        with self._bodies.acquired(client):
-            yield
+    def receiving(self, client: str) -> AbstractContextManager[None]:
+        """A long request body, while it is received and worked on."""
+        return self._bodies.acquired(client)
 
     def linking(self, client: str) -> None:
-        """Count a new link of that client: links are kept for ever, so nobody makes them by the thousand.
-
-        Raises:
-            TooManyRequestsError: Too many a second.
-        """
-        self._links.take(client_key(client))
+        """Count a new link of that client: links are kept for ever, so nobody makes them by the thousand."""
+        self._links.take(client)

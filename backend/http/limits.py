@@ -7,15 +7,18 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from cachetools import TTLCache
+
 from backend.errors import BusyError, TooManyRequestsError
 
 IPV6_PREFIX = 64  # bits: one customer of a provider usually has 2^64 addresses
+MOST_CLIENTS = 10_000  # whose rates are remembered
 
 
 class ConcurrencyLimit:
     """How many of something may be open at once, for one client and in all."""
 
-    def __init__(self, *, what: str, per_client: int, total: int | None = None) -> None:
+    def __init__(self, *, what: str, per_client: int, total: float = math.inf) -> None:
         self._what = what
         self._per_client = per_client
         self._total = total
@@ -28,7 +31,7 @@ class ConcurrencyLimit:
 
     def open_by(self, client: str) -> int:
         """How many that client has open now."""
-        return self._open[client]
+        return self._open[client_key(client)]
 
     def check(self, client: str) -> None:
         """Refuse where one more would be over a limit.
@@ -37,21 +40,27 @@ class ConcurrencyLimit:
             TooManyRequestsError: The client's own limit.
             BusyError: Everybody's.
         """
-        if self._open[client] >= self._per_client:
+        if self.open_by(client) >= self._per_client:
             raise TooManyRequestsError(f"At most {self._per_client} {self._what} of one client may be open at once.")
-        if self._total is not None and self.open >= self._total:
+        if self.open >= self._total:
             raise BusyError(f"The service is full: too many {self._what} are open.")
 
     @contextmanager
     def acquired(self, client: str) -> Iterator[None]:
-        """Count one as open."""
-        self._open[client] += 1
+        """Count one as open.
+
+        Raises:
+            TemporaryError: As `check`.
+        """
+        self.check(client)
+        key = client_key(client)
+        self._open[key] += 1
         try:
             yield
         finally:
-            self._open[client] -= 1
-            if not self._open[client]:
-                del self._open[client]
+            self._open[key] -= 1
+            if not self._open[key]:
+                del self._open[key]
 
 
 class TokenBucket:
@@ -64,8 +73,6 @@ class TokenBucket:
         clock: Seconds, monotonic.
     """
 
-    MOST_CLIENTS = 10_000
-
     def __init__(
         self, *, what: str, burst: int, each_second: float, clock: Callable[[], float] = time.monotonic
     ) -> None:
@@ -73,7 +80,8 @@ class TokenBucket:
         self._burst = burst
         self._each_second = each_second
         self._clock = clock
-        self._full_at: dict[str, float] = {}
+        # By client when its bucket is full again; after that it is as good as unknown.
+        self._full_at: TTLCache[str, float] = TTLCache(MOST_CLIENTS, burst / each_second, clock)
 
     def take(self, client: str) -> None:
         """Take a token.
@@ -81,17 +89,13 @@ class TokenBucket:
         Raises:
             TooManyRequestsError: With the time after which there is a token again.
         """
-        now = self._clock()
-        full_at = max(now, self._full_at.get(client, now)) + 1 / self._each_second
+        key, now = client_key(client), self._clock()
+        full_at = max(now, self._full_at.get(key, now)) + 1 / self._each_second
         wait = full_at - now - self._burst / self._each_second
         if wait > 1e-9:
-            raise TooManyRequestsError(
-                f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second.",
-                retry_after=max(1, math.ceil(wait)),
-            )
-        if len(self._full_at) >= self.MOST_CLIENTS:
-            self._full_at = {name: at for name, at in self._full_at.items() if at > now}
-        self._full_at[client] = full_at
+            message = f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second."
+            raise TooManyRequestsError(message, retry_after=max(1, math.ceil(wait)))
+        self._full_at[key] = full_at
 
 
 def client_key(address: str) -> str:

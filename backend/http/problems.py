@@ -2,7 +2,7 @@
 
 import logging
 from collections.abc import Mapping, Sequence
-from typing import Any, cast
+from typing import cast
 
 import orjson
 from fastapi import FastAPI, Request
@@ -14,8 +14,9 @@ from starlette.exceptions import HTTPException
 from backend.errors import EcuUnavailableError, ServiceError
 from backend.http.kinds import KINDS, OF_STATUS, TYPES
 from backend.http.request_log import request_id
+from backend.http.validation import blamed
 from backend.metrics import REFUSED, STORE_ERRORS
-from backend.unknown_names import locate_in_body, pointer, shown_path, unknown_name
+from backend.unknown_names import pointer
 from sim_core.errors import RidelabError, TooExpensiveError
 
 logger = logging.getLogger(__name__)
@@ -109,8 +110,8 @@ async def _invalid(request: Request, error: Exception) -> Response:
     error = cast(RequestValidationError, error)
     body = getattr(request.scope.get("route"), "body_field", None)
     model = body.field_info.annotation if body is not None else None
-    found = [_place(item, model) for item in error.errors()[:MOST_ERRORS]]
-    return problem("invalid-request", errors=found)
+    errors = [blamed(item, model) for item in error.errors()[:MOST_ERRORS]]
+    return problem("invalid-request", errors=errors)
 
 
 async def _refused(_: Request, error: Exception) -> Response:
@@ -135,26 +136,3 @@ async def _too_expensive(_: Request, error: Exception) -> Response:
     error = cast(TooExpensiveError, error)
     places = [{"pointer": pointer(["scenario", *field.split(".")]), "message": error.message} for field in error.fields]
     return problem("too-expensive", f"{error.message}.", errors=places)
-
-
-def _place(item: Mapping[str, Any], model: Any) -> dict[str, str]:
-    """Where one validation error belongs and what it says, without the value sent."""
-    where, *path = item["loc"] or ("body",)
-    context = item.get("ctx") or {}
-    message = str(item["msg"])
-    if where != "body":
-        return {"parameter": str(path[-1]) if path else "", "pointer": "", "message": message}
-    if item["type"] == "extra_forbidden":
-        path, names = locate_in_body(model, path[:-1])
-        path.append(item["loc"][-1])
-        message = unknown_name("field", item["loc"][-1], names)
-    elif item["type"] == "unknown_key":
-        path.append(context["key"])
-        message = unknown_name(context["what"], context["key"], context["known"])
-    elif item["type"] == "inconsistent":
-        path += context["field"].split(".")
-    elif item["type"] == "too_short" and context.get("min_length") == 1:
-        message = "There has to be at least one"
-    elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):
-        message = "This has to be a JSON object"
-    return {"pointer": pointer(shown_path(path)), "message": message}

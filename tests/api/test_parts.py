@@ -1,6 +1,5 @@
 """The service's parts by themselves: digests, strict JSON, settings, memory."""
 
-import json
 import math
 import os
 import subprocess
@@ -14,7 +13,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
-from backend.http import strict_json
 from backend.memory import Memory
 from backend.settings import Settings, SettingsError
 from backend.worker import Outcome, run
@@ -77,34 +75,6 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
     other = math.nextafter(value, math.inf)
     if math.isfinite(other) and other != value:
         assert digest.canonical([value]) != digest.canonical([other])
-
-
-JSON_VALUES = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text(),
-    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4),
-    max_leaves=20,
-)
-
-
-@given(JSON_VALUES)
-def test_strict_json_reads_what_json_writes(value: Any) -> None:
-    try:
-        text = json.dumps(value, ensure_ascii=False).encode()
-    except UnicodeEncodeError:
-        return  # half a surrogate pair, which no UTF-8 text holds
-    assert strict_json.parse(text) == value
-
-
-@given(st.binary(max_size=200))
-def test_strict_json_answers_any_bytes_with_a_value_or_its_error(body: bytes) -> None:
-    try:
-        value = strict_json.parse(body)
-    except strict_json.StrictJSONError as error:
-        value, status = None, error.status
-    else:
-        status = 200
-    assert status in (200, 400, 422)
-    assert status != 200 or json.loads(body) == value
 
 
 def test_settings_come_from_the_environment_and_the_command_line_wins(tmp_path: Path) -> None:

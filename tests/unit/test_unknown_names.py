@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 import pytest
 from pydantic import BaseModel, Field
 
-from backend.unknown_names import is_name, locate_in_body, pointer, unknown_name
+from backend.http.validation import locate_in_body
+from backend.unknown_names import is_name, pointer, unknown_name
 
 
 class Circle(BaseModel):

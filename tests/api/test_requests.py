@@ -1,0 +1,329 @@
+"""What a request may hold: bodies and parameters are read strictly on every route, and an error names its place."""
+
+import contextlib
+import gzip
+import json
+import socket
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from backend.http import routing, strict_json
+from backend.http.strict_json import MAX_MEMBERS, StrictJSONError, parse
+from tests.api.test_problems import check
+from tests.servers.process import wait_until
+
+JSON = {"Content-Type": "application/json"}
+GOOD = b'{"strategies": ["passive"]}'
+
+
+def post(client: httpx.Client, body: Any, path: str = "runs", **headers: str) -> httpx.Response:
+    return client.post(f"/api/v1/{path}", content=body, headers={**JSON, **headers})
+
+
+def scenario(text: str) -> str:
+    return f'{{"strategies": ["passive"], "scenario": {text}}}'
+
+
+def test_every_route_of_the_api_is_strict(service: Any) -> None:
+    """What is refused below is the same everywhere."""
+    routers = [found for each in service.app.routes if (found := getattr(each, "original_router", None)) is not None]
+    routes = [route for router in routers for route in router.routes if route.path.startswith("/api/")]
+    assert len(routes) > 30
+    assert all(isinstance(route, routing.StrictRoute) for route in routes)
+
+
+@pytest.mark.parametrize(
+    ("status", "texts"),
+    [
+        (200, ['{"a": [1, -0.5, "\\ud83d\\ude00", {}, []]}', "9" * 19, f'"{"9" * 500}"', "[" * 32 + "]" * 32]),
+        (400, ["", "{", "{} {}", "{'a': 1}", "\ufeff{}", "[" * 9_000, "[" * 33 + "]" * 33, '"\x01"']),
+        (413, ["[" + ",".join([unit] * 300_000) + "]" for unit in ("1", "{}", '{"a":1}')]),
+        (422, ['{"a": 1, "a": 2}', '{"a": {"b": 1, "b": 2}}', "NaN", "Infinity", "[-Infinity]", "1e999", "9" * 400]),
+        (422, ["9" * 5_000, "-" + "9" * 900_000, r'"\ud800"', r'{"\uDFFF": 1}', r'"\ude00\ud83d"']),
+        (422, ["{" + ",".join(f'"{index}":1' for index in range(MAX_MEMBERS + 1)) + "}"]),
+    ],
+)
+def test_json_is_read_in_one_way_or_not_at_all(status: int, texts: list[str]) -> None:
+    for text in texts:
+        try:
+            assert parse(text.encode()) == json.loads(text)
+            found = 200
+        except StrictJSONError as error:
+            found = error.status
+        assert found == status, text[:40]
+
+
+NUMBERS = st.integers(-(2**63), 2**63) | st.floats(allow_nan=False, allow_infinity=False)
+TEXTS = st.text(st.characters(exclude_categories=["Cs"]))  # halves of surrogate pairs
+JSON_VALUES = st.recursive(
+    st.none() | st.booleans() | NUMBERS | TEXTS,
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(TEXTS, inner, max_size=4),
+    max_leaves=20,
+)
+
+
+@given(JSON_VALUES)
+def test_what_json_writes_is_read(value: Any) -> None:
+    assert parse(json.dumps(value).encode()) == value
+
+
+@given(st.binary(max_size=200))
+def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
+    with contextlib.suppress(StrictJSONError):
+        assert parse(body) == json.loads(body)
+
+
+@pytest.mark.parametrize(
+    ("body", "pointer"),
+    [
+        (scenario('{"road": {"seed": 1, "seed": 2}}'), ""),
+        (scenario('{"road": {"length": "150"}}'), "/scenario/road/length"),
+        (scenario('{"road": {"length": true}}'), "/scenario/road/length"),
+        (scenario('{"road": {"length": null}}'), "/scenario/road/length"),
+        (scenario('{"road": {"seed": 1.5}}'), "/scenario/road/seed"),
+        (scenario('{"road": {"seed": ' + "9" * 300 + "}}"), "/scenario/road/seed"),
+        (scenario('{"road": {"length": ' + "9" * 308 + "}}"), "/scenario/road/length"),
+        (scenario('{"road": {"bump": {"height": 3}}}'), "/scenario/road/bump/height"),
+        (scenario('{"road": {"bump": {"shape": "cube"}}}'), "/scenario/road/bump/shape"),
+        (scenario('{"road": {"bump": {"my colour": 1}}}'), "/scenario/road/bump"),
+        (scenario('{"road": {"bump": {"start": 149}}}'), "/scenario/road/bump/start"),
+        (scenario('{"mpc": {"control_horizon": 31}}'), "/scenario/mpc/control_horizon"),
+        (scenario('{"lqr": {"weights": [0, 0, 0]}}'), "/scenario/lqr/weights"),
+        (scenario('{"lqr": {"weights": [1, 1]}}'), "/scenario/lqr/weights/2"),
+        (scenario('{"lqr": {"weights": [1, -1, 1]}}'), "/scenario/lqr/weights/1"),
+        (scenario('{"lqr": {"weights": {"0": 1}}}'), "/scenario/lqr/weights"),
+        (scenario("[]"), "/scenario"),
+        (scenario("null"), "/scenario"),
+        ('{"strategies": []}', "/strategies"),
+        ('{"strategies": ["teleport"]}', "/strategies/0"),
+        ('{"strategies": "lv"}', "/strategies"),
+        ("{}", "/strategies"),
+        ("[]", ""),
+        ("5", ""),
+        ("null", ""),
+        ("", ""),
+    ],
+    ids=str,
+)
+def test_a_bad_body_is_refused_at_its_place(client: httpx.Client, body: str, pointer: str) -> None:
+    kind = "strict-json" if "seed" in body and pointer == "" else "invalid-request"
+    problem = check(post(client, body), 422, kind)
+    assert [error.pointer for error in problem.errors] == [pointer]
+    assert problem.errors[0].message
+
+
+@pytest.mark.parametrize("number", ["9" * 308, "-" + "9" * 308, "1e-999", "1" + "0" * 300 + ".5"], ids=str)
+def test_numbers_beyond_every_limit_are_refused_wherever_a_number_is(client: httpx.Client, number: str) -> None:
+    ranges = f'{{"road.length": [100, {number}]}}'
+    for path, body in (
+        ("runs", scenario(f'{{"vehicle": {{"body_mass": {number}}}}}')),
+        ("live", f'{{"strategies": ["passive"], "points": {number}}}'),
+        ("batches", f'{{"strategies": ["passive"], "sweep": {{"grid": {{"road.length": [{number}]}}}}}}'),
+        ("batches", f'{{"strategies": ["passive"], "sweep": {{"list": [{{"vehicle.body_mass": {number}}}]}}}}'),
+        ("batches", f'{{"strategies": ["lv"], "sweep": {{"latin_hypercube": {{"ranges": {ranges}, "samples": 2}}}}}}'),
+    ):
+        assert check(post(client, body, path), 422, "invalid-request").errors
+
+
+def test_every_error_is_told_at_once_but_not_thousands(client: httpx.Client) -> None:
+    body = scenario('{"road": {"length": 1, "seed": -1}, "vehicle": {"body_mass": "heavy"}}')
+    pointers = {error["pointer"] for error in post(client, body).json()["errors"]}
+    assert {"/scenario/road/length", "/scenario/road/seed", "/scenario/vehicle/body_mass"} <= pointers
+    parts = {part: {f"k{index}": index for index in range(200)} for part in ("road", "mpc", "lqr", "vehicle", "speed")}
+    response = post(client, scenario(json.dumps(parts)))
+    assert len(response.json()["errors"]) == 50
+    assert len(response.content) < 100_000
+
+
+@pytest.mark.parametrize(
+    ("body", "named"),
+    [
+        (scenario('{"road": {"length": 5000}}'), "3000"),
+        (scenario('{"road": {"bump": {"shape": "cube"}}}'), "cosine"),
+        ('{"strategies": ["teleport"]}', "suspension_only"),
+    ],
+)
+def test_a_message_names_the_limit_and_the_values_there_are(client: httpx.Client, body: str, named: str) -> None:
+    assert named in post(client, body).json()["errors"][0]["message"]
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "pointer", "message"),
+    [
+        ("runs", {"strategies": ["lv"], "road": 2}, "/road", "road, perhaps roads; there are scenario, strategies"),
+        (
+            "live",
+            {"strategies": ["lv"], "scenario": {"road": {"bump": {"hight": 1}}}},
+            "/scenario/road/bump/hight",
+            "hight, perhaps height; there are shape, height, width, start",
+        ),
+        ("batches", {"sweep": {"points": []}}, "/sweep/points", "points; there are grid, latin_hypercube, list"),
+        (
+            "batches",
+            {"sweep": {"latin_hypercube": {"ranges": {"road.seed": [1, 9]}, "samples": 2, "sed": 1}}},
+            "/sweep/latin_hypercube/sed",
+            "sed, perhaps seed; there are ranges, samples, seed",
+        ),
+        (
+            "batches",
+            {"sweep": {"grid": {"road.bump.hight": [0.1, 0.2]}}},
+            "/sweep/grid/road.bump.hight",
+            "road.bump.hight, perhaps road.bump.height or road.bump.",
+        ),
+        (
+            "batches",
+            {"sweep": {"list": [{"road.seed": 1}, {"rode.seed": 1}]}},
+            "/sweep/list/1/rode.seed",
+            "rode.seed, perhaps road.seed; there are vehicle.body_mass, ",
+        ),
+        (
+            "tunings",
+            {"objectives": [{"kind": "paper"}, {"kind": "peaks", "windows": "bump"}]},
+            "/objectives/1/windows",
+            "windows, perhaps window; there are kind, q, window, figure",
+        ),
+        ("tunings", {"search": {"lqr.weight.0": [1, 2]}}, "/search/lqr.weight.0", "lqr.weight.0, perhaps lqr.weights"),
+        ("links", {"run_id": "A" * 22, "view": {"zom": [1, 2]}}, "/view/zom", "zom, perhaps zoom; there are"),
+        ("controller/report", {"scene": {}}, "/scene", "scene, perhaps scenario; there are scenario"),
+    ],
+)
+def test_an_unknown_name_is_told_with_those_there_are(
+    client: httpx.Client, path: str, body: dict[str, Any], pointer: str, message: str
+) -> None:
+    if path == "batches":
+        body = {"strategies": ["lv"], **body}
+    (error,) = check(post(client, json.dumps(body), path), 422, "invalid-request").errors
+    assert error.pointer == pointer
+    assert message in error.message
+
+
+def test_long_bodies_are_parsed_beside_the_event_loop(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    threads = []
+
+    def spy(*args: Any, **limits: Any) -> Any:
+        threads.append(threading.current_thread().name)
+        return parse(*args, **limits)
+
+    monkeypatch.setattr(strict_json, "parse", spy)
+    for length in (200, 300_000, 1024 * 1024 - 100):
+        assert post(client, GOOD[:-1] + b" " * length + b"}").status_code == 200
+    assert [name.startswith("strict-json") for name in threads] == [False, True, True]
+
+
+def test_a_body_has_only_so_many_bytes_and_a_scenario_so_many_values(client: httpx.Client) -> None:
+    whole = GOOD[:-1] + b" " * 1_100_000 + b"}"
+    for body in (whole, (whole[start : start + 65536] for start in range(0, len(whole), 65536))):
+        check(post(client, body), 413, "too-long")
+    many = check(post(client, scenario('{"lqr": {"weights": [' + "1," * 10_000 + "1]}}")), 413, "strict-json")
+    assert str(routing.SCENARIO_VALUES) in many.detail
+
+
+def test_one_client_sends_only_so_many_long_bodies_at_once(service: Any, client: httpx.Client) -> None:
+    body = GOOD[:-1] + b" " * 100_000 + b"}"
+    head = "POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+    begun = f"{head}Content-Length: {len(body)}\r\n\r\n{{".encode()
+    with contextlib.ExitStack() as held:
+        for _ in range(4):
+            address = (client.base_url.host, client.base_url.port)
+            held.enter_context(socket.create_connection(address)).sendall(begun)
+        wait_until(lambda: service.app.state.admission.load["bodies"] == 4, "all of them have begun", 10)
+        refused = post(client, body)
+        assert (refused.status_code, int(refused.headers["retry-after"]) > 0) == (429, True)
+        assert post(client, GOOD).status_code == 200, "a short one"
+    wait_until(lambda: post(client, body).status_code == 200, "a free place", 10)
+
+
+@pytest.mark.parametrize("encoding", ["gzip", "deflate", "br", "GZIP", "identity, gzip", "x"])
+def test_compressed_bodies_are_not_unpacked(client: httpx.Client, encoding: str) -> None:
+    packed = gzip.compress(GOOD + b" " * 10_000_000)
+    check(post(client, packed, **{"Content-Encoding": encoding}), 415, "unsupported-media-type")
+    assert post(client, GOOD, **{"Content-Encoding": "identity"}).status_code == 200
+
+
+@pytest.mark.parametrize("kind", ["text/plain", "application/jsonp", "application/x-www-form-urlencoded", ""])
+def test_every_body_has_to_be_json(client: httpx.Client, kind: str) -> None:
+    check(post(client, GOOD, **{"Content-Type": kind}), 415, "unsupported-media-type")
+    assert post(client, GOOD, **{"Content-Type": "application/json; charset=utf-8"}).status_code == 200
+
+
+def test_a_flood_of_hostile_bodies_leaves_the_others_served(service: Any, client: httpx.Client) -> None:
+    """Three senders go on until each was answered; meanwhile others ask again and again, and are all answered."""
+    bodies = [
+        ("[" + ",".join(["[1]"] * 120_000) + "]", 422),
+        ("{" + ",".join(f'"{index:x}":1' for index in range(90_000)) + "}", 422),
+        ("[" * 1_000_000, 413),
+    ]
+    stop = threading.Event()
+    answers: list[set[int]] = [set() for _ in bodies]
+
+    def send(body: str, statuses: set[int]) -> None:
+        with httpx.Client(base_url=client.base_url, timeout=60) as sender:
+            while not stop.is_set():
+                statuses.add(post(sender, body, "batches").status_code)
+
+    senders = [
+        threading.Thread(target=send, args=[body, seen]) for (body, _), seen in zip(bodies, answers, strict=True)
+    ]
+    for sender in senders:
+        sender.start()
+
+    def others_are_served_until_all_were_answered() -> bool:
+        assert client.get("/healthz").status_code == 200
+        assert service.run(["passive"]).status_code == 200
+        return all(expected in statuses for (_, expected), statuses in zip(bodies, answers, strict=True))
+
+    try:
+        wait_until(others_are_served_until_all_were_answered, "each hostile body is answered")
+    finally:
+        stop.set()
+        for sender in senders:
+            sender.join()
+    assert set().union(*answers) <= {413, 422, 429, 503}
+
+
+@pytest.fixture(scope="module")
+def operations(client: httpx.Client) -> list[tuple[str, str, list[str]]]:
+    """Method, address and parameters of everything below /api/v1."""
+    return list(listed(client.get("/openapi.json").json()["paths"]))
+
+
+def listed(paths: dict[str, Any]) -> Iterator[tuple[str, str, list[str]]]:
+    for path, methods in paths.items():
+        for method, operation in methods.items():
+            if path.startswith("/api/v1/"):
+                names = [item["name"] for item in operation.get("parameters", []) if item["in"] == "query"]
+                yield method, path.replace("{", "").replace("}", ""), names
+
+
+def wrong_parameters(client: httpx.Client, method: str, path: str, query: str) -> list[tuple[str | None, str]]:
+    problem = check(client.request(method, f"{path}?{query}", headers=JSON), 422, "invalid-request")
+    return [(error.parameter, error.message) for error in problem.errors]
+
+
+def test_every_route_takes_its_parameters_once_and_no_others(client: httpx.Client, operations: Any) -> None:
+    assert {name for _, _, names in operations for name in names} > {"format", "limit", "window", "seeds", "x"}
+    for method, path, names in operations:
+        message = f"Unknown parameter no_such; there are {', '.join(names) or 'none'}"
+        assert wrong_parameters(client, method, path, "no_such=1") == [("no_such", message)]
+        for name in names:
+            twice = wrong_parameters(client, method, path, f"{name}=1&{name}=1")
+            assert twice == [(name, "This parameter is there twice")]
+
+
+def test_several_wrong_parameters_are_told_at_once_with_what_they_may_mean(client: httpx.Client) -> None:
+    errors = wrong_parameters(client, "GET", "/api/v1/runs/x/series", "formt=csv&limit=3&%3Cb%3E=1")
+    assert [name for name, _ in errors] == ["formt", "limit", None]
+    assert errors[0][1].startswith("Unknown parameter formt, perhaps format; there are strategy, ")
+    assert errors[2][1].startswith("Unknown parameter; there are ")
+    assert len(wrong_parameters(client, "GET", "/api/v1/schema", "&".join(f"k{i}=" for i in range(1000)))) == 50
+
+
+def test_pages_and_files_take_any_parameter(client: httpx.Client) -> None:
+    for path in ("/r/AAAAAAAAAAAAAAAAAAAAAA", "/docs", "/openapi.json", "/healthz", "/readyz", "/metrics"):
+        assert client.get(path, params={"utm_source": "mail"}).status_code == client.get(path).status_code < 400
