@@ -20,13 +20,15 @@ COPY --from=packages /opt/ridelab /opt/ridelab
 WORKDIR /app
 COPY sim_core/ sim_core/
 COPY backend/ backend/
+COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/
 # Bytecode now: the file system is read-only later. /data belongs to the user, and so does a new volume mounted there.
-RUN /opt/ridelab/bin/python -m compileall -q sim_core backend \
+RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
     && mkdir /data \
     && chown 10001:10001 /data
 # The ECU's program: /app is read-only later, and /tmp runs no programs.
-RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -m backend.hil --build && rm -rf ecu/zig
+RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.hil import build; build.program()" \
+    && rm -rf ecu/zig
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu
 USER 10001:10001
 VOLUME /data

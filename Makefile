@@ -33,6 +33,7 @@ check-python: development
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	cd client && ../$(BIN)/lint-imports
 
 check-frontend: frontend/node_modules/.checked
 # A minute of a core, on nothing but these files: what passed is not looked at again.
@@ -49,17 +50,20 @@ bench: development ## speed, as ratios in one run
 	$(BIN)/python -m benchmarks
 
 margins: setup ## how much worse LQR is than LV, and every strategy against passive, seeds 1-10
-	$(BIN)/python -m sim_core margins
+	$(BIN)/ridelab run paper --roads 10 --strategy lv,lqr --baseline lv
+	$(BIN)/ridelab run paper --roads 10
 
 paper: setup ## the paper's tables against ours, cell by cell, both readings also on fresh roads; all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
 	$(BIN)/ridelab paper --seeds 21-60 | tail -6
 
-ecu: development ## the ECU's program: C sources in build/ecu, the program beside them, what it takes on an STM32F103
-	$(BIN)/python -m backend.hil --export build/ecu
-	$(MAKE) --directory build/ecu
-	$(BIN)/python -m backend.hil --program build/ecu/ridelab_ecu
-	$(BIN)/python -m backend.hil
+ecu: development ## the ECU's program: C sources in build/ridelab-controller, the program beside them, what it takes on an STM32F103
+	mkdir -p build
+	$(BIN)/ridelab controller paper --out build/ecu.zip
+	$(BIN)/python -m zipfile -e build/ecu.zip build
+	$(MAKE) --directory build/ridelab-controller
+	$(BIN)/ridelab controller paper --program build/ridelab-controller/ridelab_ecu
+	$(BIN)/ridelab controller paper --report
 	$(BIN)/python -m benchmarks.ecu
 
 setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html ## all that running needs
@@ -77,7 +81,7 @@ $(VENV)/.build: requirements-build.lock
 
 $(VENV)/.runtime: requirements.lock $(VENV)/.build
 	$(INSTALL) $<
-	$(BIN)/python -c 'import backend.app, backend.batches.cluster, backend.cli.app'  # compiles what is used, a third of all
+	$(BIN)/python -c 'import backend.app, backend.batches.cluster, httpx, typer.rich_utils'  # compiles what is used, a third of all
 	touch $@
 
 $(VENV)/.development: requirements-dev.lock $(VENV)/.runtime
@@ -89,8 +93,8 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
-$(BIN)/ridelab: pyproject.toml $(VENV)/.runtime  # the command, from this folder
-	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e .
+$(BIN)/ridelab: pyproject.toml client/pyproject.toml $(VENV)/.runtime  # both distributions, from this folder
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e . -e client
 	touch $@
 
 frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
@@ -102,10 +106,10 @@ frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend
 
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header
 lock: ## new lock files, without download addresses
-	$(COMPILE_LOCK) pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) pyproject.toml client/pyproject.toml -o requirements.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
-	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml client/pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh

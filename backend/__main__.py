@@ -1,4 +1,4 @@
-"""`python -m backend`: serve the dashboard and the API.
+"""`python -m backend`: serve the dashboard and the API; and what the command `ridelab` leaves to an installed server.
 
 Worker processes import this module too when they are spawned, so it imports the web stack only when it serves.
 """
@@ -6,9 +6,11 @@ Worker processes import this module too when they are spawned, so it imports the
 import argparse
 import errno
 import os
+import signal
 import socket
 import sys
 import threading
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -28,8 +30,19 @@ def main(arguments: list[str] | None = None) -> int:
         "--port", type=_port, default=8000, help="port to listen on, 0 for a free one (default %(default)s)"
     )
     parser.add_argument("--data-dir", help="where the database lives (default data, or RIDELAB_DATA_DIR)")
+    # What `ridelab` asks for; people find it there.
+    parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
+    parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
     options = parser.parse_args(arguments)
+    if options.drive is not None:
+        return _drive(options.drive)
+    if options.back_up is not None:
+        return _back_up(options.data_dir, options.back_up, overwrite=options.force)
+    if options.until_input_ends:
+        threading.Thread(target=_end_with_the_input, daemon=True).start()
 
     from backend import logs
     from backend.settings import Settings, SettingsError
@@ -40,18 +53,64 @@ def main(arguments: list[str] | None = None) -> int:
         listener = listen(options.host, options.port)
         app = _application(settings)
     except OSError as error:
-        return _refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+        return _refuse(f"Ridelab does not start: {_named(error)}")
     except SettingsError as error:
-        return _refuse(str(error))
+        return _refuse(f"Ridelab does not start: {error}")
     except KeyboardInterrupt:  # a start may wait for a lock on the database
         return INTERRUPTED
     logs.configure(settings.log_format, settings.log_level)
     return _serve(app, settings, listener, options.host)
 
 
-def _refuse(reason: str) -> int:
-    print(f"Ridelab does not start: {reason}", file=sys.stderr)
+def _refuse(why: str) -> int:
+    print(why, file=sys.stderr)
     return 2
+
+
+def _named(error: OSError) -> str:
+    return f"{error.filename}: {error.strerror}" if error.filename else str(error)
+
+
+def _end_with_the_input() -> None:
+    """A command that started this service holds the other end of its input: however it ends, the input ends with it."""
+    while os.read(0, 4096):
+        pass
+    os.kill(os.getpid(), signal.SIGTERM)
+
+
+def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
+    from backend.backup import BackupError, back_up
+    from backend.settings import Settings, SettingsError
+
+    try:
+        copy = back_up(Settings.from_environment(os.environ, data_dir=data_dir), file, overwrite=overwrite)
+    except (SettingsError, BackupError) as error:
+        return _refuse(str(error))
+    except OSError as error:
+        return _refuse(_named(error))
+    print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s")
+    return 0
+
+
+def _drive(program: Path) -> int:
+    """A built ECU program drives the scenario on standard input."""
+    from pydantic import ValidationError
+
+    from backend.hil.build import EcuError
+    from backend.hil.program import driven
+    from sim_core.errors import RidelabError
+    from sim_core.scenario import Scenario
+
+    try:
+        for line in driven(Scenario.model_validate_json(sys.stdin.buffer.read()), program):
+            print(line)
+    except (EcuError, RidelabError) as error:
+        return _refuse(error.message)
+    except OSError as error:
+        return _refuse(_named(error))
+    except ValidationError as error:
+        return _refuse(str(error))
+    return 0
 
 
 def _application(settings: "Settings") -> "FastAPI":

@@ -1,4 +1,4 @@
-"""The scenario's reference page, written from its schema; `python -m sim_core fields` prints it as docs/scenario.md."""
+"""The scenario's reference page, docs/scenario.md, written from its schema."""
 
 from typing import Any
 
@@ -9,7 +9,7 @@ from sim_core.strategies import STRATEGIES
 
 _HEAD = """# The scenario, field by field
 
-Printed by `python -m sim_core fields` from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
+Written from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
 has a default, the paper's unless its text says "ours"; the range is what a slider offers, the limits what is accepted.
 """
 

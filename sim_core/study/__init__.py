@@ -1,1 +1,1 @@
-"""Studies of many runs: the paper's tables and how they may be read, intervals, attribution, margins."""
+"""Studies of many runs: the paper's tables and how they may be read, intervals, attribution."""

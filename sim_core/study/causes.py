@@ -1,6 +1,6 @@
 """Why printed changes do not come out here: each cause with the fields that show it, and what they make of the cells.
 
-`python -m sim_core causes` drives all of it and prints the tables of docs/paper.md.
+tests/drill/test_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/paper.md.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -44,7 +44,7 @@ ERRATA = (
     Erratum(
         place="Tables 4 and 7, front tyre load",
         printed="+8.45 % and −47.9 %",
-        here="not both with this car: load transfer alone keeps LV above −32 %; `python -m sim_core causes`",
+        here="not both with this car: load transfer alone keeps LV above −32 %; sim_core/study/causes.py",
     ),
     Erratum(
         place="3.1",
@@ -122,7 +122,7 @@ _HEAD = """# Errata and readings of the paper
 
 What is printed, what Ridelab uses, and how to choose otherwise.
 
-Printed by `python -m sim_core errata` from sim_core/study/errata.py; a test keeps this page equal to it.
+Written from sim_core/study/errata.py; a test keeps this page equal to it.
 
 | place | printed | here |
 |---|---|---|

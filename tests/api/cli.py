@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from backend.cli import app
+from ridelab.cli import app
 
 ROOT = Path(__file__).parents[2]
 
@@ -28,10 +28,10 @@ class Cli:
 
 
 def command(*arguments: str) -> list[str]:
-    return [sys.executable, "-P", "-m", "backend.cli", *arguments]
+    return [sys.executable, "-P", "-m", "ridelab", *arguments]
 
 
 def environment(**more: str) -> dict[str, str]:
     """No service is named; one that the command starts has a single worker, which is ready soonest."""
     kept = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
-    return {**kept, "PYTHONPATH": str(ROOT), "RIDELAB_WORKERS": "1", **more}
+    return {**kept, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "client"))), "RIDELAB_WORKERS": "1", **more}

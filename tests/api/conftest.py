@@ -111,8 +111,14 @@ def run(service: Service) -> dict[str, Any]:
 
 
 @pytest.fixture
-def cli(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+def cli(
+    client: httpx.Client,
+    capfdbinary: pytest.CaptureFixture[bytes],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Cli:
     """The command, with the tests' service."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.getbasetemp()))
     monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
     return Cli(capfdbinary)
 

@@ -1,48 +1,58 @@
-"""The `ridelab` command against the real service, and with the private one it starts by itself."""
+"""The `ridelab` command against the real service."""
 
 import csv
 import io
 import json
-import os
 import re
-import signal
 import subprocess
-import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import httpx
-import psutil
 import pyarrow.parquet as pq
 import pytest
 
-from backend.client import Interval
+from backend.reports import inputs
+from ridelab import Interval
 from sim_core import __version__
-from sim_core.__main__ import main as core_main
-from sim_core.catalogue import SIGNALS
+from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
+from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import STRATEGIES
 from tests.api.cli import Cli, command, environment
-from tests.api.conftest import Service
-from tests.servers.process import wait_until
 
 SCENARIO = {"road": {"length": 118, "bump": {"start": 77}}}  # nobody else's
-# Half a second of one core each, so that a sweep of them is still running when it is interrupted.
-LONG = {"road": {"length": 10.1, "bump": {"start": 4}}, "mpc": {"solver": "osqp", "force_limit": 500}}
 
 
-def timeless(table: str) -> list[str]:
-    """A run's table without its first line and what changes from run to run: how long it took."""
-    return [re.sub(r" +[\d.]+ ms$", "", line) for line in table.rstrip().splitlines()[1:]]
+def test_run_prints_every_strategy_and_its_change_against_the_baseline(cli: Cli, scenario: Path) -> None:
+    run = json.loads(cli("run", scenario, "--json"))
+    assert set(run["strategies"]) == set(STRATEGIES)
+    printed = cli("run", scenario, "--baseline", "lv")
+    assert printed.startswith(
+        f"Ridelab core {__version__}, {scenario}; changes against LV control\n\nRMS on the rough road"
+    )
+    cells = [re.split(r" {2,}", line) for line in printed.splitlines()]
+    for window, statistic, title in (
+        ("rough_road", "rms", "RMS on the rough road"),
+        ("bump", "peak", "peak on the bump"),
+    ):
+        rows = {
+            row[0]: row[1:]
+            for row in cells[next(i for i, row in enumerate(cells) if row[0] == title) :][: 1 + len(STRATEGIES)]
+        }
+        assert rows[title] == [f"{SIGNALS[key].label} [{SIGNALS[key].unit}]" for key in PAPER_SIGNALS]
+        for name, strategy in STRATEGIES.items():
+            own, base = (run["strategies"][each]["metrics"][window] for each in (name, "lv"))
+            for key, cell in zip(PAPER_SIGNALS, rows[strategy.label], strict=True):
+                value, reference = own[key][statistic], base[key][statistic]
+                change = f" ({100 * (value / reference - 1):+.1f} %)" if name != "lv" else ""
+                assert cell == f"{value:.4g}{change}"
 
 
-def test_run_prints_the_cores_own_table(cli: Cli, scenario: Path, capfdbinary: pytest.CaptureFixture[bytes]) -> None:
-    printed = cli("run", scenario)
-    assert core_main(["run", "--scenario", str(scenario)]) == 0
-    sys.stdout.flush()
-    expected = timeless(capfdbinary.readouterr().out.decode())
-    assert timeless(printed)[: len(expected)] == expected
-    assert printed.startswith(f"Ridelab core {__version__}, {scenario}; changes against Passive")
+def test_the_command_a_report_prints_gives_the_same_scenario(cli: Cli) -> None:
+    changes = {"road.roughness": 256e-6, "road.seed": 7, "road.bump.shape": "flat_top", "lqr.weights": [1, 2.5, 3]}
+    wanted = dotted.with_changes(Scenario().model_dump(mode="json"), changes)
+    words = inputs.command(wanted, ["passive"]).split()
+    assert json.loads(cli(*words[1:], "--json"))["scenario"] == wanted
 
 
 def test_run_over_several_roads_prints_means_intervals_and_paired_changes(
@@ -64,7 +74,7 @@ def test_run_over_several_roads_prints_means_intervals_and_paired_changes(
     saved = tmp_path / "saved.json"
     saved.write_text(json.dumps(run), encoding="utf-8")
     again = cli("compare", saved, scenario)
-    assert "Equal within the tolerance: 210 figures" in again, "the other side drives as many roads"
+    assert "Equal within the tolerance: 210 metrics" in again, "the other side drives as many roads"
     assert "mean of 3 roads" in again
     for wrong, says in (("0", "greater than or equal to 1"), ("51", "less than or equal to 50"), ("3.5", "integer")):
         cli("run", "--roads", wrong, code=2)
@@ -84,13 +94,13 @@ def test_a_run_can_be_named_in_every_way(cli: Cli, client: httpx.Client, scenari
     assert run["units"]["bump.body_acceleration.peak"] == "m/s^2"
     slug = client.post("/api/v1/links", json={"run_id": run_id}).json()["slug"]
     for name in (run_id, address, saved, slug, address.replace(f"/r/{run_id}", f"/s/{slug}")):
-        assert "Equal within the tolerance: 140 figures of lv, passive" in cli("compare", name, run_id), name
-    changed = cli("compare", run_id, saved, "--strategy", "lv")
-    assert "70 figures" in changed
+        assert "Equal within the tolerance: 140 metrics of lv, passive" in cli("compare", name, run_id), name
     assert cli("open", run_id, "--print") == f"{address}\n"
     assert cli("open", slug, "--print").endswith(f"/s/{slug}\n")
     assert cli("open", scenario, "--set", "road.seed=3", "-s", "lv,passive", "--print") == f"{address}\n"
-    assert "no run, batch or link" in (cli("open", "A" * 22, "--print", code=2), cli.error)[1]
+    for unknown, said in (("A" * 22, "no run, batch or link"), ("nothing", "neither a file, nor a preset (paper,")):
+        cli("open", unknown, "--print", code=2)
+        assert said in cli.error
 
 
 def test_compare_tells_what_was_changed_and_by_how_much(cli: Cli, scenario: Path) -> None:
@@ -105,7 +115,6 @@ def test_compare_tells_what_was_changed_and_by_how_much(cli: Cli, scenario: Path
     # A road that is rougher by a factor has every magnitude on it greater by that factor's root.
     roots = [item for item in told["differences"] if item["figure"] == "rough_road.body_acceleration.rms"]
     assert roots[0]["change"] == pytest.approx((0.0001 / 6.4e-05) ** 0.5 - 1, rel=1e-6)
-    cli("compare", scenario, other, "--strategy", "passive", "--tolerance", "5", "--tolerance-abs", "9")
 
 
 def test_a_refusal_names_the_field(cli: Cli, scenario: Path) -> None:
@@ -123,7 +132,7 @@ def test_a_sweep_writes_every_row(cli: Cli, scenario: Path, tmp_path: Path, file
     out = tmp_path / f"results.{file_format}"
     grid = ("--grid", "road.bump.height=0.03:0.05:3", "--grid", "mpc.preview=lookahead,none")
     assert cli("sweep", scenario, *grid, "-s", "lv", "-s", "passive", "--out", out) == ""
-    assert re.fullmatch(r"batch [\w-]{22}: 12 of 12 runs done, 0 failed\n", cli.error)
+    assert re.fullmatch(r"batch [\w-]{22}: done, 12 of 12 done, 0 failed\n", cli.error)
     if file_format == "csv":
         rows: list[Any] = list(csv.DictReader(io.StringIO(out.read_text(encoding="utf-8"))))
         heights = [float(row["road.bump.height [m]"]) for row in rows]
@@ -149,9 +158,9 @@ def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(cli: Cli,
     assert good.split()[:3] == ["70", "lv", "ok"]
     assert bad.split()[:3] == ["117", "lv", "failed"]
     assert "road.bump.start: The bump must end before the road does" in bad
-    assert "1 of 2 runs done, 1 failed" in cli.error
+    assert "done, 1 of 2 done, 1 failed" in cli.error
     long = cli("sweep", scenario, "--grid", "road.bump.height=0.01:0.05:25", "-s", "passive")
-    assert long.splitlines()[-1] == "... 5 more; --out FILE writes all with every figure"
+    assert long.splitlines()[-1] == "... 5 more; --out FILE writes all with every metric"
 
 
 def test_other_sweeps(cli: Cli, scenario: Path, tmp_path: Path) -> None:
@@ -163,9 +172,9 @@ def test_other_sweeps(cli: Cli, scenario: Path, tmp_path: Path) -> None:
     rows = json.loads(cli("sweep", scenario, *cube, "-s", "passive", "--out", "-", "--format", "json"))["rows"]
     assert len({row["road.bump.height"] for row in rows}) == 6
     assert all(0.02 <= row["road.bump.height"] <= 0.04 for row in rows)
-    assert cli("sweep", scenario, *cube, "--dry-run").startswith("6 runs at 6 points")
+    assert cli("sweep", scenario, *cube, "--dry-run").startswith("6 runs, 6 points")
     assert cli("sweep", scenario, "--grid", "road.bump.height=0.1,2", code=2) == ""
-    assert cli.error == "road.bump.height: Input should be less than or equal to 1\n"
+    assert cli.error == "road.bump.height[1]: Input should be less than or equal to 1\n"
 
 
 def test_a_sweep_left_alone_is_exported_later(cli: Cli, scenario: Path, client: httpx.Client, tmp_path: Path) -> None:
@@ -193,6 +202,9 @@ def test_a_runs_time_histories_and_figures_are_exported(cli: Cli, scenario: Path
     whole = tmp_path / "series.parquet"
     cli("export", run_id, "--out", whole, "--strategy", "lv")
     assert pq.read_table(whole).num_columns == len(SIGNALS)
+    lines = list(csv.DictReader(io.StringIO(cli("export", run_id, "--metrics", "--out", "-", "--format", "csv"))))
+    assert lines[1] == {**lines[1], "strategy": "lv", "metric": "rough_road.body_acceleration.peak", "unit": "m/s^2"}
+    assert len(lines) == 140
     figures = tmp_path / "run.json"
     cli("export", run_id, "--metrics", "--out", figures)
     assert "Equal" in cli("compare", figures, run_id)
@@ -202,176 +214,47 @@ def test_a_runs_time_histories_and_figures_are_exported(cli: Cli, scenario: Path
     assert figures.read_bytes() == before
 
 
-@pytest.fixture
-def elsewhere(tmp_path: Path) -> Path:
-    """A working folder with a trap: a package of the same name."""
-    (tmp_path / "backend").mkdir()
-    (tmp_path / "backend" / "__init__.py").write_text("raise SystemExit('the wrong backend')", encoding="utf-8")
-    return tmp_path
+def test_jobs_are_listed_shown_followed_and_stopped(cli: Cli, scenario: Path) -> None:
+    batch_id = cli("sweep", scenario, "--grid", "road.seed=31:40:10", "-s", "passive", "--detach").strip()
+    cli("jobs", "follow", batch_id)
+    assert cli.error == f"batch {batch_id}: done, 10 of 10 done, 0 failed\n"
+    tuning_id = cli("tune", scenario, "--strategy", "lqr", "--trials", "4000", "--detach").strip()
+    cli("jobs", "follow", tuning_id, "--timeout", "0.2", code=3)
+    assert re.match(f"The tuning {tuning_id} is (queued|running) after 0.2 s", cli.error)
+    cli("jobs", "delete", tuning_id, code=2)
+    assert "cancel it first" in cli.error
+    cli("jobs", "cancel", tuning_id)
+    assert cli.error.startswith(f"tuning {tuning_id}: cancelled, ")
+    listed = cli("jobs", "list").splitlines()
+    assert [line.split()[:3] for line in listed[1:3]] == [
+        ["tuning", tuning_id, "cancelled"],
+        ["batch", batch_id, "done"],
+    ]
+    assert json.loads(cli("jobs", "list", "--json"))[0]["kind"] == "tuning"
+    shown = cli("jobs", "show", batch_id)
+    assert re.search(r"^swept: +road\.seed$", shown, re.MULTILINE)
+    assert f"ridelab export {batch_id} --wait --out FILE" in shown
+    cli("jobs", "show", "A" * 22, code=2)
+    assert "no batch or tuning of this id" in cli.error
 
 
-@pytest.fixture
-def alone(elsewhere: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
-    """The command in that folder, where no service is named."""
-    monkeypatch.chdir(elsewhere)
-    monkeypatch.setenv("RIDELAB_WORKERS", "1")
-    return Cli(capfdbinary)
-
-
-@pytest.fixture
-def no_service_left() -> Iterator[None]:
-    """What the command started is gone soon after the command."""
-    before = set(private_services())
-    yield
-    wait_until(lambda: not set(private_services()) - before, "the private service ends", 30)
-
-
-def private_services() -> list[int]:
-    processes = psutil.process_iter(["cmdline"])
-    return [process.pid for process in processes if "backend.cli.embedded" in (process.info["cmdline"] or ())]
-
-
-@pytest.mark.usefixtures("no_service_left")
-def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(alone: Cli, elsewhere: Path) -> None:
-    run_id = alone("run", "bump_only", "--strategy", "passive").split()[-1]
-    assert alone.error == ""
-    assert (elsewhere / "data" / "ridelab.sqlite").is_file()
-    # The next one opens it, and serves it until Ctrl-C.
-    log = elsewhere / "out"
-    with log.open("wb") as out:
-        arguments = command("open", run_id, "--print")
-        process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stdout=out, stderr=out)
-    said(process, log, "Serving until Ctrl-C")
-    address = log.read_text().splitlines()[0]
-    assert httpx.get(address).status_code in (200, 503)  # 503 where the dashboard is not built
-    stored = httpx.get(address.replace(f"/r/{run_id}", f"/api/v1/runs/{run_id}")).json()
-    assert list(stored["strategies"]) == ["passive"]
-    process.send_signal(signal.SIGINT)
-    assert process.wait(60) == 0
-
-
-def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:
-    """Wait for the process to say it."""
-
-    def found() -> re.Match[str] | None:
-        assert process.poll() is None, log.read_text()
-        return re.search(pattern, log.read_text())
-
-    wait_until(found, f"it says {pattern}")
-    match = found()
-    assert match is not None
-    return match
-
-
-def test_a_private_service_that_does_not_start_says_why(alone: Cli) -> None:
-    assert alone("run", "--data-dir", "/dev/null/data", code=3) == ""
-    assert alone.error.startswith("Ridelab does not start: ")
-    assert "Traceback" not in alone.error
-
-
-@pytest.mark.usefixtures("no_service_left")
-@pytest.mark.parametrize("written", [True, False])
-def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client, tmp_path: Path, written: bool) -> None:
-    file = tmp_path / "long.json"
-    file.write_text(json.dumps(LONG), encoding="utf-8")
-    server = str(client.base_url).rstrip("/")
-    out = tmp_path / "its rows.csv"
-    where = ("--out", str(out)) if written else ()
-    arguments = command("sweep", str(file), "--grid", "road.seed=1:80:80", *where, "--server", server)
-    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    batch_id = running_batch(client, 80)
-    process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130
-    first, second = said.splitlines()
-    assert re.fullmatch(rf"Cancelled; \d+ of 80 runs are finished and stay stored: batch {batch_id}", first)
-    batch = client.get(f"/api/v1/batches/{batch_id}").json()
-    assert batch["state"] == "cancelled"
-    if not written:
-        assert second == f"For its rows: ridelab export {batch_id} --out FILE --server {server}"
-        return
-    assert second == f"{out} has all 80 rows, those that never ran with the status cancelled"
-    rows = [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))]
-    assert (rows.count("ok"), rows.count("cancelled")) == (batch["done"], 80 - batch["done"])
-
-
-@pytest.mark.usefixtures("no_service_left")
-def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: Path) -> None:
-    client = service.client
-    body = {"scenario": LONG, "strategies": ["lv"], "sweep": {"grid": {"road.seed": list(range(200, 277))}}}
-    client.post("/api/v1/batches", json=body).raise_for_status()
-    batch_id = running_batch(client, 77)
-    server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
-    arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
-    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: service.app.state.admission.load["streams"] == 1, "it waits for the batch")
-    process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130
-    assert said.startswith("Stopped waiting; the batch goes on.")
-    assert f"ridelab export {batch_id}" in said
-    assert not out.exists()
-    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 77
-    events = client.get(f"/api/v1/batches/{batch_id}/events").text
-    assert events.count('"cancelled"') == 1, "by this test alone"
-
-
-@pytest.mark.usefixtures("no_service_left")
-@pytest.mark.parametrize(
-    ("how", "code", "message"),
-    [(signal.SIGINT, 130, "Interrupted, nothing was submitted\n"), (signal.SIGKILL, -signal.SIGKILL, "")],
-)
-def test_a_private_service_that_still_starts_ends_with_its_command(
-    elsewhere: Path, how: signal.Signals, code: int, message: str
+def test_the_shell_completes_names_that_a_service_gave(
+    cli: Cli, scenario: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    before = set(private_services())
-    arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
-    process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: set(private_services()) - before, "it starts its service")
-    process.send_signal(how)
-    _, said = process.communicate(timeout=60)
-    assert (process.returncode, said) == (code, message)
-    assert not (elsewhere / "rows.csv").exists()
-
-
-def running_batch(client: httpx.Client, total: int) -> str:
-    """The id of the newest batch once it runs and has so many runs."""
-
-    def newest() -> dict[str, Any]:
-        found: list[dict[str, Any]] = client.get("/api/v1/batches?limit=1").json()["batches"]
-        return found[0] if found else {}
-
-    wait_until(lambda: (newest().get("total"), newest().get("state")) == (total, "running"), "the batch begins")
-    return str(newest()["id"])
-
-
-def test_a_reader_that_goes_away_is_no_error(client: httpx.Client) -> None:
-    read, write = os.pipe()
-    os.close(read)
-    arguments = command("run", "--strategy", "passive", "--json", "--server", str(client.base_url))
-    run = subprocess.run(arguments, env=environment(), stdout=write, stderr=subprocess.PIPE, check=False)
-    os.close(write)
-    assert (run.returncode, run.stderr) == (141, b"")
-
-
-def test_serve_is_the_service_itself(elsewhere: Path) -> None:
-    arguments = command("serve", "--port", "0", "--data-dir", "mine")
-    mine = environment(RIDELAB_SERVER="http://127.0.0.1:9")  # the commands' variable, no setting of the service
-    log = elsewhere / "log"
-    with log.open("wb") as out:
-        process = subprocess.Popen(arguments, cwd=elsewhere, env=mine, stdout=out, stderr=out)
-    address = said(process, log, r"Ridelab is at (\S+)\n")[1]
-    assert httpx.get(f"{address}/healthz").status_code == 200
-    assert (elsewhere / "mine" / "ridelab.sqlite").is_file()
-    process.terminate()
-    assert process.wait(60) in (0, -signal.SIGTERM)  # uvicorn passes the signal on once it has ended well
-
-
-def test_the_installed_command_is_this_one() -> None:
-    installed = Path(sys.executable).parent / "ridelab"
-    run = subprocess.run([installed, "--version"], cwd="/", capture_output=True, text=True, check=False)
-    assert (run.returncode, run.stdout) == (0, f"Ridelab {__version__}\n"), run.stderr
-
-
-def test_strategies_are_all_of_them_unless_named(cli: Cli, scenario: Path) -> None:
-    assert set(json.loads(cli("run", scenario, "--json"))["strategies"]) == set(STRATEGIES)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    cli("run", scenario, "-s", "passive")
+    for words, completed in (
+        ("run pap", "paper"),
+        ("run --set road.bump.he", "road.bump.height="),
+        ("sweep -s lv,lq", "lv,lqr"),
+        ("compare a b --metric comfort.vib", "comfort.vibration_dose"),
+    ):
+        variables = {"COMP_WORDS": f"ridelab {words}", "COMP_CWORD": str(len(words.split()))}
+        run = subprocess.run(
+            command(),
+            env=environment(_RIDELAB_COMPLETE="complete_bash", XDG_CACHE_HOME=str(tmp_path), **variables),
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert completed in run.stdout.split(), (words, run)

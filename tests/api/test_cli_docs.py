@@ -19,7 +19,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from backend.cli import app
+from ridelab.cli import app
 
 ROOT = Path(__file__).parents[2]
 UPDATE = bool(os.environ.get("UPDATE_DOCS"))

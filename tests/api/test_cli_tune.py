@@ -10,9 +10,9 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.cli import tuned
-from backend.cli.reporting import InputError
-from backend.client import Ridelab
+from ridelab import Ridelab
+from ridelab.cli import tuned
+from ridelab.cli.reporting import InputError
 from tests.api.cli import Cli, command, environment
 from tests.servers.process import wait_until
 
@@ -23,11 +23,10 @@ SHORT = ("--strategy", "lqr", "--trials", "8", "--population", "4", *ROADS)
 
 def test_what_was_found_is_printed_and_can_be_written_and_run(cli: Cli, scenario: Path, tmp_path: Path) -> None:
     out = tmp_path / "tuned.json"
+    objectives = ("--objective", "peaks@whole:1,2,1", "--objective", "bump.front_tyre_load.peak")
     limited = ("--limit", "comfort.actuator_peak_power=50000")
-    printed = cli(
-        "tune", scenario, *SHORT, "-o", "peaks@whole:1,2,1", "-o", "bump.front_tyre_load.peak", *limited, "--out", out
-    )
-    tuning_id = re.search(r"^tuning ([\w-]{22}): done, 8 trials, 0 failed$", cli.error, re.MULTILINE)
+    printed = cli("tune", scenario, *SHORT, *objectives, *limited, "-o", out)
+    tuning_id = re.search(r"^tuning ([\w-]{22}): done, 8 of 8 done, 0 failed$", cli.error, re.MULTILINE)
     assert tuning_id is not None, cli.error
     answer = json.loads(cli("tune", "--resume", tuning_id[1], "--json"))
     assert answer["objectives"][0]["q"] == [1, 2, 1]
@@ -87,7 +86,7 @@ def test_a_detached_one_goes_on_without_the_command(cli: Cli, scenario: Path, cl
 
 
 def test_a_dry_run_says_how_much_it_would_be(cli: Cli, scenario: Path) -> None:
-    assert re.fullmatch(r"33 runs in 2 generations, about [\d.e-]+ s\n", cli("tune", scenario, *SHORT, "--dry-run"))
+    assert re.fullmatch(r"33 runs, 2 generations, about [\d.e-]+ s\n", cli("tune", scenario, *SHORT, "--dry-run"))
     assert json.loads(cli("tune", scenario, *SHORT, "--dry-run", "--json"))["runs"] == 8 * 2 + 4 * 3 + 5
 
 
@@ -95,9 +94,9 @@ def test_a_dry_run_says_how_much_it_would_be(cli: Cli, scenario: Path) -> None:
     ("arguments", "said"),
     [
         (["--strategy", "passive"], "strategy: Input should be 'lv', 'suspension_only' or 'lqr'"),
-        (["-o", "paper:1,2"], "objectives[0].q[2]: Field required"),
-        (["-o", "paper:a,b,c"], "--objective paper:Q1,Q2,Q3 takes three numbers"),
-        (["-o", "travel"], "objectives[0].figure: Unknown figure; there are rough_road.body_acceleration.rms"),
+        (["--objective", "paper:1,2"], "objectives[0].q[2]: Field required"),
+        (["--objective", "paper:a,b,c"], "--objective paper:Q1,Q2,Q3 takes three numbers"),
+        (["--objective", "travel"], "objectives[0].figure: Unknown figure; there are rough_road.body_acceleration.rms"),
         (["--limit", "travel_time"], "--limit takes FIGURE=MOST"),
         (["--search", "lqr.weight=1:2"], "lqr.weight: Unknown field; there are lqr.weights"),
         (["--search", "lqr.weights.0=1:2"], "search: The weights of this strategy are mpc.stage_weights.cruise.0"),
@@ -136,5 +135,6 @@ def test_ctrl_c_cancels_and_says_how_to_go_on(client: httpx.Client, scenario: Pa
     first, second = said.splitlines()
     tuning = client.get(f"/api/v1/tunings/{newest()['id']}").json()
     assert tuning["state"] == "cancelled"
-    assert first == f"Cancelled after {tuning['trials']['done']} of 4000 trials, which stay stored"
+    done = tuning["trials"]["done"]
+    assert first == f"Cancelled; {done} of 4000 are finished and stay stored: tuning {tuning['id']}"
     assert second == f"To go on: ridelab tune --resume {tuning['id']} --server {server}"

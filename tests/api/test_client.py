@@ -14,8 +14,8 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
-from backend.client import Batch, Interval, Ridelab, RidelabAPIError, RidelabConnectionError, RunResult
-from sim_core.catalogue import SIGNALS
+from ridelab import Batch, Interval, JobEndedError, Ridelab, RidelabAPIError, RidelabConnectionError, RunResult
+from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
 
@@ -84,20 +84,15 @@ def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab) -> None:
     assert run.changes["lv"]["bump"]["body_acceleration"]["peak"].mean < 0
     assert run.changes["lv"]["comfort"]["weighted_rms"].half > 0
     assert ridelab.get_run(run.id).changes == run.changes
-    assert len(repr(run)) < 2 * len(repr(ridelab.run(SHORT, ["lv", "lqr", "passive"])))
+    assert repr(run) == f"RunResult({run.id}, core {run.core_version}, 3 roads: lv ok, lqr ok, passive ok)"
+    assert len(repr(run["lv"])) < 240
     with pytest.raises(RidelabAPIError, match="One of the strategies"):
         ridelab.run(SHORT, ["lv"], roads=3, baseline="lqr")
 
 
-def test_units_are_those_of_the_services_catalogue(ridelab: Ridelab, shared: RunResult) -> None:
-    catalogue = ridelab.get("/catalogue")
-    signals = {item["key"]: item["unit"] for item in catalogue["signals"]}
-    events = {f"events.{item['key']}": item["unit"] for item in catalogue["events"]}
-    for name, unit in shared.units.items():
-        parts = name.split(".")
-        if len(parts) == 3:
-            assert unit == signals[parts[1]]
-    assert {name: unit for name, unit in shared.units.items() if name.startswith("events.")} == events
+def test_every_metric_has_its_unit(ridelab: Ridelab, shared: RunResult) -> None:
+    assert shared.units == {key: metric.unit for key, metric in METRICS.items()}
+    assert [*shared["lv"].figures()] == [*shared.units]
 
 
 def test_a_stored_run_comes_back(ridelab: Ridelab, shared: RunResult) -> None:
@@ -188,6 +183,15 @@ def test_results_as_files(batch: Batch, tmp_path: Path) -> None:
         batch.download(tmp_path / "all.xls")
 
 
+def test_a_batch_as_a_frame(batch: Batch) -> None:
+    pytest.importorskip("pandas")
+    frame = batch.frame()
+    assert list(frame["road.bump.height"]) == [height for height in HEIGHTS for _ in range(2)]
+    assert frame.attrs["units"]["bump.body_acceleration.peak"] == "m/s^2"
+    peaks = [row["metrics"]["bump"]["body_acceleration"]["peak"] for row in batch.rows()]
+    np.testing.assert_allclose(frame["bump.body_acceleration.peak"], peaks)
+
+
 def test_an_estimate_stores_nothing(ridelab: Ridelab) -> None:
     before = ridelab.get("/batches?limit=1")
     found = ridelab.estimate(SHORT, ["lv", "passive"], {"grid": {"road.bump.height": HEIGHTS}})
@@ -201,7 +205,8 @@ def test_a_batch_is_cancelled(ridelab: Ridelab) -> None:
     batch = ridelab.submit(LONG, ["lv"], {"grid": {"road.seed": range(60)}})
     assert batch.cancel() is batch
     assert batch.state == "cancelled"
-    batch.wait()
+    with pytest.raises(JobEndedError):
+        batch.wait()
     rows = [row["status"] for row in batch.rows()]
     assert rows.count("ok") == batch.done < 60
     assert rows.count("cancelled") == 60 - batch.done

@@ -11,8 +11,8 @@ import httpx
 import psutil
 import pytest
 
-from backend.client import Ridelab
 from backend.hil.models import ControllerReport, RealtimeReport
+from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from tests.api.conftest import Service
 from tests.servers.process import wait_until

@@ -65,7 +65,7 @@ def test_in_a_run_the_strategy_fails_with_the_remedy(bare: Service, command: Cli
     }
     assert bare.client.get(f"/api/v1/runs/{found['id']}").json()["strategies"].keys() == found["strategies"].keys()
     assert bare.live(["lv_hil"], SMALL, points=50).json()["strategies"]["lv_hil"]["reason"] == NO_COMPILER
-    assert f"LV as ECU code            failed: {NO_COMPILER}\n" in command("run", scenario, code=1)
+    assert f"LV as ECU code  failed: {NO_COMPILER}\n" in command("run", scenario, code=1)
 
 
 def test_in_a_batch_too(bare: Service) -> None:

@@ -34,7 +34,7 @@ def test_an_old_id_that_begins_with_a_sign_is_an_id(
         assert name in cli("open", name, "--print")
         assert "Equal within the tolerance" in cli("compare", name, run["id"], "-s", "lv")
         assert "Equal within the tolerance" in cli("compare", run["id"], "-s", "lv", name)
-        assert "1 runs at 1 points" in cli("sweep", name, "--grid", "road.seed=1", "--dry-run")
+        assert "1 runs, 1 points" in cli("sweep", name, "--grid", "road.seed=1", "--dry-run")
         assert cli("run", name, "--json", "-s", "lv").startswith("{")
     cli("tune", "--resume", plain, code=2)
     assert "There is no tuning of this id." in cli.error

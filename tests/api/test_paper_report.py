@@ -8,8 +8,8 @@ import httpx
 import plotly.graph_objects as go
 import pytest
 
-from backend.cli import app
 from backend.paper.service import stored_rows
+from ridelab.cli import app
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from tests.html import Element, check, read
@@ -162,16 +162,16 @@ def test_the_command_answers_machines_and_writes_the_report(
     [
         (
             ["--reading", "preview=crystal_ball"],
-            "--reading preview: Unknown choice; there are lookahead, wheelbase, none",
+            "preview: Input should be 'none', 'wheelbase' or 'lookahead'",
         ),
-        (["--reading", "crystal=ball"], "--reading crystal: Unknown reading; there are preview,"),
+        (["--reading", "crystal=ball"], "crystal: Unknown parameter crystal; there are seeds"),
         (["--reading", "preview"], "--reading takes READING=CHOICE"),
         (["--reading", "preview=none", "--reading", "preview=none"], "--reading preview: given twice"),
         (["--report", "/nowhere/paper.html"], "--report: there is no folder /nowhere"),
         (["--seeds", "3"], "--seeds takes 20 to 100 roads"),
         (["--seeds", "30-21"], "--seeds takes 20 to 100 roads"),
         (["--seeds", "few"], "--seeds takes N or A-B"),
-        (["--interpretation", "kind"], "--interpretation: Unknown; there are default, favourable"),
+        (["--interpretation", "kind"], "interpretation: Input should be 'default' or 'favourable'"),
     ],
 )
 def test_the_command_refuses_what_there_is_not(command: Any, arguments: list[str], said: str) -> None:

@@ -12,8 +12,8 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from backend.client import Ridelab, RidelabAPIError
 from backend.figures import PANELS
+from ridelab import Ridelab, RidelabAPIError
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS
 from tests.html import Element, check, read
 

@@ -9,7 +9,7 @@ import pytest
 
 from backend.batches.models import BatchSummary, RobustnessDefaults
 from backend.batches.robustness import FIGURES, UNCERTAINTIES
-from backend.cli.app import run as command
+from ridelab.cli.app import run as command
 from sim_core.scenario import dotted
 from tests.api.test_batches import wait_for
 

@@ -15,7 +15,8 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
-RUNTIME, EXTRAS = PYPROJECT["project"]["dependencies"], PYPROJECT["project"]["optional-dependencies"]
+CLIENT = tomllib.loads((ROOT / "client" / "pyproject.toml").read_text())["project"]["dependencies"]
+RUNTIME, EXTRAS = [*PYPROJECT["project"]["dependencies"], *CLIENT], PYPROJECT["project"]["optional-dependencies"]
 GROUPS = PYPROJECT["dependency-groups"]
 LOCKS = {
     "requirements.lock": RUNTIME,

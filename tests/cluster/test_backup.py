@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from sqlalchemy import make_url
 
+from backend.backup import BackupError, back_up
+from backend.settings import Settings
 from backend.store import Store, StoredResult, StoredRun
 from tests.api.cli import Cli
 from tests.servers.postgres import Postgres, program
@@ -103,7 +105,7 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
 
 
 def test_of_two_backups_to_one_file_one_is_refused(
-    sqlite_store: Store, tmp_path: Path, backup: Backup, monkeypatch: pytest.MonkeyPatch
+    sqlite_store: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     save(sqlite_store, "before")
     copy = tmp_path / "copy.sqlite"
@@ -115,7 +117,8 @@ def test_of_two_backups_to_one_file_one_is_refused(
         copy.write_text("of the other one")
 
     monkeypatch.setattr(os, "fsync", be_overtaken)
-    assert "is there already; --force replaces it" in backup(code=2)
+    with pytest.raises(BackupError, match="is there already; --force replaces it"):
+        back_up(Settings(data_dir=tmp_path / "data"), copy, overwrite=False)
     assert copy.read_text() == "of the other one"
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
 

@@ -11,11 +11,21 @@ import numpy as np
 import pytest
 import typer
 
-from backend.cli.following import Table, take
-from backend.client import ErrorPlace, Ridelab, RidelabAPIError, RidelabConnectionError
-from backend.client.files import format_of, save
-from backend.client.follow import Event, events, rows
-from backend.client.http import LONGEST_WAIT, Http, plain, retry_after
+from ridelab import (
+    Batch,
+    ErrorPlace,
+    Event,
+    JobEndedError,
+    JobTimeoutError,
+    Ridelab,
+    RidelabAPIError,
+    RidelabConnectionError,
+)
+from ridelab.cli.following import followed, later
+from ridelab.cli.service import Services
+from ridelab.files import format_of, save
+from ridelab.http import LONGEST_WAIT, Http, plain, retry_after
+from ridelab.jobs import json_rows, server_sent
 from sim_core.scenario import Bump, Road, Scenario
 
 FULL = {"type": "about:blank", "title": "Full", "status": 503, "detail": "Full.", "errors": []}
@@ -111,7 +121,7 @@ def test_what_is_not_ridelab_is_said(answer: httpx.Response) -> None:
         Service(answer).http().json("GET", "/x")
 
 
-@pytest.mark.parametrize("address", ["", "127.0.0.1:8000", "ftp://host", "http://", "/r/x"])
+@pytest.mark.parametrize("address", ["", "127.0.0.1:8000", "ftp://host", "http://"])
 def test_an_address_is_http(address: str) -> None:
     with pytest.raises(ValueError, match="http://"):
         Ridelab(address)
@@ -164,11 +174,11 @@ def test_scenarios_and_numpy_values_are_sent_as_json() -> None:
 
 
 def test_events_as_the_standard_has_them() -> None:
-    lines = ["retry: 3000", "", ": still here", "id: 4", "event: state", 'data: {"a":', "data:1}", "", "data: x", ""]
+    lines = ["retry: 3000", "", ": still here", "id: 4", "event: state", 'data: {"a":', "data:1}", "", "data: {}", ""]
     cut = ["id: 9", "event: state", "data: cut off"]
-    assert list(events([*lines, *cut], "3")) == [
-        Event(id="4", kind="state", data='{"a":\n1}'),
-        Event(id="4", kind="message", data="x"),
+    assert [event for event in server_sent([*lines, *cut], "3") if event is not None] == [
+        Event(id="4", kind="state", data={"a": 1}),
+        Event(id="4", kind="message", data={}),
     ]
 
 
@@ -184,17 +194,17 @@ def test_rows_come_as_soon_as_they_are_there(size: int) -> None:
             taken = start + size
             yield text[start : start + size]
 
-    stream = rows(pieces())
+    stream = json_rows(pieces())
     assert next(stream) == expected[0]
     assert taken <= text.index(', {"run": 1') + size
     assert list(stream) == expected[1:]
-    assert list(rows(['{"rows": [ ]}'])) == []
+    assert list(json_rows(['{"rows": [ ]}'])) == []
 
 
 @pytest.mark.parametrize("text", ["", '{"batch": 1}', '{"rows": [', '{"rows": [{"run": 0}', '{"rows": [{"run": 0}, {'])
 def test_rows_that_break_off_are_no_whole_table(text: str) -> None:
     with pytest.raises(RidelabConnectionError):
-        list(rows([text]))
+        list(json_rows([text]))
 
 
 def test_a_file_is_whole_or_not_touched(tmp_path: Path) -> None:
@@ -242,7 +252,7 @@ def follow(handler: Handler) -> list[tuple[str, int]]:
     heard = []
     with patient(handler) as ridelab:
         batch = ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1, 2, 3, 4]}})
-        assert batch.wait(lambda batch: heard.append((batch.state, batch.done))) is batch
+        assert batch.follow(lambda batch: heard.append((batch.state, batch.done))) is batch
         assert batch.finished
     return heard
 
@@ -285,40 +295,87 @@ def test_without_events_it_polls_and_outlives_a_restart() -> None:
 
 
 def test_a_batch_that_is_gone_ends_the_wait() -> None:
-    def handler(request: httpx.Request) -> httpx.Response:
-        if request.method == "POST":
-            return httpx.Response(202, json=batch_answer("queued"))
-        return httpx.Response(404, json={**FULL, "status": 404})
+    gone = {**FULL, "status": 404}
+    with patient(lambda _: httpx.Response(404, json=gone)) as ridelab, pytest.raises(RidelabAPIError):
+        Batch(ridelab._http, batch_answer("queued")).wait()
 
-    with pytest.raises(RidelabAPIError):
-        follow(handler)
+
+def test_a_wait_ends_in_time_and_only_well_where_the_job_is_done() -> None:
+    states = iter(["running", "running", "cancelled", "failed", "done"])
+
+    def handler(request: httpx.Request) -> httpx.Response:
+        assert not request.url.path.endswith("/events"), "a stream may outlast a short wait"
+        return httpx.Response(200, json={**batch_answer(next(states)), "reason": "a full disk"})
+
+    with patient(handler) as ridelab:
+
+        def batch() -> Batch:
+            return Batch(ridelab._http, batch_answer("queued"))
+
+        with pytest.raises(JobTimeoutError, match=f"The batch {'b' * 22} is running after 0 s") as caught:
+            batch().wait(timeout=0)
+        assert isinstance(caught.value, TimeoutError)
+        for told in ("was cancelled", "failed: a full disk"):
+            with pytest.raises(JobEndedError, match=f"The batch {'b' * 22} {told}"):
+                batch().wait(timeout=19)
+        assert batch().wait(timeout=19).state == "done"
 
 
 @pytest.mark.parametrize(
-    ("table", "told"),
+    ("services", "options", "told"),
     [
-        (Table(out="x y.csv", file_format="csv", data_dir=Path("d")), "--out 'x y.csv' --data-dir d"),
-        (Table(out="-", file_format="json", named=True), "--out - --format json"),
-        (Table(out=None, server="http://ridelab.test"), "--out FILE --server http://ridelab.test"),
+        (Services(None, Path("d")), ("--out", "x y.csv"), "--out 'x y.csv' --data-dir d"),
+        (Services("http://ridelab.test", None), (), "--out FILE --server http://ridelab.test"),
     ],
 )
 @pytest.mark.parametrize("obstacle", [httpx.ConnectError("gone"), KeyboardInterrupt()])
 def test_rows_that_ctrl_c_cannot_save_are_had_with_the_command_that_is_told(
-    table: Table, told: str, obstacle: BaseException, capsys: pytest.CaptureFixture[str]
+    services: Services,
+    options: tuple[str, ...],
+    told: str,
+    obstacle: BaseException,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     def handler(request: httpx.Request) -> httpx.Response:
-        if request.url.path.endswith("/events"):
-            raise KeyboardInterrupt
-        if request.url.path.endswith("/cancel"):
-            raise obstacle
-        return httpx.Response(202, json=batch_answer("queued"))
+        raise KeyboardInterrupt if request.url.path.endswith("/events") else obstacle
 
-    with patient(handler) as ridelab, pytest.raises(typer.Exit) as caught:
-        take(ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1]}}), table, ours=True)
+    with patient(handler) as ridelab:
+        batch = Batch(ridelab._http, batch_answer("queued"))
+        with pytest.raises(typer.Exit) as caught:
+            followed(batch, later(batch, services, *options))
     assert caught.value.exit_code == 130
     why, last = capsys.readouterr().err.splitlines()
     assert why.startswith(("No answer from http://ridelab.test", "Interrupted again"))
-    assert last == f"For its rows: ridelab export {'b' * 22} {told}"
+    assert last == f"For what is finished: ridelab export {'b' * 22} --wait {told}"
+
+
+def test_jobs_are_listed_over_pages_named_and_removed() -> None:
+    asked: list[str] = []
+
+    def handler(request: httpx.Request) -> httpx.Response:
+        asked.append(
+            f"{request.method} {request.url.raw_path.decode().removeprefix('/api/v1')} {request.content.decode()}"
+        )
+        if request.method == "DELETE":
+            return httpx.Response(204)
+        if request.method == "PATCH":
+            return httpx.Response(200, json={**batch_answer("done"), "label": "heights", "position": 3})
+        page = {"batches": [batch_answer("done")] * 2, "next": None if "cursor" in str(request.url) else "c1"}
+        return httpx.Response(200, json=page)
+
+    with patient(handler) as ridelab:
+        found = ridelab.batches(state="done", limit=3)
+        assert len(found) == 3
+        assert found[0].rename("heights") is found[0]
+        assert (found[0].label, found[0].position) == ("heights", 3)
+        assert repr(found[0]) == f"Batch({'b' * 22} 'heights': done, 0 done, 0 failed of 4)"
+        found[0].delete()
+    assert asked == [
+        "GET /batches?limit=3&state=done ",
+        "GET /batches?limit=1&cursor=c1&state=done ",
+        f'PATCH /batches/{"b" * 22} {{"label": "heights"}}',
+        f"DELETE /batches/{'b' * 22} ",
+    ]
 
 
 def test_a_batch_is_handed_in_again_with_the_same_key() -> None:

@@ -1,7 +1,6 @@
 """The exported sources are complete, the same every time, and what lv_hil drives; what they take on their part."""
 
 import io
-import json
 import re
 import struct
 import subprocess
@@ -16,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from backend.__main__ import main
 from backend.hil import build, effort, export, firmware, tables
 from backend.hil.link import connected
 from backend.hil.realtime import PacedEcu, Timing, spread
@@ -221,14 +221,10 @@ def test_a_histogram_counts_everything_once() -> None:
     assert spread([], 0.01) is None
 
 
-def test_the_module_prints_the_report_and_refuses_another_scenarios_program(tmp_path: Path) -> None:
-    def run(*arguments: str) -> subprocess.CompletedProcess[str]:
-        command = [sys.executable, "-m", "backend.hil", *arguments]
-        return subprocess.run(command, capture_output=True, text=True, check=False, cwd=Path(__file__).parents[2])
-
-    (tmp_path / "scenario.json").write_text(json.dumps({"road": {"length": 4}}))
-    assert run(str(tmp_path / "scenario.json"), "--export", str(tmp_path / "out")).returncode == 2
-    assert run("--build").stdout.strip() == str(build.program())
-    wrong = run("--program", str(build.program()))
-    assert wrong.returncode == 1
-    assert "ended at its start" in wrong.stderr, "it waits for tables that an exported program has"
+def test_another_scenarios_program_is_refused(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenario = io.TextIOWrapper(io.BytesIO(b'{"road": {"length": 40, "bump": {"start": 20}}}'))
+    monkeypatch.setattr(sys, "stdin", scenario)
+    assert main(["--drive", str(build.program())]) == 2
+    assert "ended at its start" in capsys.readouterr().err, "it waits for tables that an exported program has"

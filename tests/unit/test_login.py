@@ -8,12 +8,12 @@ from pathlib import Path
 import httpx
 import pytest
 
-from backend.cli import app
-from backend.cli.following import Table
-from backend.cli.services import Services
-from backend.cli.targets import find
-from backend.client import Batch, Ridelab, RidelabAPIError, RidelabClientError, RidelabConnectionError
-from backend.client.address import without_login
+from ridelab import Batch, Ridelab, RidelabAPIError, RidelabClientError, RidelabConnectionError
+from ridelab.cli import app
+from ridelab.cli.following import later
+from ridelab.cli.service import Services
+from ridelab.cli.targets import find
+from ridelab.http import without_login
 
 SECRET = "s3cret"  # noqa: S105  # nobody's
 ADDRESS = f"https://ann:{SECRET}%40home@ridelab.test:8443/lab/"
@@ -61,7 +61,7 @@ def test_no_error_has_it(answer: Answer) -> None:
     ("address", "status", "said"),
     [
         (ADDRESS, 401, f"{SHOWN} refuses the login in its address (HTTP 401)"),
-        (SHOWN, 401, f"{SHOWN} asks for a login, and its address has none (HTTP 401)"),
+        (SHOWN, 401, f"{SHOWN} asks for a login, and neither a token nor its address has one (HTTP 401)"),
         (ADDRESS, 403, f"{SHOWN} does not let this request in (HTTP 403)"),
     ],
 )
@@ -78,7 +78,7 @@ def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pyt
     with at(lambda _: httpx.Response(202, json=BATCH)) as ridelab:
         batch = ridelab.get_batch(str(BATCH["id"]))
         assert isinstance(batch, Batch)
-        told = Table(out="a.csv", server=ADDRESS, data_dir=Path("d")).command(batch)
+        told = later(batch, Services(ADDRESS, Path("d")))
     assert f"--server {SHOWN}" in told
     for words in (
         ["run", f"{ADDRESS}x"],
@@ -111,3 +111,35 @@ def test_only_the_login_is_left_out() -> None:
     for text in (SHOWN, "http://h/a@b", "http://h?x=a@b", "me@home", "not a preset"):
         assert without_login(text) == text
     assert without_login("no answer from http://a:b@c@h/x and http://d@h") == "no answer from http://h/x and http://h"
+
+
+def test_a_token_goes_to_the_server_that_is_named_and_to_no_other(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked: list[tuple[str, str | None]] = []
+
+    def refuse(self: Ridelab, _: str) -> None:
+        asked.append((self.address, self._http.client.headers.get("Authorization")))
+        raise RidelabClientError("no")
+
+    monkeypatch.setattr(Ridelab, "get_run", refuse)
+    monkeypatch.setenv("RIDELAB_TOKEN", "")  # and back to what it was
+    file = tmp_path / "token"
+    file.write_text(f"{SECRET}\n")
+    for address in ("http://here.test", "http://elsewhere.test"):
+        words = ["--token-file", str(file), "run", f"{address}/r/abc", "--server", "http://here.test"]
+        assert app.run(words) == 3
+    assert asked == [("http://here.test", f"Bearer {SECRET}"), ("http://elsewhere.test", None)]
+    with (
+        Ridelab(ADDRESS) as of_environment,
+        Ridelab(SHOWN, token=SECRET[1:]) as given,
+        Ridelab(ADDRESS, token="") as none,
+    ):
+        clients = [each._http.client for each in (of_environment, given, none)]
+    assert [each.headers.get("Authorization") for each in clients] == [f"Bearer {SECRET}", f"Bearer {SECRET[1:]}", None]
+    assert [each.auth is None for each in clients] == [True, True, False]
+    with at(lambda _: httpx.Response(401), SHOWN) as refused, pytest.raises(RidelabAPIError, match="refuses the token"):
+        refused.get("/presets")
+    file.write_text("\n")
+    assert app.run(["--token-file", str(file), "run"]) == 2
+    assert SECRET not in "".join(capsys.readouterr())

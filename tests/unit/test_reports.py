@@ -98,16 +98,6 @@ def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
     )
 
 
-def test_the_command_gives_the_same_scenario() -> None:
-    from backend.cli.fields import changed as typed
-
-    changes = {"road.roughness": 256e-6, "road.seed": 7, "road.bump.shape": "flat_top", "lqr.weights": [1, 2.5, 3]}
-    scenario = Scenario.model_validate(dotted.with_changes(Scenario().model_dump(mode="json"), changes))
-    words = inputs.command(scenario.model_dump(mode="json"), ["lv"]).split()
-    sets = [words[index + 1] for index, word in enumerate(words) if word == "--set"]
-    assert Scenario.model_validate(typed({}, sets)) == scenario
-
-
 @pytest.fixture(scope="module")
 def outcomes() -> dict[str, Outcome]:
     """A smooth road with a bump a car jumps over: short, and full of doubts."""

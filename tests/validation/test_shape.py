@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.scenario import Scenario
+from sim_core.scenario import Road, Scenario
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
 
@@ -50,3 +50,9 @@ def test_lqr_is_worse_than_lv_by_the_papers_margins(figures: dict[str, np.ndarra
     change = (figures["lqr"].mean(axis=0) / figures["lv"].mean(axis=0) - 1) * 100
     assert np.all(change[0] >= [10.9, 23.9, 11.4, 12.1])
     assert np.all(change[1] >= [19.9, 12.6, 24.0, 12.3])
+
+
+def test_a_road_that_ends_on_the_bump_is_told() -> None:
+    on_it = Scenario(road=Road(length=105))
+    assert simulate(on_it, "passive").events["bump_complete"] is False
+    assert simulate(Scenario(), "passive").events["bump_complete"] is True

@@ -44,7 +44,7 @@ it("several roads and their baseline are written out", () => {
 
 describe("Python", () => {
   it("uses the client", () => {
-    expect(asPython(wanted())).toBe(`from backend.client import Ridelab
+    expect(asPython(wanted())).toBe(`from ridelab import Ridelab
 
 scenario = {"road": {"bump": {"height": -0.06}}, "mpc": {"lag": 20, "weights": [8, 3]}}
 with Ridelab("http://h:8000") as ridelab:

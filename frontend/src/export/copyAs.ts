@@ -63,7 +63,7 @@ function literal(value: JsonValue, depth = 1): string {
 export function asPython({ origin, form, scenario, strategies, over }: Wanted): string {
   const roads = over ? `, roads=${over.roads}, baseline=${JSON.stringify(over.baseline)}` : "";
   return [
-    "from backend.client import Ridelab",
+    "from ridelab import Ridelab",
     "",
     `scenario = ${literal(changedPart(scenario, form))}`,
     `with Ridelab(${JSON.stringify(origin)}) as ridelab:`,

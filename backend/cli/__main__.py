@@ -1,8 +1,0 @@
-"""`python -m backend.cli`: the `ridelab` command where it is not installed."""
-
-import sys
-
-from backend.cli import main
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,0 +1,39 @@
+"""A typed client of a Ridelab service: `with Ridelab(url) as ridelab: ridelab.run({}, ["lv"])`.
+
+It needs httpx alone; NumPy and pandas are imported when arrays and frames are asked for. docs/api.md shows it at work.
+"""
+
+from ridelab.client import Ridelab
+from ridelab.errors import (
+    ErrorPlace,
+    JobEndedError,
+    JobTimeoutError,
+    RidelabAPIError,
+    RidelabClientError,
+    RidelabConnectionError,
+)
+from ridelab.jobs import Batch, Event, Job, Tuning
+from ridelab.results import Interval, Link, LinkedResult, Outcome, RunResult, Stage, Statistics
+
+__version__ = "0.3.0"  # the core's; a test holds them equal
+
+__all__ = [
+    "Batch",
+    "ErrorPlace",
+    "Event",
+    "Interval",
+    "Job",
+    "JobEndedError",
+    "JobTimeoutError",
+    "Link",
+    "LinkedResult",
+    "Outcome",
+    "Ridelab",
+    "RidelabAPIError",
+    "RidelabClientError",
+    "RidelabConnectionError",
+    "RunResult",
+    "Stage",
+    "Statistics",
+    "Tuning",
+]

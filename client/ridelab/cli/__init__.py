@@ -1,0 +1,8 @@
+"""The `ridelab` command; docs/cli.md shows each of its commands."""
+
+
+def main() -> int:
+    """Run the command line; returns the exit code (docs/cli.md)."""
+    from ridelab.cli.app import run
+
+    return run()

@@ -1,0 +1,131 @@
+"""`ridelab controller` and `ridelab hil`: LV's controller as an ECU's program."""
+
+import json
+import subprocess
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from ridelab.cli import fields, options, targets
+from ridelab.cli.names import Names
+from ridelab.cli.reporting import InputError, deliver, note, print_json
+from ridelab.cli.service import Services, server_command, server_environment
+from ridelab.cli.tables import show_table
+
+
+def controller(
+    scenario: options.Scenario = "paper",
+    out: Annotated[
+        str | None,
+        typer.Option("--out", "-o", metavar="FILE", help="Write the C sources there, as a zip; - is stdout."),
+    ] = None,
+    report: Annotated[bool, typer.Option("--report", help="Say whether it fits an STM32F103, and what does.")] = False,
+    program: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Drive this program, built from those sources.", exists=True, show_default=False
+        ),
+    ] = None,
+    changes: options.Changes = None,
+    as_json: Annotated[bool, typer.Option("--json", help="The whole report, as JSON.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Export the scenario's lv_hil controller as C sources with a README and a Makefile, or measure it for its part.
+
+    --program drives one that was built, on this machine, and says whether it does what Ridelab's own one does.
+    """
+    if sum((out is not None, report, program is not None)) != 1:
+        raise InputError("controller takes one of --out FILE, --report and --program FILE")
+    with Services(server, data_dir) as services:
+        wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+        ridelab = services.at()
+        if out is not None:
+            deliver([ridelab.controller(wanted)], out)
+            return
+        if program is not None:
+            _drive(program, wanted)
+        note("Building and driving each controller; this takes about ten seconds")
+        found = ridelab.controller_report(wanted)
+    print_json(found) if as_json else _show_fit(found)
+
+
+def hil(
+    scenario: options.Scenario = "paper",
+    changes: options.Changes = None,
+    as_json: Annotated[bool, typer.Option("--json", help="The whole report with its histograms, as JSON.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Drive lv_hil once by the clock: latency, jitter and missed deadlines, and what they change.
+
+    It takes as long as the drive. The figures are this machine's at this moment, under an ordinary operating system.
+    """
+    with Services(server, data_dir) as services:
+        wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+        ridelab = services.at()
+        note("Driving by the clock; this takes as long as the drive")
+        found = ridelab.realtime(wanted)
+        print_json(found) if as_json else _show_clock(found, services.names)
+
+
+def _drive(program: Path, scenario: Mapping[str, Any]) -> None:
+    """A program of somebody's is run here, never by a service.
+
+    Raises:
+        typer.Exit: How the drive ended.
+    """
+    command = server_command("--drive", str(program))
+    run = subprocess.run(  # noqa: S603  # our own module and the program that was named, no shell
+        command, input=json.dumps(scenario).encode(), env=server_environment(), check=False
+    )
+    raise typer.Exit(run.returncode)
+
+
+def _show_fit(found: Mapping[str, Any]) -> None:
+    part = found["part"]
+    typer.echo(f"{part['name']}; {part['flash'] // 1024} KB flash, {part['ram'] // 1024} KB RAM")
+    typer.echo(f"One step every {1000 * found['sample_time']:g} ms; times within {100 * found['spread']:.0f} %")
+    heads = ["Np", "Nc", "limits", "iterations", "flash", "RAM", "operations", "on the part", "fits", "worst change"]
+    show_table(heads, [[_cell(row, column) for column in range(len(heads))] for row in found["rows"]], {2})
+    for row in found["rows"]:
+        for reason in row["reasons"]:
+            name = f"Np {row['prediction_horizon']}, Nc {row['control_horizon']}, {row['checked']} limits"
+            typer.echo(f"{name}: {reason}")
+    typer.echo("Worst change: of Tables 9 and 10's eight metrics against lv simulated")
+
+
+def _cell(row: Mapping[str, Any], column: int) -> str:
+    operations, time = row["operations"], row["time"]
+    cells = [value for window in row["changes"].values() for value in window.values() if value is not None]
+    return [
+        str(row["prediction_horizon"]),
+        str(row["control_horizon"]),
+        f"{row['checked']} ({row['checked_rows']})",
+        str(row["iterations"]),
+        f"{(row['code'] + row['constants']) / 1024:.1f} KB",
+        f"{row['variables'] / 1024:.1f} KB",
+        f"{operations['least']} to {operations['most']}",
+        f"{1000 * time['least']:.1f} to {1000 * time['most']:.1f} ms",
+        "yes" if row["fits"] else "no",
+        f"{max(cells):+.1f} %" if cells else "none",
+    ][column]
+
+
+def _show_clock(found: Mapping[str, Any], names: Names) -> None:
+    typer.echo(f"{found['steps']} steps of {1000 * found['deadline']:g} ms, {found['misses']} deadlines missed")
+    measured = {"latency": "frame to answer", "wake_up": "plant woken late", "computing": "program's own time"}
+    keys = ("median", "percentile_99", "most", "deviation")
+    rows = [
+        [label, *(f"{1e6 * found[key][item]:.0f} µs" for item in keys)]
+        for key, label in measured.items()
+        if found[key] is not None
+    ]
+    show_table(["", "median", "99 %", "most", "deviation"], rows)
+    typer.echo("Against the same drive in lock-step:")
+    for window, row in found["changes"].items():
+        for key, value in row.items():
+            if value is not None:
+                typer.echo(f"{names.windows[window]}, {names.signals[key][0]}: {value:+.2f} %")

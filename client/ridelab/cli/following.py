@@ -1,0 +1,154 @@
+"""Handing in a job and waiting for it, so that Ctrl-C loses nothing that is finished and SIGTERM names what goes on."""
+
+import shlex
+import uuid
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+import typer
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from ridelab.cli.reporting import (
+    DIFFERENT,
+    INTERRUPTED,
+    TERMINATED,
+    InputError,
+    Terminated,
+    UnavailableError,
+    note,
+    terminal,
+)
+from ridelab.cli.service import Services
+from ridelab.errors import RidelabClientError
+from ridelab.jobs import Job, Tuning
+
+AnyJob = TypeVar("AnyJob", bound=Job)
+
+
+def may_detach(detach: bool, services: Services) -> None:
+    """Nothing happens where a job can be left alone.
+
+    Raises:
+        InputError: It cannot.
+    """
+    if detach and services.private:
+        raise InputError("--detach needs --server: a private service ends with this command")
+
+
+def submitted(submit: Callable[[str], AnyJob], label: str | None, follow_up: Callable[[AnyJob], str]) -> AnyJob:
+    """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends.
+
+    Args:
+        submit: Hands it in under that key.
+        label: What to call it.
+        follow_up: The command that takes its results later.
+
+    Raises:
+        typer.Exit: It was interrupted.
+    """
+    key = uuid.uuid4().hex
+    try:
+        job = submit(key)
+        return job.rename(label) if label is not None else job
+    except KeyboardInterrupt as interrupt:
+        job = submit(key)
+        raise typer.Exit(_stopped(job, follow_up(job), interrupt)) from None
+
+
+def followed(job: Job, follow_up: str, *, ours: bool = True, timeout: float | None = None) -> int:
+    """Wait for a job with a progress bar.
+
+    Ctrl-C cancels a job that is `ours`, another's goes on; SIGTERM cancels none.
+
+    Args:
+        job: The job.
+        follow_up: The command that takes its results later.
+        ours: Whether this command handed it in.
+        timeout: Wait so long at most [s].
+
+    Returns:
+        The exit code so far: 0 where the job has ended by itself, INTERRUPTED where it was cancelled here.
+
+    Raises:
+        typer.Exit: The command ends without its results, and what becomes of them has been said.
+        JobTimeoutError: It has not ended in that time.
+        RidelabClientError: The service refused, or does not answer.
+    """
+    try:
+        _follow(job, timeout)
+        return 0
+    except KeyboardInterrupt as interrupt:
+        if ours and not isinstance(interrupt, Terminated):
+            return _stopped(job, follow_up, interrupt)
+        why = "Ended" if isinstance(interrupt, Terminated) else "Stopped waiting"
+        note(f"{why}; the {job.NAME} {job.id} goes on. To wait for it: {follow_up}")
+        raise typer.Exit(TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED) from None
+
+
+def later(job: Job, services: Services, *options: str) -> str:
+    """The command that waits for a batch and writes its rows, or that shows a tuning."""
+    tuning = isinstance(job, Tuning)
+    words = ["tune", "--resume", job.id] if tuning else ["export", job.id, "--wait", *(options or ("--out", "FILE"))]
+    return shlex.join(["ridelab", *words, *services.options])
+
+
+def told_end(job: Job) -> int:
+    """Say how it ended; the exit code.
+
+    Raises:
+        UnavailableError: It failed as a whole.
+    """
+    if job.state == "failed":
+        raise UnavailableError(f"The {job.NAME} {job.id} failed: {job.reason}")
+    note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
+    return DIFFERENT if job.failed or job.state == "cancelled" else 0
+
+
+def estimate_text(found: dict[str, Any], counts: Sequence[str]) -> str:
+    """A dry run's answer as a line: `6 runs, 3 points, about 0.1 s`."""
+    seconds = found.get("estimated_seconds")
+    counted = ", ".join(f"{found['total' if each == 'runs' and 'total' in found else each]} {each}" for each in counts)
+    return counted + ("" if seconds is None else f", about {seconds:.3g} s")
+
+
+def _stopped(job: Job, follow_up: str, interrupt: KeyboardInterrupt) -> int:
+    """Cancel what is left of it; the exit code where its results can still be taken.
+
+    Raises:
+        typer.Exit: They cannot, and how to get them has been said.
+    """
+    if isinstance(interrupt, Terminated):
+        note(f"Ended; the {job.NAME} {job.id} goes on. To wait for it: {follow_up}")
+        raise typer.Exit(TERMINATED)
+    try:
+        if not job.finished:
+            job.cancel()
+        word = "Cancelled" if job.state == "cancelled" else "Interrupted"
+        note(f"{word}; {job.done} of {job.total} are finished and stay stored: {job.NAME} {job.id}")
+        return INTERRUPTED
+    except (RidelabClientError, KeyboardInterrupt) as error:
+        note(str(error) or "Interrupted again")
+        note(f"For what is finished: {follow_up}")
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def _follow(job: Job, timeout: float | None) -> None:
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("{task.fields[told]}"),
+        TimeRemainingColumn(),
+    )
+    console = terminal()
+    with Progress(*columns, console=console, disable=not console.is_terminal, transient=True) as bar:
+        task = bar.add_task(job.state, total=job.total, told="")
+
+        def show(job: Job) -> None:
+            told = [f"{job.failed} failed"] if job.failed else []
+            told += [f"{job.position} runs before it"] if job.position and job.state == "queued" else []
+            told += [f"{job.feasible} within the limits"] if isinstance(job, Tuning) and job.answer["limits"] else []
+            word = job.answer.get("step", job.state) if job.state == "running" else job.state
+            bar.update(task, description=word, completed=job.done + job.failed, told=", ".join(told))
+
+        job.follow(show, timeout=timeout)

@@ -1,0 +1,106 @@
+"""What a service knows by name: fields, strategies, presets, signals. The shell completes them from the last answer."""
+
+import contextlib
+import json
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Self
+
+from ridelab.client import Ridelab
+from ridelab.files import save
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Field:
+    """A scenario's field; `kind` is `number`, `integer`, `array` (of weights), `string` or `boolean`."""
+
+    unit: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Names:
+    """Names by which a service can be asked.
+
+    Attributes:
+        fields: By dotted name, in the scenario's order.
+        strategies: Label by id.
+        presets: Complete scenario by id; the paper's first, which is what fields that are left out have.
+        signals: Label and unit by key.
+        windows: Label by key.
+        paper_signals: Keys of the signals that the paper compares.
+        metrics: Unit by flat name.
+    """
+
+    fields: Mapping[str, Field]
+    strategies: Mapping[str, str]
+    presets: Mapping[str, dict[str, Any]]
+    signals: Mapping[str, tuple[str, str]]
+    windows: Mapping[str, str]
+    paper_signals: list[str]
+    metrics: Mapping[str, str]
+
+    @classmethod
+    def of(cls, ridelab: Ridelab) -> Self:
+        """Those of a service; the shell completes them from now on.
+
+        Raises:
+            RidelabClientError: It refuses, or does not answer.
+        """
+        schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
+        names = cls(
+            fields=dict(_fields(schema, schema["$defs"], "")),
+            strategies={each["id"]: each["label"] for each in ridelab.get("/strategies")},
+            presets={each["id"]: each["scenario"] for each in ridelab.get("/presets")},
+            signals={each["key"]: (each["label"], each["unit"]) for each in catalogue["signals"]},
+            windows={each["key"]: each["label"] for each in catalogue["windows"]},
+            paper_signals=catalogue["paper_signals"],
+            metrics=ridelab.units,
+        )
+        listed = {key: list(getattr(names, key)) for key in ("fields", "strategies", "presets", "metrics")}
+        if listed != remembered():
+            with contextlib.suppress(OSError):  # completion is a convenience
+                _remembered_in().parent.mkdir(parents=True, exist_ok=True)
+                save([json.dumps(listed).encode()], _remembered_in())
+        return names
+
+    def label(self, strategy: str) -> str:
+        """What a strategy is called; its id where the service does not know it."""
+        return self.strategies.get(strategy, strategy)
+
+    def signal(self, key: str) -> str:
+        """A signal's label and unit, as a column's head."""
+        label, unit = self.signals[key]
+        return f"{label} [{unit}]"
+
+    def units(self) -> dict[str, str]:
+        """Unit of each field."""
+        return {name: field.unit for name, field in self.fields.items()}
+
+
+def remembered() -> dict[str, list[str]]:
+    """The names that a service answered with last; empty before the first time."""
+    try:
+        found: dict[str, list[str]] = json.loads(_remembered_in().read_bytes())
+    except (OSError, ValueError):
+        return {}
+    return found
+
+
+def _remembered_in() -> Path:
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ridelab" / "names.json"
+
+
+def _fields(part: Mapping[str, Any], parts: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Field]]:
+    """The fields in a part of the scenario's JSON Schema, weights one by one too."""
+    for key, schema in part["properties"].items():
+        if "$ref" in schema:
+            yield from _fields(parts[schema["$ref"].rpartition("/")[2]], parts, f"{prefix}{key}.")
+            continue
+        unit = schema.get("unit", "1")
+        kind = schema.get("type") or schema["anyOf"][0]["type"]  # the other one is null
+        yield prefix + key, Field(unit=unit, kind=kind)
+        for index in range(schema.get("maxItems", 0)):
+            yield f"{prefix}{key}.{index}", Field(unit=unit, kind="number")

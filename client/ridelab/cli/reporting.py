@@ -1,0 +1,142 @@
+"""What a command says, to whom, and with which exit code it ends."""
+
+import json
+import os
+import signal
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import typer
+from rich.console import Console
+from typer.core import TyperGroup
+
+from ridelab.errors import RidelabAPIError, RidelabClientError
+from ridelab.files import format_of, save
+
+DIFFERENT = 1
+BAD_INPUT = 2
+UNAVAILABLE = 3
+INTERRUPTED = 130  # 128 + SIGINT, as shells count
+BROKEN_PIPE = 141  # 128 + SIGPIPE
+TERMINATED = 143  # 128 + SIGTERM
+
+_TRY_AGAIN = 429
+
+
+class InputError(Exception):
+    """What was typed, or a file that was named, cannot be used.
+
+    Args:
+        lines: What to show, `field: message` where a field is concerned.
+    """
+
+    def __init__(self, *lines: str) -> None:
+        super().__init__(*lines)
+        self.lines = lines
+
+
+class UnavailableError(Exception):
+    """No service can be had; the message says why."""
+
+
+class Terminated(KeyboardInterrupt):
+    """SIGTERM: the command ends as after Ctrl-C, but what a service computes for it goes on."""
+
+
+class ReportingGroup(TyperGroup):
+    """Commands whose expected errors are a line on stderr and an exit code, never a traceback."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command.
+
+        Raises:
+            typer.Exit: It ended with an error that has been said.
+        """
+        try:
+            result = super().invoke(ctx)
+            sys.stdout.flush()
+            return result
+        except InputError as error:
+            raise failed(BAD_INPUT, error.lines) from None
+        except RidelabAPIError as error:
+            there = error.status >= 500 or error.status == _TRY_AGAIN
+            raise failed(UNAVAILABLE if there else BAD_INPUT, error.lines) from None
+        except (RidelabClientError, UnavailableError) as error:
+            raise failed(UNAVAILABLE, [str(error)]) from None
+        except Terminated:
+            raise typer.Exit(TERMINATED) from None
+        except BrokenPipeError:
+            abandon_output()
+            raise typer.Exit(BROKEN_PIPE) from None
+        except OSError as error:
+            raise failed(BAD_INPUT, [f"{error.filename or 'File'}: {error.strerror or error}"]) from None
+
+
+def end_on_sigterm() -> None:
+    """From now on SIGTERM is raised where the command stands, so that it can say what becomes of its job."""
+
+    def terminate(number: int, frame: object) -> None:
+        raise Terminated
+
+    signal.signal(signal.SIGTERM, terminate)
+
+
+def failed(code: int, lines: Sequence[str]) -> typer.Exit:
+    """Say it on stderr; the exit to raise."""
+    for line in lines:
+        typer.echo(line, err=True)
+    return typer.Exit(code)
+
+
+def nothing_submitted() -> typer.Exit:
+    """Say that Ctrl-C came before anything was handed to a service; the exit to raise."""
+    return failed(INTERRUPTED, ["Interrupted, nothing was submitted"])
+
+
+def abandon_output() -> None:
+    """Nobody reads standard output any more: what is left in its buffer goes nowhere, without a complaint."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def note(line: str) -> None:
+    """A remark beside the result: on stderr, so that the output stays what was asked for."""
+    typer.echo(line, err=True)
+
+
+def terminal() -> Console:
+    """Stderr for what moves while one waits; it is only drawn where somebody looks (`is_terminal`)."""
+    return Console(stderr=True)
+
+
+def print_json(value: Any) -> None:
+    """For machines."""
+    typer.echo(json.dumps(value, indent=1, ensure_ascii=False))
+
+
+def chosen_format(out: str, file_format: str | None) -> str:
+    """The format asked for, else the one the file's name ends with; said before anything is computed for it.
+
+    Raises:
+        InputError: There is no such format, or no such folder.
+    """
+    if not Path(out).parent.is_dir():
+        raise InputError(f"--out: there is no folder {Path(out).parent}")
+    try:
+        return format_of(out, file_format)
+    except ValueError as error:
+        raise InputError(f"{'--format' if file_format or out == '-' else '--out'}: {error}") from None
+
+
+def deliver(content: Iterable[bytes], out: str) -> None:
+    """Write the pieces there, `-` is standard output; a file is whole or not touched.
+
+    Raises:
+        OSError: It cannot be written.
+    """
+    if out != "-":
+        save(content, out)
+        return
+    for piece in content:
+        sys.stdout.buffer.write(piece)

@@ -1,0 +1,155 @@
+"""`ridelab robustness`: how each strategy does where car, sensors and actuators are not what it believes."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Annotated, Any
+
+import typer
+
+from ridelab.cli import fields, options, targets
+from ridelab.cli.following import followed, later, submitted, told_end
+from ridelab.cli.reporting import InputError, nothing_submitted, print_json
+from ridelab.cli.service import Services
+from ridelab.cli.tables import show_table, shown, with_unit
+from ridelab.jobs import Batch
+
+_FOLLOWED = 2  # fields named beside a figure
+_CHANCE = 0.001  # what chance makes more often than this is not named
+
+
+def robustness(
+    scenario: options.Scenario = "paper",
+    samples: Annotated[
+        int | None, typer.Option(metavar="N", min=2, help="Points drawn [default: 200].", show_default=False)
+    ] = None,
+    ranges: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--range", metavar="FIELD=LOW:HIGH", help="Instead of, or beside, the default ranges.", show_default=False
+        ),
+    ] = None,
+    exact: Annotated[
+        list[str] | None,
+        typer.Option(metavar="FIELD", help="Known exactly: not varied; with commas or repeated.", show_default=False),
+    ] = None,
+    only: Annotated[bool, typer.Option("--only", help="Vary only what --range names.")] = False,
+    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Same seed, same points.")] = 0,
+    strategy: options.Strategies = None,
+    baseline: options.Baseline = None,
+    changes: options.Changes = None,
+    label: options.Label = None,
+    as_json: Annotated[bool, typer.Option("--json", help="The whole summary, as JSON.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Worst case and quantiles of each strategy over uncertain mass, stiffness, damping, preview and actuators.
+
+    Every strategy runs at the same points of a Latin hypercube; the controllers know none of it. Without options it is
+    the study that GET /robustness describes.
+    """
+    with Services(server, data_dir) as services:
+        try:
+            start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+            ridelab = services.at()
+            usual = ridelab.get("/robustness")
+            names = options.listed(strategy) or usual["strategies"]
+            if baseline is not None and baseline not in names:
+                raise InputError(f"--baseline: {baseline} is not among the strategies {', '.join(names)}")
+            given = fields.ranges_of(ranges or [], "--range", services)
+            varied = _ranges([] if only else usual["ranges"], given, options.listed(exact))
+            sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
+        except KeyboardInterrupt:
+            raise nothing_submitted() from None
+        batch = submitted(
+            lambda key: ridelab.submit(start, names, sweep, key), label, lambda batch: later(batch, services)
+        )
+        code = followed(batch, later(batch, services))
+        if batch.state != "failed":
+            summary = batch.summary(baseline=baseline)
+            print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)
+    raise typer.Exit(told_end(batch) if code == 0 else code)
+
+
+def _ranges(
+    usual: Sequence[Mapping[str, Any]], given: Mapping[str, list[float]], exact: Sequence[str]
+) -> dict[str, list[float]]:
+    """What varies, the usual fields first.
+
+    Raises:
+        InputError: Nothing does, or a field that does not vary is to be exact.
+    """
+    found = {each["field"]: [each["low"], each["high"]] for each in usual} | dict(given)
+    for name in exact:
+        if found.pop(name, None) is None:
+            raise InputError(f"--exact: {name} is not varied; what is: {', '.join(found) or 'nothing'}")
+    if not found:
+        raise InputError("Nothing is uncertain: every field is exact. Name one with --range FIELD=LOW:HIGH")
+    return found
+
+
+def _show(
+    summary: Mapping[str, Any], ranges: Mapping[str, Sequence[float]], batch: Batch, label: Callable[[str], str]
+) -> None:
+    """The summary as a person reads it."""
+    strategies, percents = summary["strategies"], summary["quantiles"]
+    what = f"{summary['points']} points of {len(ranges)} uncertain fields"
+    version, baseline = batch.answer["core_version"], label(summary["baseline"])
+    typer.echo(f"Ridelab core {version}: {what}; changes against {baseline} at the same point")
+    typer.echo("  " + ", ".join(f"{name} {shown(low)}:{shown(high)}" for name, (low, high) in ranges.items()))
+    for key, unit in summary["units"].items():
+        event = key.startswith("events.")
+        heads = ["", "nominal", "median", "5 %", "95 %", "worst", "in run"]
+        heads += [*(["over 0"] if event else ["change, median", "5 %", "95 %", "better"]), "follows"]
+        rows = [[label(name), *_row(each["figures"][key], percents, event)] for name, each in strategies.items()]
+        typer.echo(f"\n{with_unit(key, unit)}")
+        show_table(heads, rows, left={0, len(heads) - 1})
+    typer.echo("\nleast damping ratio of the closed loop (below 0: unstable)")
+    heads = ["", "nominal", "median", "lowest", "in run", "unstable", "follows"]
+    rows = [[label(name), *_stability(each["stability"], percents)] for name, each in strategies.items()]
+    show_table(heads, rows, left={0, len(heads) - 1})
+    for name, each in strategies.items():
+        for reason, count in each["reasons"].items():
+            typer.echo(f"{label(name)}: {count} failed: {reason}")
+
+
+def _row(figure: Mapping[str, Any], percents: Sequence[float], event: bool) -> list[str]:
+    """What happens at few points only (an event) says at how many; a change in % would have nothing to refer to."""
+    return [
+        shown(figure["nominal"], 4),
+        *(shown(_quantile(figure, percents, at), 4) for at in (50, 5, 95, 100)),
+        "-" if figure["highest"] is None or (event and not figure["above_zero"]) else str(figure["highest"]["run"]),
+        *([f"{figure['above_zero']} of {figure['n']}"] if event else _compared(figure["margin"], percents)),
+        _follows(figure["sensitivity"]),
+    ]
+
+
+def _compared(margin: Mapping[str, Any] | None, percents: Sequence[float]) -> list[str]:
+    if margin is None:
+        return ["", "", "", ""]
+    better = None if margin["better"] is None else 100 * margin["better"]
+    return [*(_percent(_quantile(margin, percents, at)) for at in (50, 5, 95)), _percent(better, signed=False)]
+
+
+def _stability(found: Mapping[str, Any], percents: Sequence[float]) -> list[str]:
+    return [
+        shown(found["nominal"], 3),
+        shown(_quantile(found, percents, 50), 3),
+        shown(_quantile(found, percents, 0), 3),
+        "-" if found["lowest"] is None else str(found["lowest"]["run"]),
+        f"{found['unstable']} of {found['known']}",
+        _follows(found["sensitivity"]),
+    ]
+
+
+def _quantile(distribution: Mapping[str, Any], percents: Sequence[float], at: float) -> float | None:
+    found = distribution["quantiles"]
+    return None if found is None else float(found[list(percents).index(at)])
+
+
+def _percent(value: float | None, *, signed: bool = True) -> str:
+    return "-" if value is None else f"{value:{'+' if signed else ''}.0f} %"
+
+
+def _follows(sensitivity: Sequence[Mapping[str, Any]]) -> str:
+    """The fields that matter most, with their rank correlation."""
+    named = [item for item in sensitivity if item["p_value"] < _CHANCE][:_FOLLOWED]
+    return ", ".join(f"{item['field'].rpartition('.')[2]} {item['spearman']:+.2f}" for item in named)

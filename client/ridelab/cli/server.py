@@ -1,0 +1,103 @@
+"""`ridelab serve`, `backup` and `open`: the installed server, and results in the browser."""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import webbrowser
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ridelab.cli import fields, options, targets
+from ridelab.cli.reporting import note
+from ridelab.cli.service import Services, server_command, server_environment
+
+DatabaseDir = Annotated[
+    Path | None,
+    typer.Option(
+        envvar="RIDELAB_DATA_DIR",
+        metavar="DIR",
+        parser=options.folder,
+        help="Where the database is [default: data].",
+        show_default=False,
+    ),
+]
+
+
+def serve(
+    host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option(help="Port to listen on, 0 for a free one.", min=0, max=65535)] = 8000,
+    data_dir: DatabaseDir = None,
+) -> None:
+    """Serve the dashboard and the API until Ctrl-C or SIGTERM.
+
+    The same as python -m backend; more settings are RIDELAB_* variables (docs/operations.md).
+    """
+    command = server_command("--host", host, "--port", str(port), *_in(data_dir))
+    # The service takes this process's place: signals reach it, and what it spawns never passes through this command.
+    os.execve(sys.executable, command, server_environment())  # noqa: S606  # no shell is wanted
+
+
+def backup(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="Where to write the copy.")],
+    force: Annotated[bool, typer.Option("--force", help="Replace a file that is there already.")] = False,
+    data_dir: DatabaseDir = None,
+) -> None:
+    """Copy the SQLite database to a file, while a service uses it or while none does.
+
+    The copy is a whole database. Nothing is written meanwhile: new runs are refused with Retry-After, batches wait.
+    """
+    command = server_command("--back-up", str(file), *(["--force"] if force else []), *_in(data_dir))
+    run = subprocess.run(  # noqa: S603  # our own module and paths, no shell
+        command, env=server_environment(), capture_output=True, text=True, check=False
+    )
+    typer.echo(run.stdout, nl=False)
+    typer.echo(run.stderr, nl=False, err=True)
+    raise typer.Exit(run.returncode)
+
+
+def _in(data_dir: Path | None) -> list[str]:
+    return [] if data_dir is None else ["--data-dir", str(data_dir)]
+
+
+def open_(
+    target: Annotated[
+        str, typer.Argument(metavar="RESULT", help="Scenario, preset, run id, batch id, link, or address of one.")
+    ] = "paper",
+    changes: options.Changes = None,
+    strategy: options.Strategies = None,
+    only_print: Annotated[bool, typer.Option("--print", help="Print the address, start no browser.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Open a result in the browser, and print its address.
+
+    A scenario is run first. Without --server the private service stays until Ctrl-C, so that the page can work.
+    """
+    with Services(server, data_dir) as services:
+        address = _address(target, changes or [], options.listed(strategy), services)
+        typer.echo(address)
+        if not only_print:
+            webbrowser.open(address)
+        if services.started:
+            with contextlib.suppress(KeyboardInterrupt):  # which may come as soon as it is said
+                note("Serving until Ctrl-C")
+                signal.pause()
+
+
+def _address(target: str, changes: list[str], strategies: list[str], services: Services) -> str:
+    found = targets.find(target, services)
+    if found.ridelab is not None and not changes and not strategies:
+        if found.slug is not None:
+            return f"{found.ridelab.address}/s/{found.slug}"
+        if found.batch is not None:
+            return found.ridelab.link(found.batch).url
+        if found.run is not None:
+            return f"{found.ridelab.address}/r/{found.run.id}"
+    ridelab = found.ridelab or services.at()
+    names = strategies or targets.strategies_of(found) or list(services.names.strategies)
+    run = ridelab.run(fields.changed(found.scenario, changes, services), names)
+    return f"{ridelab.address}/r/{run.id}"

@@ -1,0 +1,178 @@
+"""Services a command works with: those at an address, or a private one that ends with the command."""
+
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from functools import cached_property
+from pathlib import Path
+from types import TracebackType
+from typing import IO, Self
+
+from ridelab.cli.names import Names
+from ridelab.cli.reporting import InputError, UnavailableError, nothing_submitted, terminal
+from ridelab.client import Ridelab
+from ridelab.http import without_login
+
+START = 90.0  # the private service gets so long to start [s]; it takes one or two
+END = 15.0  # and so long to end; the service itself promises ten
+_ADDRESS = re.compile(r"^Ridelab is at (http://\S+)$", re.MULTILINE)
+
+
+def server_command(*arguments: str) -> list[str]:
+    """The command line of `python -m backend`, which only an installed server has.
+
+    Raises:
+        UnavailableError: There is none; the message says what to install.
+    """
+    if importlib.util.find_spec("sim_core") is None:  # `backend` may be anybody's
+        raise UnavailableError(
+            "Ridelab's server is not installed here: pip install 'ridelab[server]', or name a service with --server "
+            "or RIDELAB_SERVER"
+        )
+    return [sys.executable, "-P", "-m", "backend", *arguments]
+
+
+def server_environment() -> dict[str, str]:
+    """The environment in which that finds the server beside this core, whatever the current folder holds."""
+    spec = importlib.util.find_spec("sim_core")
+    folder = "" if spec is None or spec.origin is None else str(Path(spec.origin).parents[1])
+    paths = [folder, os.environ.get("PYTHONPATH", "")]
+    return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
+
+
+class Services:
+    """Connections, made when they are first needed and closed together; a context manager.
+
+    Args:
+        server: Address of the service to work with; None starts a private one.
+        data_dir: Where a private one keeps its database; None is its own default.
+    """
+
+    def __init__(self, server: str | None, data_dir: Path | None) -> None:
+        self.server = server
+        self.data_dir = data_dir
+        self._open: dict[str | None, Ridelab] = {}
+        self._stack = ExitStack()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._stack.close()
+
+    @property
+    def private(self) -> bool:
+        """Whether the service ends with the command."""
+        return self.server is None
+
+    @property
+    def started(self) -> bool:
+        """Whether a private service runs now."""
+        return None in self._open
+
+    @property
+    def used(self) -> bool:
+        """Whether the service the command works with has been asked."""
+        return self.server in self._open
+
+    @cached_property
+    def names(self) -> Names:
+        """What the service knows by name."""
+        return Names.of(self.at())
+
+    @property
+    def options(self) -> list[str]:
+        """The options that name the same service in another command."""
+        if self.server is not None:
+            return ["--server", without_login(self.server)]
+        return [] if self.data_dir is None else ["--data-dir", str(self.data_dir)]
+
+    def at(self, server: str | None = None) -> Ridelab:
+        """The client of the service there; None is the one the command works with.
+
+        Raises:
+            InputError: That is no address.
+            UnavailableError: The private service does not start.
+        """
+        address = server or self.server
+        if server is not None and self.server is not None and server == without_login(self.server).rstrip("/"):
+            address = self.server  # messages show addresses without their login
+        if address not in self._open:
+            url = address if address is not None else self._stack.enter_context(private(self.data_dir))
+            token = None if address is not None and address == self.server else ""  # nobody else is told it
+            try:
+                self._open[address] = self._stack.enter_context(Ridelab(url, token=token))
+            except ValueError as error:
+                raise InputError(f"--server or RIDELAB_SERVER: {error}") from None
+        return self._open[address]
+
+
+@contextmanager
+def private(data_dir: Path | None) -> Iterator[str]:
+    """A service on a free port of this machine, ended with the block; gives its address.
+
+    Raises:
+        UnavailableError: It does not start; the message is its own.
+        typer.Exit: Ctrl-C came while it started, and that has been said.
+    """
+    options = [] if data_dir is None else ["--data-dir", str(data_dir)]
+    environment = server_environment()
+    environment.pop("RIDELAB_TOKENS_FILE", None)  # it answers this command alone
+    with tempfile.TemporaryFile() as log:
+        process = subprocess.Popen(  # noqa: S603  # our own module and a path, no shell
+            server_command("--port", "0", "--until-input-ends", *options),
+            stdin=subprocess.PIPE,  # it ends with this pipe, and so with this process, however that ends
+            stdout=log,
+            stderr=log,
+            env=environment,
+            start_new_session=True,  # Ctrl-C is the command's: it may still need the service to cancel
+        )
+        try:
+            try:
+                address = _wait(process, log)
+            except KeyboardInterrupt:
+                raise nothing_submitted() from None
+            yield address
+        finally:
+            _end(process)
+
+
+def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
+    """The address the service prints once it serves."""
+    end = time.monotonic() + START
+    with terminal() as console, console.status("Starting a private service") if console.is_terminal else ExitStack():
+        while time.monotonic() < end:
+            ended = process.poll() is not None
+            text = os.pread(log.fileno(), 1 << 20, 0).decode(errors="replace")
+            found = _ADDRESS.search(text)
+            if found is not None:
+                return found[1]
+            if ended:
+                raise UnavailableError(_said(text))
+            time.sleep(0.02)  # the log is a file, which nothing can wait on
+    raise UnavailableError(f"The private service did not start within {START:.0f} s")
+
+
+def _said(log: str) -> str:
+    """Why it did not start: what it says to people, or its last log entry."""
+    lines = [line for line in log.splitlines() if line.strip()]
+    plain = [line for line in lines if not line.startswith("{")]
+    return "\n".join(plain or lines[-1:]) or "The private service ended without a word"
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    if process.stdin is not None:
+        process.stdin.close()
+    try:
+        process.wait(END)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()

@@ -1,0 +1,140 @@
+"""`ridelab sweep`: a batch of what-ifs."""
+
+import itertools
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ridelab.cli import fields, options, targets
+from ridelab.cli.following import estimate_text, followed, later, may_detach, submitted, told_end
+from ridelab.cli.reporting import InputError, chosen_format, deliver, note, nothing_submitted, print_json
+from ridelab.cli.service import Services
+from ridelab.cli.tables import show_table, shown, with_unit
+from ridelab.errors import RidelabClientError
+from ridelab.jobs import Batch
+from ridelab.results import flat
+
+_PREVIEW = 20  # rows shown where no file is asked for
+_FIGURES = ("rough_road.body_acceleration.rms", "bump.body_acceleration.peak", "bump.front_tyre_load.peak")
+
+
+def sweep(
+    scenario: options.Scenario = "paper",
+    grid: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FIELD=VALUES",
+            help="road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination.",
+            show_default=False,
+            autocompletion=options.completes("fields", "="),
+        ),
+    ] = None,
+    latin_hypercube: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="FIELD=LOW:HIGH",
+            help="Evenly spread random points in these ranges.",
+            show_default=False,
+            autocompletion=options.completes("fields", "="),
+        ),
+    ] = None,
+    samples: Annotated[
+        int | None, typer.Option(metavar="N", min=1, help="Points of the hypercube.", show_default=False)
+    ] = None,
+    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the hypercube: same seed, same points.")] = 0,
+    points: Annotated[
+        Path | None,
+        typer.Option(
+            "--list",
+            metavar="FILE",
+            help='JSON list of points, [{"road.bump.height": 0.1}, ..].',
+            exists=True,
+            dir_okay=False,
+            show_default=False,
+        ),
+    ] = None,
+    strategy: options.Strategies = None,
+    changes: options.Changes = None,
+    out: Annotated[
+        str | None,
+        typer.Option("--out", "-o", metavar="FILE", help="Write every row to .csv, .parquet or .json; - is stdout."),
+    ] = None,
+    file_format: options.Format = None,
+    label: options.Label = None,
+    detach: options.Detach = False,
+    dry_run: options.DryRun = False,
+    as_json: Annotated[bool, typer.Option("--json", help="How the batch ended, as JSON.")] = False,
+    server: options.Server = None,
+    data_dir: options.DataDir = None,
+) -> None:
+    """Run many variants of a scenario; Ctrl-C cancels and keeps what is finished.
+
+    One of --grid, --latin-hypercube and --list says what varies. The strategy is lv unless --strategy names others.
+    """
+    if sum((bool(grid), bool(latin_hypercube), points is not None)) != 1:
+        raise InputError("Say what to sweep with one of --grid, --latin-hypercube and --list")
+    if (samples is not None) != bool(latin_hypercube):
+        raise InputError("--latin-hypercube and --samples belong together")
+    file_options = () if out is None else ("--out", out, *(() if file_format is None else ("--format", file_format)))
+    wanted = "" if out is None else chosen_format(out, file_format)
+    with Services(server, data_dir) as services:
+        may_detach(detach, services)
+        try:
+            swept = fields.sweep_of(
+                services, grid=grid or [], ranges=latin_hypercube or [], samples=samples, seed=seed, points=points
+            )
+            start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+            ridelab, names = services.at(), options.listed(strategy) or ["lv"]
+            if dry_run:
+                found = ridelab.estimate(start, names, swept)
+                print_json(found) if as_json else typer.echo(estimate_text(found, ("runs", "points")))
+                return
+        except KeyboardInterrupt:
+            raise nothing_submitted() from None
+
+        def take_later(batch: Batch) -> str:
+            return later(batch, services, *file_options)
+
+        batch = submitted(lambda key: ridelab.submit(start, names, swept, key), label, take_later)
+        if detach:
+            print_json(batch.answer) if as_json else typer.echo(batch.id)
+            note(f"{batch.total} runs; {take_later(batch)}")
+            return
+        code = followed(batch, take_later(batch))
+        if out is not None:
+            _write(batch, wanted, out, take_later(batch))
+        elif code:
+            note(f"For its rows: {take_later(batch)}")
+        elif not as_json:
+            _preview(batch, services)
+    if as_json:
+        print_json(batch.answer)
+    raise typer.Exit(told_end(batch) if code == 0 else code)
+
+
+def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:
+    try:
+        deliver(batch.content(file_format), out)
+    except (RidelabClientError, OSError):
+        note(f"For its rows: {follow_up}")
+        raise
+    if batch.state == "cancelled" and out != "-":
+        note(f"{out} has all {batch.total} rows, those that never ran with the status cancelled")
+
+
+def _preview(batch: Batch, services: Services) -> None:
+    """The first rows, with the metrics most people look at."""
+    swept = [(item["name"], item["unit"]) for item in batch.answer["fields"]]
+    taken = list(itertools.islice(batch.rows(), _PREVIEW))
+    rows = []
+    for row in taken:
+        figures = dict(flat(row.get("metrics") or {}))
+        cells = [*(row.get(name) for name, _ in swept), row["strategy"], row["status"], *map(figures.get, _FIGURES)]
+        rows.append([*map(shown, cells), row.get("reason") or ""])
+    heads = [with_unit(*item) for item in (*swept, ("strategy", ""), ("status", ""))]
+    heads += [with_unit(name, services.names.metrics[name]) for name in _FIGURES]
+    heads.append("reason" if any(row[-1] for row in rows) else "")
+    show_table(heads, rows, left={len(swept), len(swept) + 1, len(heads) - 1})
+    if batch.total > len(rows):
+        typer.echo(f"... {batch.total - len(rows)} more; --out FILE writes all with every metric")

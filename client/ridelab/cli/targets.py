@@ -1,0 +1,173 @@
+"""What SCENARIO and RESULT mean on the command line: a file, a preset, an id, an address."""
+
+import json
+import re
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+from urllib.parse import urlsplit
+
+from ridelab.cli.reporting import InputError
+from ridelab.cli.service import Services
+from ridelab.client import Ridelab
+from ridelab.errors import RidelabAPIError
+from ridelab.http import without_login
+from ridelab.jobs import Batch, Job
+from ridelab.results import RunResult
+
+_ID = re.compile(r"[A-Za-z0-9_-]{22}")
+_PAGES: dict[str, Literal["run", "batch", "link"]] = {"r": "run", "b": "batch", "s": "link"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Found:
+    """What a target turned out to be: a scenario always, and the stored result it belongs to if there is one.
+
+    Attributes:
+        name: How to call it.
+        scenario: Perhaps in part; what is left out takes the paper's value.
+        run: The run it is.
+        batch: The batch it is.
+        slug: The shared link it was found by.
+        ridelab: The service that has it; None for files and presets.
+    """
+
+    name: str
+    scenario: dict[str, Any]
+    run: RunResult | None = None
+    batch: Batch | None = None
+    slug: str | None = None
+    ridelab: Ridelab | None = None
+
+
+def find(target: str, services: Services) -> Found:
+    """Look up a target.
+
+    Raises:
+        InputError: There is nothing of that name, or it cannot be read.
+        RidelabAPIError: The service refused.
+        RidelabConnectionError: No answer.
+    """
+    if target == "-":
+        return _document(sys.stdin.buffer.read(), "standard input")
+    if target.startswith(("http://", "https://")):
+        return _address(target, services)
+    if Path(target).is_file():
+        return _document(Path(target).read_bytes(), target)
+    if _ID.fullmatch(target):
+        return _stored(target, services.at())
+    presets = services.names.presets
+    if target in presets:
+        return Found(name=target, scenario=presets[target])
+    raise InputError(
+        f"{without_login(target)}: neither a file, nor a preset ({', '.join(presets)}), nor an id, nor an address"
+    )
+
+
+def document(content: bytes, name: str) -> Any:
+    """A JSON document; a key that stands twice in an object is a mistake, and so is NaN.
+
+    Raises:
+        InputError: It is not such a document.
+    """
+    try:
+        return json.loads(content.decode(), object_pairs_hook=_once, parse_constant=_no_number)
+    except UnicodeDecodeError:
+        raise InputError(f"{name}: this is not valid UTF-8") from None
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{name}: this is not valid JSON: {error}") from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError(f"the same key twice, one of {', '.join(found)}")
+    return found
+
+
+def _no_number(text: str) -> float:
+    raise ValueError(f"{text} is no number")
+
+
+def _document(content: bytes, name: str) -> Found:
+    """A scenario, or a saved run."""
+    value = document(content, name)
+    if not isinstance(value, dict):
+        raise InputError(f"{name}: this has to be a JSON object, a scenario or a saved run")
+    if "strategies" not in value:
+        return Found(name=name, scenario=value)
+    try:
+        run = RunResult.of(value)
+        whole = isinstance(run.scenario, dict) and all(outcome.figures() for outcome in run if outcome.status == "ok")
+    except (KeyError, TypeError, AttributeError):
+        whole = False
+    if not whole:
+        raise InputError(f"{name}: this is not a whole run as ridelab run --json prints it")
+    return Found(name=name, scenario=run.scenario, run=run)
+
+
+def _address(address: str, services: Services) -> Found:
+    wrong = InputError(f"{without_login(address)}: the address of a result ends with /r/ID or /s/ID")
+    try:
+        parts = urlsplit(address)
+    except ValueError:  # brackets that do not match
+        raise wrong from None
+    before, _, rest = parts.path.rpartition("/")
+    prefix, _, page = before.rpartition("/")
+    if page not in _PAGES or not rest:
+        raise wrong
+    ridelab = services.at(f"{parts.scheme}://{parts.netloc}{prefix}")
+    return {"run": _run, "batch": _batch, "link": _link}[_PAGES[page]](rest, ridelab)
+
+
+def _stored(name: str, ridelab: Ridelab) -> Found:
+    """Ids of runs, batches and links look alike."""
+    for lookup in (_run, _batch, _link):
+        try:
+            return lookup(name, ridelab)
+        except RidelabAPIError as error:
+            if error.status != 404:
+                raise
+    raise InputError(f"{name}: the service has no run, batch or link of this id")
+
+
+def _run(run_id: str, ridelab: Ridelab) -> Found:
+    run = ridelab.get_run(run_id)
+    return Found(name=f"run {run.id}", scenario=run.scenario, run=run, ridelab=ridelab)
+
+
+def _batch(batch_id: str, ridelab: Ridelab) -> Found:
+    batch = ridelab.get_batch(batch_id)
+    return Found(name=f"batch {batch.id}", scenario=dict(batch.answer["scenario"]), batch=batch, ridelab=ridelab)
+
+
+def _link(slug: str, ridelab: Ridelab) -> Found:
+    link = ridelab.open_link(slug)
+    return Found(
+        name=f"link {slug}", scenario=link.scenario, run=link.run, batch=link.batch, slug=slug, ridelab=ridelab
+    )
+
+
+def strategies_of(found: Found) -> list[str]:
+    """Those of the stored result; none where there is only a scenario."""
+    if found.run is not None:
+        return list(found.run.strategies)
+    chosen: Mapping[str, Any] = found.batch.answer if found.batch is not None else {}
+    return list(chosen.get("strategies", []))
+
+
+def job(job_id: str, services: Services) -> Job:
+    """The batch or the tuning of an id.
+
+    Raises:
+        InputError: There is none.
+    """
+    for lookup in (services.at().get_batch, services.at().get_tuning):
+        try:
+            return lookup(job_id)
+        except RidelabAPIError as error:
+            if error.status != 404:
+                raise
+    raise InputError(f"{without_login(job_id)}: the service has no batch or tuning of this id")

@@ -1,0 +1,360 @@
+"""The client itself: one method for each thing a service does."""
+
+import os
+import uuid
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Protocol, Self
+from urllib.parse import quote
+
+import httpx
+
+from ridelab.errors import RidelabConnectionError
+from ridelab.files import format_of, save
+from ridelab.http import Http, split_login
+from ridelab.jobs import Batch, Job, Tuning
+from ridelab.results import Link, LinkedResult, RunResult
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+API = "/api/v1"
+TOKEN_VARIABLE = "RIDELAB_TOKEN"  # noqa: S105  # the variable's name
+_LOOPBACK = ("localhost", "127.0.0.1", "::1")
+
+
+class Model(Protocol):
+    """A pydantic model, such as the core's `Scenario`."""
+
+    def model_dump(self, *, mode: str) -> dict[str, Any]:
+        """Its plain values."""
+
+
+Scenario = Mapping[str, Any] | Model
+
+
+class Ridelab:
+    """A service at an address, to be used as a context manager.
+
+    Every method raises `RidelabAPIError` where the service refuses, and `RidelabConnectionError` where none answers or
+    an answer breaks off. What can be asked twice without harm is repeated when the connection is lost, and everything
+    when the service is full and says when to come back (429, 503 with Retry-After): at most `retries` times and for a
+    minute.
+
+    Args:
+        address: Such as `http://127.0.0.1:8000`. A login in it, `http://user:password@host`, is sent with every request
+            and never shown.
+        token: Sent with every request as `Authorization: Bearer`, in place of a login; None is what RIDELAB_TOKEN
+            holds, and an empty one none.
+        timeout: Longest wait for an answer [s].
+        retries: How often one request is repeated at most.
+        transport: How requests travel; by default over the network, with the environment's proxies for
+            other machines.
+
+    Raises:
+        ValueError: That is no HTTP address.
+    """
+
+    def __init__(
+        self,
+        address: str,
+        *,
+        token: str | None = None,
+        timeout: float = 120,
+        retries: int = 5,
+        transport: httpx.BaseTransport | None = None,
+    ) -> None:
+        url, login = split_login(address)
+        token = os.environ.get(TOKEN_VARIABLE, "") if token is None else token
+        if transport is None and url.host in _LOOPBACK:
+            transport = httpx.HTTPTransport()  # a proxy does not know this machine's own services
+        self._client = httpx.Client(
+            base_url=url,
+            auth=None if token else login,
+            headers={"Authorization": f"Bearer {token}"} if token else None,
+            timeout=httpx.Timeout(timeout, connect=min(timeout, 10)),
+            transport=transport,
+        )
+        self._http = Http(self._client, retries=retries)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let go of its connections."""
+        self._client.close()
+
+    @property
+    def address(self) -> str:
+        """Where the service is, without a login and a slash at the end."""
+        return self._http.address
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Unit of each metric by its flat name (`bump.body_acceleration.peak`), from the catalogue; `1` for none."""
+        catalogue = self.get("/catalogue")
+        signals = {each["key"]: each["unit"] for each in catalogue["signals"]}
+        windows, statistics = ([each["key"] for each in catalogue[name]] for name in ("windows", "statistics"))
+        units = {
+            f"{window}.{signal}.{statistic}": signals[signal]
+            for window in windows
+            for signal in catalogue["metric_signals"]
+            for statistic in statistics
+        }
+        for part, prefix in (("comfort", "comfort."), ("events", "events."), ("run_figures", "")):
+            units |= {prefix + each["key"]: each["unit"] for each in catalogue[part]}
+        return units
+
+    def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
+        """The JSON at a path below `/api/v1`, such as `/presets`, `/schema`, `/catalogue`."""
+        return self._http.json("GET", f"{API}{path}", params=params)
+
+    def run(
+        self, scenario: Scenario, strategies: Sequence[str], *, roads: int = 1, baseline: str | None = None
+    ) -> RunResult:
+        """Run what is not stored yet.
+
+        Args:
+            scenario: An omitted part takes the paper's value.
+            strategies: Ids.
+            roads: How many roads every strategy drives, seeds `road.seed`, `road.seed` + 1, ...; metrics are then
+                `Interval`s, means with their 95 % interval.
+            baseline: The strategy that changes over several roads refer to; None is passive, or the first one where
+                passive does not run.
+        """
+        body = {"scenario": scenario, "strategies": list(strategies), "roads": roads, "baseline": baseline}
+        return self._run(self._http.json("POST", f"{API}/runs", body=body))
+
+    def get_run(self, run_id: str) -> RunResult:
+        """A stored run; it never changes."""
+        return self._run(self.get(f"/runs/{quote(run_id, safe='')}"))
+
+    def series(
+        self,
+        run: RunResult | str,
+        strategy: str,
+        signals: Sequence[str] | None = None,
+        *,
+        points: int | None = None,
+    ) -> "dict[str, NDArray[np.float32]]":
+        """Time histories of one strategy, in SI units: signal -> float32 array, all of one length.
+
+        Args:
+            run: The run or its id.
+            strategy: Its id.
+            signals: Which, always with time and position; None is all.
+            points: About how many samples; None is all.
+
+        Raises:
+            ImportError: NumPy is not installed.
+        """
+        import base64
+
+        try:
+            import numpy as np
+        except ImportError:
+            raise ImportError("Arrays need NumPy: pip install 'ridelab[pandas]'") from None
+        path, params = self._series_request(run, [strategy], signals, points)
+        found = self.get(path, {**params, "encoding": "base64"})["series"]
+        return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in found.items()}
+
+    def series_content(
+        self,
+        run: RunResult | str,
+        file_format: str,
+        *,
+        strategies: Sequence[str],
+        signals: Sequence[str] | None = None,
+        points: int | None = None,
+    ) -> Iterator[bytes]:
+        """Time histories as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
+        path, params = self._series_request(run, strategies, signals, points)
+        return self._content(path, {**params, "format": file_format})
+
+    def download_series(
+        self,
+        run: RunResult | str,
+        path: str | os.PathLike[str],
+        *,
+        strategies: Sequence[str],
+        signals: Sequence[str] | None = None,
+        points: int | None = None,
+        file_format: str | None = None,
+    ) -> Path:
+        """Time histories as a file, in the format its name ends with or the one named.
+
+        Raises:
+            ValueError: There is no such format.
+            OSError: The file cannot be written.
+        """
+        wanted = format_of(path, file_format)
+        return save(self.series_content(run, wanted, strategies=strategies, signals=signals, points=points), path)
+
+    def run_report(self, run: RunResult | str, *, baseline: str | None = None) -> Iterator[bytes]:
+        """A run as one HTML file that needs nothing else, piece by piece; changes refer to the baseline."""
+        return self._content(f"/runs/{_id(run)}/report.html", {"baseline": baseline})
+
+    def paper(
+        self,
+        *,
+        seeds: int = 20,
+        first_seed: int = 1,
+        interpretation: str = "default",
+        readings: Mapping[str, str] | None = None,
+    ) -> dict[str, Any]:
+        """The paper's printed changes with ours and a verdict on each; up to a minute the first time.
+
+        Args:
+            seeds: How many roads.
+            first_seed: Of the first road; the others follow it.
+            interpretation: A named set of readings, `default` or `favourable`.
+            readings: Reading -> choice, those that are not the set's.
+        """
+        params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
+        found: dict[str, Any] = self.get("/paper", params)
+        return found
+
+    def paper_report(
+        self,
+        *,
+        seeds: int = 20,
+        first_seed: int = 1,
+        interpretation: str = "default",
+        readings: Mapping[str, str] | None = None,
+    ) -> Iterator[bytes]:
+        """The same as one HTML file, with what each part contributes and the figures, piece by piece."""
+        params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
+        return self._content("/paper/report.html", params)
+
+    def submit(
+        self,
+        scenario: Scenario,
+        strategies: Sequence[str],
+        sweep: Mapping[str, Any],
+        idempotency_key: str | None = None,
+    ) -> Batch:
+        """Hand in a batch; it is committed when this returns.
+
+        Args:
+            scenario: What every run starts from.
+            strategies: Ids; each point runs under all of them.
+            sweep: One of `{"grid": {field: values}}`, `{"latin_hypercube": {"ranges": {field: [lo, hi]}, "samples":
+                n, "seed": s}}` and `{"list": [{field: value}, ..]}`, fields by dotted name.
+            idempotency_key: The same key never makes a second batch; None is a key of this call's own.
+        """
+        body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep}
+        return Batch(self._http, self._submit("/batches", body, idempotency_key))
+
+    def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
+        """What a batch would be: `total` runs, `points`, `estimated_cost` [s of one core], `estimated_seconds`."""
+        body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep, "dry_run": True}
+        found: dict[str, Any] = self._http.json("POST", f"{API}/batches", body=body)
+        return found
+
+    def get_batch(self, batch_id: str) -> Batch:
+        """A batch as it stands."""
+        return Batch(self._http, self.get(f"/batches/{quote(batch_id, safe='')}"))
+
+    def batches(self, *, state: str | None = None, label: str | None = None, limit: int = 50) -> list[Batch]:
+        """The newest batches first, without their sweeps; those in a state or of a label alone."""
+        return [Batch(self._http, each) for each in self._listed("batches", state, label, limit)]
+
+    def tune(self, request: Mapping[str, Any], idempotency_key: str | None = None) -> Tuning:
+        """Begin to look for better weights; it is committed when this returns.
+
+        Args:
+            request: `{"scenario", "strategy", "objectives", "limits", "search", "seeds", "fresh_seeds", "trials",
+                "population", "seed"}`, each of which may be left out (docs/api.md).
+            idempotency_key: The same key never begins a second one; None is a key of this call's own.
+        """
+        return Tuning(self._http, self._submit("/tunings", request, idempotency_key))
+
+    def estimate_tuning(self, request: Mapping[str, Any]) -> dict[str, Any]:
+        """What a tuning would be: `runs`, `generations`, `estimated_cost` [s of one core], `estimated_seconds`."""
+        found: dict[str, Any] = self._http.json("POST", f"{API}/tunings", body={**request, "dry_run": True})
+        return found
+
+    def get_tuning(self, tuning_id: str) -> Tuning:
+        """A tuning as it stands."""
+        return Tuning(self._http, self.get(f"/tunings/{quote(tuning_id, safe='')}"))
+
+    def tunings(self, *, state: str | None = None, label: str | None = None, limit: int = 50) -> list[Tuning]:
+        """The newest tunings first, without what stands behind their scenario; as `batches`."""
+        return [Tuning(self._http, each) for each in self._listed("tunings", state, label, limit)]
+
+    def controller(self, scenario: Scenario) -> bytes:
+        """The `lv_hil` controller of a scenario as a zip of C sources; the same scenario gives the same bytes."""
+        return self._http.send("POST", f"{API}/controller", body={"scenario": scenario}).content
+
+    def controller_report(self, scenario: Scenario) -> dict[str, Any]:
+        """Whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
+        found: dict[str, Any] = self._http.json("POST", f"{API}/controller/report", body={"scenario": scenario})
+        return found
+
+    def realtime(self, scenario: Scenario) -> dict[str, Any]:
+        """One drive by the clock: latency, jitter, missed deadlines; takes as long as the drive."""
+        found: dict[str, Any] = self._http.json("POST", f"{API}/controller/realtime", body={"scenario": scenario})
+        return found
+
+    def link(self, result: RunResult | Job, view: Mapping[str, Any] | None = None) -> Link:
+        """A new link that shares a run or a batch and how it is looked at."""
+        body: dict[str, Any] = {"run_id" if isinstance(result, RunResult) else "batch_id": result.id}
+        if view is not None:
+            body["view"] = view
+        answer = self._http.json("POST", f"{API}/links", body=body, repeatable=False)
+        return Link(slug=answer["slug"], url=self.address + answer["url"])
+
+    def open_link(self, slug: str) -> LinkedResult:
+        """What a link pins."""
+        answer = self.get(f"/links/{quote(slug, safe='')}")
+        plain = {key: answer[key] for key in LinkedResult.__dataclass_fields__ if key not in ("url", "run", "batch")}
+        return LinkedResult(
+            **plain,
+            url=self.address + answer["url"],
+            run=None if answer["run"] is None else self._run(answer["run"]),
+            batch=None if answer["batch"] is None else Batch(self._http, answer["batch"]),
+        )
+
+    def _run(self, answer: Any) -> RunResult:
+        try:
+            return RunResult.of(answer, lambda: self.units)
+        except (KeyError, TypeError, AttributeError):
+            raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
+
+    def _submit(self, path: str, body: Mapping[str, Any], key: str | None) -> Any:
+        headers = {"Idempotency-Key": key or uuid.uuid4().hex}
+        return self._http.json("POST", API + path, body=body, headers=headers)
+
+    def _listed(self, name: str, state: str | None, label: str | None, limit: int) -> Iterator[dict[str, Any]]:
+        """The first `limit` entries, over as many pages as that takes."""
+        cursor = None
+        while limit > 0:
+            page = self.get(f"/{name}", {"limit": min(limit, 500), "cursor": cursor, "state": state, "label": label})
+            yield from page[name][:limit]
+            limit -= len(page[name])
+            cursor = page.get("next")
+            if cursor is None:
+                return
+
+    def _content(self, path: str, params: Mapping[str, Any]) -> Iterator[bytes]:
+        with self._http.stream(f"{API}{path}", params=params) as response:
+            yield from response.iter_bytes()
+
+    @staticmethod
+    def _series_request(
+        run: RunResult | str, strategies: Sequence[str], signals: Sequence[str] | None, points: int | None
+    ) -> tuple[str, dict[str, Any]]:
+        listed = None if signals is None else ",".join(signals)
+        return f"/runs/{_id(run)}/series", {"strategy": ",".join(strategies), "signals": listed, "points": points}
+
+
+def _id(run: RunResult | str) -> str:
+    return quote(run.id if isinstance(run, RunResult) else run, safe="")

@@ -1,0 +1,108 @@
+"""What can go wrong between a client and a service."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Self
+
+_SWEEPS = ("grid", "latin_hypercube", "list")
+_TYPES = "urn:problem-type:ridelab"
+
+
+class RidelabClientError(Exception):
+    """Base of everything the client raises on purpose."""
+
+
+class RidelabConnectionError(RidelabClientError):
+    """No service answers there, or what answers is not Ridelab."""
+
+
+class JobEndedError(RidelabClientError):
+    """A job that was waited for was cancelled or failed; the message says which, and why."""
+
+
+class JobTimeoutError(RidelabClientError, TimeoutError):
+    """A job did not end in the time it was waited for; it goes on."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorPlace:
+    """One value that cannot be used: a JSON pointer into the request body, or a query parameter's name."""
+
+    message: str
+    pointer: str = ""
+    parameter: str | None = None
+
+    @property
+    def field(self) -> str:
+        """The place as a person names it: `road.bump.height`, and `road.bump.height[3]` in a sweep; may be empty."""
+        if self.parameter:
+            return self.parameter
+        steps = [step.replace("~1", "/").replace("~0", "~") for step in self.pointer.split("/")[1:]]
+        return "".join(_joined(_short(steps))).removeprefix(".")
+
+
+def _short(steps: list[str]) -> list[str]:
+    """Without the parts of a request that nobody typed."""
+    if steps[:1] == ["scenario"] and len(steps) > 1:
+        return steps[1:]
+    if steps[:1] == ["sweep"] and len(steps) > 2 and steps[1] in _SWEEPS:
+        return [step for step in steps[2:] if step != "ranges"]
+    return steps
+
+
+def _joined(steps: Sequence[str]) -> Iterator[str]:
+    for step in steps:
+        yield f"[{step}]" if step.isdecimal() else f".{step}"
+
+
+class RidelabAPIError(RidelabClientError):
+    """The service refused, and says why (RFC 9457).
+
+    Args:
+        status: HTTP status.
+        detail: What is wrong, for a person to read.
+        errors: Each place concerned.
+        request_id: What the service's log calls the request.
+        kind: Which kind of problem, such as `not-found` (docs/api.md lists them); None where it is not the service's.
+    """
+
+    def __init__(
+        self,
+        status: int,
+        detail: str,
+        errors: Sequence[ErrorPlace] = (),
+        request_id: str | None = None,
+        kind: str | None = None,
+    ) -> None:
+        super().__init__(status, detail, errors, request_id, kind)
+        self.status = status
+        self.detail = detail
+        self.errors = list(errors)
+        self.request_id = request_id
+        self.kind = kind
+
+    @classmethod
+    def of(cls, status: int, problem: Mapping[str, Any]) -> Self:
+        """The error that a problem document tells."""
+        places = [
+            ErrorPlace(
+                message=str(item.get("message", "")),
+                pointer=str(item.get("pointer") or ""),
+                parameter=item.get("parameter"),
+            )
+            for item in problem.get("errors") or []
+        ]
+        detail = str(problem.get("detail") or problem.get("title") or f"HTTP {status}")
+        prefix, _, kind = str(problem.get("type", "")).rpartition(":")
+        return cls(status, detail, places, problem.get("request_id"), kind if prefix == _TYPES else None)
+
+    @property
+    def lines(self) -> list[str]:
+        """What to show: `field: message` for each place, or the detail; with the request's id where the log helps."""
+        if self.status >= 500 and self.request_id:
+            return [f"{self.detail} (request {self.request_id})"]
+        named = [f"{place.field}: {place.message}" if place.field else place.message for place in self.errors]
+        return named or [self.detail]
+
+    def __str__(self) -> str:
+        return "; ".join(self.lines)

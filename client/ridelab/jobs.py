@@ -1,0 +1,379 @@
+"""Jobs on a service, batches and tunings: follow one to its end, stop it, go on with it, take what it found."""
+
+import io
+import json
+import os
+import re
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self
+
+from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
+from ridelab.files import format_of, save
+from ridelab.http import Http
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Trial = dict[str, Any]  # number, weights, values, limits, feasible, …, as the service sends it
+
+FINAL = ("done", "cancelled", "failed")
+SILENCE = 20.0  # a stream that says nothing for so long is asked for anew [s]; the service speaks every 15 s
+PATIENCE = 90.0  # a service may be away so long while a job is waited for: a restart, another replica [s]
+LONGEST_PAUSE = 2.0  # between two polls [s]
+_ROWS = re.compile(r'"rows"\s*:\s*\[')
+_DECODER = json.JSONDecoder()
+
+
+class Event(NamedTuple):
+    """Something that happened to a job: `state`, `progress` or `restart`, and how the job stood then."""
+
+    id: str
+    kind: str
+    data: dict[str, Any]
+
+
+class Job:
+    """A job as it was last heard of; `answer` is the JSON as the service sent it."""
+
+    NAME: ClassVar[str]
+    PLACE: ClassVar[str]  # its path on the service, without its id
+
+    def __init__(self, http: Http, answer: Mapping[str, Any]) -> None:
+        self._http = http
+        self.answer = dict(answer)
+        self._last_event = ""
+
+    @property
+    def id(self) -> str:
+        """Names it for ever."""
+        return str(self.answer["id"])
+
+    @property
+    def state(self) -> str:
+        """`queued`, `running`, `done`, `cancelled` or `failed`."""
+        return str(self.answer["state"])
+
+    @property
+    def reason(self) -> str | None:
+        """Why it failed as a whole."""
+        return self.answer.get("reason")
+
+    @property
+    def label(self) -> str | None:
+        """What somebody called it."""
+        return self.answer.get("label")
+
+    @property
+    def position(self) -> int | None:
+        """How many runs of other jobs are computed before its own."""
+        return self.answer.get("position")
+
+    @property
+    def finished(self) -> bool:
+        """Whether nothing changes any more."""
+        return self.state in FINAL
+
+    @property
+    def counts(self) -> Mapping[str, Any]:
+        """How many there are, by `total`, `done` and `failed`."""
+        return self.answer
+
+    @property
+    def total(self) -> int:
+        """Runs of a batch (points times strategies), trials wanted of a tuning."""
+        return int(self.counts["total"])
+
+    @property
+    def done(self) -> int:
+        """Those that succeeded."""
+        return int(self.counts["done"])
+
+    @property
+    def failed(self) -> int:
+        """Those that failed; each says why."""
+        return int(self.counts["failed"])
+
+    def __repr__(self) -> str:
+        name = f"{self.id} {self.label!r}" if self.label else self.id
+        return f"{type(self).__name__}({name}: {self.state}, {self.done} done, {self.failed} failed of {self.total})"
+
+    def refresh(self) -> Self:
+        """Ask how it stands."""
+        self.answer = self._http.json("GET", self._path())
+        return self
+
+    def cancel(self) -> Self:
+        """Stop it; what is finished stays."""
+        self.answer = self._http.json("POST", self._path("/cancel"))
+        return self
+
+    def resume(self) -> Self:
+        """Go on where it stopped."""
+        self.answer = self._http.json("POST", self._path("/resume"))
+        return self
+
+    def rename(self, label: str | None) -> Self:
+        """Give it a label, by which lists find it."""
+        self.answer = self._http.json("PATCH", self._path(), body={"label": label})
+        return self
+
+    def delete(self) -> None:
+        """Remove it; the service refuses with 409 while it runs or while a link shows it."""
+        self._http.send("DELETE", self._path())
+
+    def wait(self, progress: Callable[[Self], object] | None = None, *, timeout: float | None = None) -> Self:
+        """Follow it until it is done, over lost connections and restarts of the service; without events by polling.
+
+        Args:
+            progress: Called with it whenever something is heard of it, once of its end.
+            timeout: Wait so long at most [s].
+
+        Raises:
+            JobEndedError: It was cancelled, or failed as a whole.
+            JobTimeoutError: It has not ended in that time.
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer for 90 s.
+        """
+        self.follow(progress, timeout=timeout)
+        if self.state != "done":
+            why = f": {self.reason}" if self.reason else ""
+            raise JobEndedError(f"The {self.NAME} {self.id} {'was ' * (self.state == 'cancelled')}{self.state}{why}")
+        return self
+
+    def follow(self, progress: Callable[[Self], object] | None = None, *, timeout: float | None = None) -> Self:
+        """As `wait`, but however it ends is well.
+
+        Raises:
+            JobTimeoutError: It has not ended in that time.
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer for 90 s.
+        """
+        tell: Callable[[Self], object] = progress or (lambda _: None)
+        pause, heard = 0.1, time.monotonic()
+        end = None if timeout is None else heard + timeout
+        while not self.finished:
+            try:
+                told = self._listen(tell, end)
+                ended = self.finished
+                self.refresh()
+                if not ended:
+                    tell(self)
+                pause, heard = 0.1 if told else min(2 * pause, LONGEST_PAUSE), time.monotonic()
+            except (RidelabConnectionError, RidelabAPIError) as error:
+                away = isinstance(error, RidelabConnectionError) or error.status >= 500
+                if not away or time.monotonic() - heard > PATIENCE:
+                    raise
+                pause = LONGEST_PAUSE
+            if not self.finished:
+                left = LONGEST_PAUSE if end is None else end - time.monotonic()
+                if left <= 0:
+                    raise JobTimeoutError(f"The {self.NAME} {self.id} is {self.state} after {timeout:g} s")
+                self._http.sleep(min(pause, left))
+        return self
+
+    def events(self, after: str = "") -> Iterator[Event]:
+        """What happened to it since the event of that id, and then as it happens.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or it broke off.
+        """
+        yield from (event for event in self._stream(after) if event is not None)
+
+    def _path(self, below: str = "") -> str:
+        return f"{self.PLACE}/{self.id}{below}"
+
+    def _stream(self, after: str) -> Iterator[Event | None]:
+        headers = {"Accept": "text/event-stream"} | ({"Last-Event-ID": after} if after else {})
+        with self._http.stream(self._path("/events"), headers=headers, silence=SILENCE) as response:
+            yield from server_sent(response.iter_lines(), after)
+
+    def _listen(self, tell: Callable[[Self], object], end: float | None) -> bool:
+        """Take events until the last one, or until they or the time end; says whether there were any."""
+        told = False
+        try:
+            for event in self._stream(self._last_event) if self._in_time(end) else ():
+                if event is not None:
+                    self._last_event, told = event.id, True
+                    self._take_in(event.data)
+                    tell(self)
+                if self.finished or not self._in_time(end):
+                    break
+        except (RidelabConnectionError, RidelabAPIError):
+            pass  # asking how it stands says what is wrong, if anything is
+        return told
+
+    @staticmethod
+    def _in_time(end: float | None) -> bool:
+        """Whether a stream that falls silent is noticed before the end; else polls are more exact."""
+        return end is None or time.monotonic() + SILENCE < end
+
+    def _take_in(self, told: Mapping[str, Any]) -> None:
+        self.answer |= told
+
+
+class Batch(Job):
+    """A batch of runs."""
+
+    NAME: ClassVar[str] = "batch"
+    PLACE: ClassVar[str] = "/api/v1/batches"
+
+    def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
+        """What its finished rows say as a whole: quantiles, extremes, paired margins, stability (docs/robustness.md).
+
+        Args:
+            figures: Metrics such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.
+            baseline: The strategy the others are compared with; None is LV, else the first.
+        """
+        params = {"figures": ",".join(figures), "baseline": baseline}
+        found: dict[str, Any] = self._http.json("GET", self._path("/summary"), params=params)
+        return found
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too."""
+        with self._http.stream(self._path("/results"), params={"format": "json"}) as response:
+            yield from json_rows(response.iter_text())
+
+    def frame(self) -> "pd.DataFrame":
+        """Its rows as a pandas frame: a column a swept field and a metric, `frame.attrs["units"]` the units.
+
+        Raises:
+            ImportError: pandas is not installed.
+        """
+        try:
+            import pandas as pd
+        except ImportError:
+            raise ImportError("A frame needs pandas: pip install 'ridelab[pandas]'") from None
+        frame = pd.read_csv(io.BytesIO(b"".join(self.content("csv"))))
+        heads = {head: re.fullmatch(r"(.+?)(?: \[(.+)\])?", head) for head in map(str, frame.columns)}
+        named = {head: (found[1], found[2] or "1") for head, found in heads.items() if found is not None}
+        frame.columns = pd.Index([name for name, _ in named.values()])
+        frame.attrs["units"] = dict(named.values())
+        return frame
+
+    def content(self, file_format: str) -> Iterator[bytes]:
+        """Its results as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
+        with self._http.stream(self._path("/results"), params={"format": file_format}) as response:
+            yield from response.iter_bytes()
+
+    def download(self, path: str | os.PathLike[str], file_format: str | None = None) -> Path:
+        """Its results as a file, in the format its name ends with or the one named.
+
+        Raises:
+            ValueError: There is no such format.
+            OSError: The file cannot be written.
+        """
+        return save(self.content(format_of(path, file_format)), path)
+
+
+class Tuning(Job):
+    """A tuning of weights."""
+
+    NAME: ClassVar[str] = "tuning"
+    PLACE: ClassVar[str] = "/api/v1/tunings"
+
+    @property
+    def counts(self) -> Mapping[str, Any]:
+        """Trials, by `total`, `done`, `failed` and `feasible`."""
+        trials: Mapping[str, Any] = self.answer["trials"]
+        return trials
+
+    @property
+    def feasible(self) -> int:
+        """Trials within every limit."""
+        return int(self.counts["feasible"])
+
+    @property
+    def paper(self) -> Trial | None:
+        """The paper's weights; None until the first generation is complete."""
+        return self.answer.get("paper")
+
+    @property
+    def best(self) -> list[Trial | None]:
+        """Of each objective the feasible trial with its smallest value; None while there is none."""
+        return list(self.answer["best"])
+
+    @property
+    def knee(self) -> Trial | None:
+        """Of several objectives the point of the front nearest to its ideal corner."""
+        return self.answer.get("knee")
+
+    @property
+    def front(self) -> list[Trial]:
+        """Feasible trials that no other one betters."""
+        return list(self.answer["front"])
+
+    @property
+    def comparison(self) -> dict[str, Any] | None:
+        """The paper's weights and the tuned ones over the training roads and fresh ones; None until it is done."""
+        return self.answer.get("comparison")
+
+    def resume(self, trials: int | None = None) -> Self:
+        """Go on where it stopped, perhaps with more trials in all.
+
+        Raises:
+            RidelabAPIError: There is nothing left to do (409), or a limit (422).
+        """
+        self.answer = self._http.json("POST", self._path("/resume"), params={"trials": trials})
+        return self
+
+    def trials(self) -> list[Trial]:
+        """Every trial, in order."""
+        found: list[Trial] = self._http.json("GET", self._path("/trials"))["trials"]
+        return found
+
+    def _take_in(self, told: Mapping[str, Any]) -> None:
+        counts = {name: told[name] for name in self.counts}
+        self.answer |= {name: told[name] for name in ("state", "step", "generation")} | {"trials": counts}
+
+
+def server_sent(lines: Iterable[str], last_id: str = "") -> Iterator[Event | None]:
+    """The events in a stream's lines (WHATWG HTML, 9.2.6), and None for each line between, which is a sign of life.
+
+    One that is cut off is not an event.
+    """
+    kind, data = "message", list[str]()
+    for line in lines:
+        name, _, value = line.partition(":")
+        value = value.removeprefix(" ")
+        if line:
+            if name == "id":
+                last_id = value
+            elif name == "event":
+                kind = value
+            elif name == "data":
+                data.append(value)
+            yield None
+            continue
+        if data:
+            yield Event(last_id, kind, json.loads("\n".join(data)))
+        kind, data = "message", []
+
+
+def json_rows(pieces: Iterable[str]) -> Iterator[dict[str, Any]]:
+    """The objects of an answer's last member, `"rows": [..]`, each as soon as it is there.
+
+    Raises:
+        RidelabConnectionError: The answer ended before its end.
+    """
+    text, begun = "", False
+    for piece in pieces:
+        text += piece
+        if not begun:
+            found = _ROWS.search(text)
+            if found is None:
+                continue
+            text, begun = text[found.end() :], True
+        while True:
+            text = text.lstrip(" \t\r\n,")
+            if text.startswith("]"):
+                return
+            try:
+                row, end = _DECODER.raw_decode(text)
+            except ValueError:  # the rest of this row is still to come
+                break
+            text = text[end:]
+            yield row
+    raise RidelabConnectionError("The answer ended before its last row")

@@ -1,0 +1,206 @@
+"""What a service answers, typed. Values are in SI units, speeds that people type in km/h; `units` names each."""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal, Self, TypedDict
+
+from ridelab.jobs import Batch
+
+Figure = float | bool | None
+_AVERAGED = {"metrics", "comfort"}
+_INTERVAL = {"mean", "low", "high"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, repr=False)
+class Interval:
+    """A mean over roads, or a change of means [%], with its 95 % interval."""
+
+    mean: float
+    low: float
+    high: float
+
+    def __repr__(self) -> str:
+        """Such as `1.09 ± 0.16`: half the width with two digits, the mean with as many decimals."""
+        size = math.floor(math.log10(self.half)) if 0 < self.half < math.inf else 0
+        decimals = max(0, 1 - size)
+        return f"{self.mean:.{decimals}f} ± {self.half:.{decimals}f}"
+
+    @property
+    def half(self) -> float:
+        """Half the interval's width."""
+        return self.high - self.mean
+
+
+class Statistics(TypedDict):
+    """One signal in one window, in the signal's unit; over several roads means with their intervals."""
+
+    rms: float | Interval
+    peak: float | Interval
+
+
+class Stage(TypedDict):
+    """One driving stage, by the front axle: times [s], positions [m]."""
+
+    stage: str
+    start_time: float
+    end_time: float
+    start_position: float
+    end_position: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outcome:
+    """One strategy of a run. A failed one has a reason, no metrics, and NaN for its figures.
+
+    Attributes:
+        strategy: Its id.
+        status: Whether the core could run it.
+        reason: Why not, where it failed.
+        kind: `too-expensive` where it would take more computing than one run may, else `refused`; None where it ran.
+        fields: Which scenario fields make it cheaper, by dotted names.
+        cached: Not computed for this request; None where the answer does not tell.
+        compute_ms: The worker's own time [ms].
+        metrics: window -> signal -> statistic; an `Interval` each where the run is over several roads.
+        comfort: ISO 2631-1 and what stands beside it; likewise.
+        events: Counts, times, true or false; None where it does not apply.
+        reference: Lines a plot draws.
+        stages: The driving stages in order.
+        travel_time: Front axle from x = 0 to the road's end [s].
+        arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
+    """
+
+    strategy: str
+    status: Literal["ok", "failed"]
+    compute_ms: float
+    reason: str | None = None
+    kind: str | None = None
+    fields: Sequence[str] = ()
+    cached: bool | None = None
+    metrics: Mapping[str, Mapping[str, Statistics]] = field(default_factory=dict, repr=False)
+    comfort: Mapping[str, float | Interval] = field(default_factory=dict, repr=False)
+    events: Mapping[str, Figure] = field(default_factory=dict, repr=False)
+    reference: Mapping[str, float | None] = field(default_factory=dict, repr=False)
+    stages: list[Stage] = field(default_factory=list, repr=False)
+    travel_time: float = math.nan
+    arrival_speed_kmh: float = math.nan
+
+    @classmethod
+    def of(cls, strategy: str, answer: Mapping[str, Any]) -> Self:
+        """The outcome in a run's answer; what a newer service tells beside it is passed over."""
+        read = {key: value for key, value in answer.items() if key in cls.__dataclass_fields__ and key != "strategy"}
+        return cls(strategy=strategy, **{**read, **{key: _read(read[key]) for key in _AVERAGED & read.keys()}})
+
+    def figures(self) -> dict[str, Figure]:
+        """Every metric by its flat name, as the columns of a batch's table are named; empty where it failed.
+
+        Over several roads they are the means.
+        """
+        if self.status != "ok":
+            return {}
+        whole = {"travel_time": self.travel_time, "arrival_speed_kmh": self.arrival_speed_kmh}
+        parts = {**self.metrics, "comfort": self.comfort, "events": self.events, **whole}
+        return {name: value.mean if isinstance(value, Interval) else value for name, value in flat(parts)}
+
+
+def flat(part: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Each value in mappings of any depth, by its dotted name."""
+    for key, value in part.items():
+        if isinstance(value, Mapping):
+            yield from flat(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value
+
+
+def _read(value: Any) -> Any:
+    """Numbers by name, in mappings of any depth, with an `Interval` for each `{"mean", "low", "high"}`."""
+    if not isinstance(value, Mapping):
+        return value
+    return Interval(**value) if value.keys() == _INTERVAL else {key: _read(item) for key, item in value.items()}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunResult:
+    """A run; `run["lv"]` is one strategy's outcome.
+
+    Attributes:
+        id: Names it for ever; None where only a file holds it.
+        core_version: What computed it.
+        scenario: All of it, defaults included.
+        strategies: Outcomes by strategy id, in the catalogue's order.
+        roads: How many roads every strategy drove; seeds `road.seed`, `road.seed` + 1, ...
+        baseline: What the changes refer to; None for a run of one road.
+        changes: strategy -> window (or `comfort`) -> signal -> statistic: paired change of the mean against the
+            baseline [%]; None against a zero. Empty for a run of one road.
+        answer: The JSON as the service sent it.
+    """
+
+    id: str
+    core_version: str
+    scenario: dict[str, Any] = field(repr=False)
+    strategies: dict[str, Outcome] = field(repr=False)
+    roads: int = 1
+    baseline: str | None = None
+    changes: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    answer: dict[str, Any] = field(repr=False)
+    catalogue_units: Callable[[], dict[str, str]] = field(default=dict, repr=False, compare=False)
+
+    @classmethod
+    def of(cls, answer: Mapping[str, Any], catalogue_units: Callable[[], dict[str, str]] = dict) -> Self:
+        """The run in an answer, or in a file that holds one.
+
+        Raises:
+            KeyError: It is no run.
+        """
+        return cls(
+            id=answer["id"],
+            core_version=answer["core_version"],
+            scenario=answer["scenario"],
+            strategies={name: Outcome.of(name, entry) for name, entry in answer["strategies"].items()},
+            roads=answer.get("roads", 1),
+            baseline=answer.get("baseline"),
+            changes=_read(answer.get("changes", {})),
+            answer=dict(answer),
+            catalogue_units=catalogue_units,
+        )
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit of each metric by its flat name, `1` for none: those saved with it, else the service's."""
+        saved: dict[str, str] | None = self.answer.get("units")
+        return self.catalogue_units() if saved is None else saved
+
+    def __repr__(self) -> str:
+        ended = ", ".join(f"{outcome.strategy} {outcome.status}" for outcome in self)
+        return f"RunResult({self.id}, core {self.core_version}{f', {self.roads} roads' * (self.roads > 1)}: {ended})"
+
+    def __getitem__(self, strategy: str) -> Outcome:
+        return self.strategies[strategy]
+
+    def __iter__(self) -> Iterator[Outcome]:
+        return iter(self.strategies.values())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Link:
+    """A shared link: `url` opens it in a browser."""
+
+    slug: str
+    url: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinkedResult:
+    """What a shared link pins: the run or the batch as it was, and how it was looked at."""
+
+    slug: str
+    url: str
+    created_at: str
+    kind: Literal["run", "batch"]
+    core_version: str
+    current_core_version: str
+    scenario: dict[str, Any] = field(repr=False)
+    view: dict[str, Any]
+    run: RunResult | None
+    batch: Batch | None
+    series_pinned: bool

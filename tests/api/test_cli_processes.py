@@ -1,0 +1,204 @@
+"""What the `ridelab` command starts and leaves behind: private services, Ctrl-C, SIGTERM, readers that go away."""
+
+import csv
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import psutil
+import pytest
+
+from tests.api.cli import Cli, command, environment
+from tests.api.conftest import Service
+from tests.servers.process import wait_until
+
+# Half a second of one core each, so that a sweep of them is still running when it is interrupted.
+LONG = {"road": {"length": 10.1, "bump": {"start": 4}}, "mpc": {"solver": "osqp", "force_limit": 500}}
+
+
+@pytest.fixture
+def elsewhere(tmp_path: Path) -> Path:
+    """A working folder with a trap: a package of the same name."""
+    (tmp_path / "backend").mkdir()
+    (tmp_path / "backend" / "__init__.py").write_text("raise SystemExit('the wrong backend')", encoding="utf-8")
+    return tmp_path
+
+
+@pytest.fixture
+def alone(elsewhere: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    """The command in that folder, where no service is named."""
+    monkeypatch.chdir(elsewhere)
+    monkeypatch.setenv("RIDELAB_WORKERS", "1")
+    return Cli(capfdbinary)
+
+
+@pytest.fixture
+def no_service_left() -> Iterator[None]:
+    """What the command started is gone soon after the command."""
+    before = set(private_services())
+    yield
+    wait_until(lambda: not set(private_services()) - before, "the private service ends", 30)
+
+
+def private_services() -> list[int]:
+    processes = psutil.process_iter(["cmdline"])
+    return [process.pid for process in processes if "--until-input-ends" in (process.info["cmdline"] or ())]
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(alone: Cli, elsewhere: Path) -> None:
+    run_id = alone("run", "bump_only", "--strategy", "passive").split()[-1]
+    assert alone.error == ""
+    assert (elsewhere / "data" / "ridelab.sqlite").is_file()
+    # The next one opens it, and serves it until Ctrl-C.
+    log = elsewhere / "out"
+    with log.open("wb") as out:
+        arguments = command("open", run_id, "--print")
+        process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stdout=out, stderr=out)
+    said(process, log, "Serving until Ctrl-C")
+    address = log.read_text().splitlines()[0]
+    assert httpx.get(address).status_code in (200, 503)  # 503 where the dashboard is not built
+    stored = httpx.get(address.replace(f"/r/{run_id}", f"/api/v1/runs/{run_id}")).json()
+    assert list(stored["strategies"]) == ["passive"]
+    process.send_signal(signal.SIGINT)
+    assert process.wait(60) == 0
+
+
+def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:
+    """Wait for the process to say it."""
+
+    def found() -> re.Match[str] | None:
+        assert process.poll() is None, log.read_text()
+        return re.search(pattern, log.read_text())
+
+    wait_until(found, f"it says {pattern}")
+    match = found()
+    assert match is not None
+    return match
+
+
+def test_a_private_service_that_does_not_start_says_why(alone: Cli) -> None:
+    assert alone("run", "--data-dir", "/dev/null/data", code=3) == ""
+    assert alone.error.startswith("Ridelab does not start: ")
+    assert "Traceback" not in alone.error
+
+
+@pytest.mark.usefixtures("no_service_left")
+@pytest.mark.parametrize("written", [True, False])
+def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client, tmp_path: Path, written: bool) -> None:
+    file = tmp_path / "long.json"
+    file.write_text(json.dumps(LONG), encoding="utf-8")
+    server = str(client.base_url).rstrip("/")
+    out = tmp_path / "its rows.csv"
+    where = ("--out", str(out)) if written else ()
+    arguments = command("sweep", str(file), "--grid", "road.seed=1:80:80", *where, "--server", server)
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    batch_id = running_batch(client, 80)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    first, *others = said.splitlines()
+    assert re.fullmatch(rf"Cancelled; \d+ of 80 are finished and stay stored: batch {batch_id}", first)
+    batch = client.get(f"/api/v1/batches/{batch_id}").json()
+    assert batch["state"] == "cancelled"
+    if not written:
+        assert others == [f"For its rows: ridelab export {batch_id} --wait --out FILE --server {server}"]
+        return
+    assert others == [f"{out} has all 80 rows, those that never ran with the status cancelled"]
+    rows = [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))]
+    assert (rows.count("ok"), rows.count("cancelled")) == (batch["done"], 80 - batch["done"])
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: Path) -> None:
+    client = service.client
+    body = {"scenario": LONG, "strategies": ["lv"], "sweep": {"grid": {"road.seed": list(range(200, 277))}}}
+    client.post("/api/v1/batches", json=body).raise_for_status()
+    batch_id = running_batch(client, 77)
+    server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
+    arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    wait_until(lambda: service.app.state.admission.load["streams"] == 1, "it waits for the batch")
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.startswith(f"Stopped waiting; the batch {batch_id} goes on.")
+    assert f"ridelab export {batch_id}" in said
+    assert not out.exists()
+    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 77
+    events = client.get(f"/api/v1/batches/{batch_id}/events").text
+    assert events.count('"cancelled"') == 1, "by this test alone"
+
+
+@pytest.mark.usefixtures("no_service_left")
+@pytest.mark.parametrize(
+    ("how", "code", "message"),
+    [(signal.SIGINT, 130, "Interrupted, nothing was submitted\n"), (signal.SIGKILL, -signal.SIGKILL, "")],
+)
+def test_a_private_service_that_still_starts_ends_with_its_command(
+    elsewhere: Path, how: signal.Signals, code: int, message: str
+) -> None:
+    before = set(private_services())
+    arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
+    process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
+    wait_until(lambda: set(private_services()) - before, "it starts its service")
+    process.send_signal(how)
+    _, said = process.communicate(timeout=60)
+    assert (process.returncode, said) == (code, message)
+    assert not (elsewhere / "rows.csv").exists()
+
+
+def running_batch(client: httpx.Client, total: int) -> str:
+    """The id of the newest batch once it runs and has so many runs."""
+
+    def newest() -> dict[str, Any]:
+        found: list[dict[str, Any]] = client.get("/api/v1/batches?limit=1").json()["batches"]
+        return found[0] if found else {}
+
+    wait_until(lambda: (newest().get("total"), newest().get("state")) == (total, "running"), "the batch begins")
+    return str(newest()["id"])
+
+
+def test_a_reader_that_goes_away_is_no_error(client: httpx.Client) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    arguments = command("run", "--strategy", "passive", "--json", "--server", str(client.base_url))
+    run = subprocess.run(arguments, env=environment(), stdout=write, stderr=subprocess.PIPE, check=False)
+    os.close(write)
+    assert (run.returncode, run.stderr) == (141, b"")
+
+
+def test_serve_is_the_service_itself(elsewhere: Path) -> None:
+    arguments = command("serve", "--port", "0", "--data-dir", "mine")
+    mine = environment(RIDELAB_SERVER="http://127.0.0.1:9")  # the commands' variable, no setting of the service
+    log = elsewhere / "log"
+    with log.open("wb") as out:
+        process = subprocess.Popen(arguments, cwd=elsewhere, env=mine, stdout=out, stderr=out)
+    address = said(process, log, r"Ridelab is at (\S+)\n")[1]
+    assert httpx.get(f"{address}/healthz").status_code == 200
+    assert (elsewhere / "mine" / "ridelab.sqlite").is_file()
+    process.terminate()
+    assert process.wait(60) in (0, -signal.SIGTERM)  # uvicorn passes the signal on once it has ended well
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_sigterm_names_the_batch_and_leaves_it_alone(client: httpx.Client, tmp_path: Path) -> None:
+    file = tmp_path / "long.json"
+    file.write_text(json.dumps(LONG), encoding="utf-8")
+    server = str(client.base_url).rstrip("/")
+    arguments = command("sweep", str(file), "--grid", "road.seed=101:180:80", "--server", server)
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    batch_id = running_batch(client, 80)
+    process.terminate()
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 143
+    again = f"ridelab export {batch_id} --wait --out FILE --server {server}"
+    assert said == f"Ended; the batch {batch_id} goes on. To wait for it: {again}\n"
+    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 80
