@@ -22,6 +22,7 @@ from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, T
 PREFIX = "RIDELAB_"
 CLIENT_VARIABLES = {"RIDELAB_SERVER", "RIDELAB_TOKEN"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
+PAGE = Path(__file__).parent / "page"  # the built frontend in the installed distribution; a checkout has frontend/dist
 
 
 class SettingsError(ValueError):
@@ -44,7 +45,8 @@ class Settings(BaseModel):
         None, description="File with the database's password, so that the URL needs none."
     )
     frontend_dir: DirectoryPath = Field(
-        Path(__file__).parent.parent / "frontend" / "dist", description="The built frontend and the API page's assets."
+        PAGE if PAGE.is_dir() else PAGE.parents[1] / "frontend" / "dist",
+        description="The built frontend and the API page's assets.",
     )
     workers: int = Field(default_factory=_default_workers, ge=1, le=64, description="Warm worker processes.")
     run_timeout: float = Field(90, gt=0, le=3600, description="One worker task may take this long [s].")

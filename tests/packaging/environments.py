@@ -1,0 +1,81 @@
+"""Wheels of both distributions, and environments that have one of them with the packages it declares, and no others."""
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from importlib.metadata import Distribution, distribution
+from pathlib import Path
+
+from packaging.requirements import Requirement
+
+ROOT = Path(__file__).parents[2]
+
+
+def built(folder: Path) -> list[Path]:
+    """The wheels of the server and of the client, from copies: setuptools leaves its work beside the sources."""
+    server, client, wheels = folder / "server", folder / "client", folder / "wheels"
+    ours = shutil.ignore_patterns("__pycache__", "*.egg-info")
+    for name in ("sim_core", "backend", "frontend/dist"):
+        shutil.copytree(ROOT / name, server / name, ignore=ours)
+    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, server)
+    shutil.copytree(ROOT / "client", client, ignore=ours)
+    for source in (server, client):
+        pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), str(source))
+    return [*wheels.glob("ridelab_server-*.whl"), *wheels.glob("ridelab-*.whl")]
+
+
+class Environment:
+    """A virtual environment with some wheels; their dependencies are links to the packages that run these tests."""
+
+    def __init__(self, folder: Path, wheels: list[Path]) -> None:
+        self._folder = folder
+        subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
+        (site,) = folder.glob("lib/python*/site-packages")
+        pip("--python", str(folder / "bin" / "python"), "install", "--no-deps", "--no-compile", *map(str, wheels))
+        own = [Distribution.at(path) for path in site.glob("*.dist-info")]
+        linked: set[str] = {each.metadata["Name"] for each in own}
+        for each in own:
+            _link(each, set(), site, linked)
+
+    def run(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+        """A program of this environment, in its folder and without the variables of ours."""
+        command = [str(self._folder / "bin" / words[0]), *words[1:]]
+        return subprocess.run(
+            command, capture_output=True, text=True, check=False, cwd=self._folder, env=self.variables(**environment)
+        )
+
+    def program(self, name: str) -> str:
+        """Where a program is."""
+        return str(self._folder / "bin" / name)
+
+    def variables(self, **more: str) -> dict[str, str]:
+        """The environment variables of its processes."""
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(("RIDELAB_", "PYTHON"))}
+        return {**kept, "XDG_CACHE_HOME": str(self._folder / "cache"), "RIDELAB_WORKERS": "1", **more}
+
+
+def pip(*words: str) -> None:
+    """Run it without the network."""
+    command = [sys.executable, "-m", "pip", "--disable-pip-version-check", *words, "--quiet", "--no-index"]
+    subprocess.run(command, check=True, capture_output=True)
+
+
+def _link(one: Distribution, extras: set[str], site: Path, linked: set[str]) -> None:
+    """Link what it requires, with these extras, into the folder."""
+    for requirement in _requirements(one, extras):
+        found = distribution(requirement.name)
+        if found.metadata["Name"] not in linked:
+            linked.add(found.metadata["Name"])
+            for name in {file.parts[0] for file in found.files or ()} - {"..", "__pycache__"}:
+                (site / name).symlink_to(Path(str(found.locate_file(name))))
+            _link(found, requirement.extras, site, linked)
+
+
+def _requirements(one: Distribution, extras: set[str]) -> Iterator[Requirement]:
+    for requirement in map(Requirement, one.requires or ()):
+        marker = requirement.marker
+        if marker is None or any(marker.evaluate({"extra": extra}) for extra in extras or {""}):
+            yield requirement

@@ -1,0 +1,93 @@
+"""What the wheels hold: each is installed by itself in an environment with its dependencies alone."""
+
+import json
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+
+from backend.hil import build
+from tests.packaging.environments import Environment, built
+from tests.servers.process import wait_until
+
+
+@pytest.fixture(scope="module")
+def wheels(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    return built(tmp_path_factory.mktemp("wheels"))
+
+
+@pytest.fixture(scope="module")
+def client(wheels: list[Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
+    return Environment(tmp_path_factory.mktemp("client"), wheels[1:])
+
+
+@pytest.fixture(scope="module")
+def server(wheels: list[Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
+    return Environment(tmp_path_factory.mktemp("server"), wheels)
+
+
+@pytest.fixture(scope="module")
+def address(server: Environment, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A service that the installed `ridelab serve` runs."""
+    folder = tmp_path_factory.mktemp("service")
+    log = folder / "log"
+    with log.open("wb") as out:
+        command = [server.program("ridelab"), "serve", "--port", "0"]
+        process = subprocess.Popen(command, cwd=folder, env=server.variables(), stdout=out, stderr=out)
+    wait_until(lambda: "Ridelab is at " in log.read_text() or process.poll() is not None, "it serves", 60)
+    found = re.search(r"Ridelab is at (\S+)\n", log.read_text())
+    assert found is not None, log.read_text()
+    yield found[1]
+    process.terminate()
+    assert process.wait(60) is not None
+
+
+def test_the_client_alone_is_small_and_asks_a_service(client: Environment, address: str) -> None:
+    packages = "httpx, typer, numpy, pandas, scipy, fastapi, sim_core, backend"
+    code = f"import importlib.util; print([n for n in '{packages}'.split(', ') if importlib.util.find_spec(n)])"
+    assert client.run("python", "-c", code).stdout == "['httpx', 'typer']\n"
+    assert "Usage: ridelab" in client.run("ridelab", "--help").stdout
+    run = client.run("ridelab", "run", "--strategy", "passive", "--json", RIDELAB_SERVER=address)
+    assert json.loads(run.stdout)["strategies"]["passive"]["status"] == "ok", run.stderr
+    script = f"from ridelab import Ridelab\nprint(Ridelab('{address}').run({{}}, ['passive'])['passive'].status)"
+    assert client.run("python", "-c", script).stdout == "ok\n"
+
+
+@pytest.mark.parametrize("words", ["serve", "backup copy.sqlite", "run --strategy passive"])
+def test_what_needs_the_server_says_what_to_install(client: Environment, words: str) -> None:
+    run = client.run("ridelab", *words.split())
+    assert (run.returncode, run.stdout) == (3, "")
+    assert run.stderr.startswith("Ridelab's server is not installed here: pip install 'ridelab[server]'")
+
+
+@pytest.mark.parametrize(("path", "assets"), [("/", 2), ("/docs", 2)])
+def test_the_servers_wheel_has_its_pages(address: str, path: str, assets: int) -> None:
+    page = httpx.get(address + path)
+    assert page.status_code == 200, page.text
+    named = [name for name in re.findall(r'(?:src|href)="(/[^"]+)"', page.text) if not name.startswith("//")]
+    assert len(named) >= assets
+    for name in named:
+        asset = httpx.get(address + name)
+        assert (asset.status_code, bool(asset.content)) == (200, True), name
+
+
+def test_the_servers_wheel_has_the_ecus_sources_and_the_reports_templates(address: str) -> None:
+    body = {"scenario": {"road": {"length": 40, "bump": {"start": 20}}}, "strategies": ["lv_hil", "passive"]}
+    run = httpx.post(f"{address}/api/v1/runs", json=body, timeout=60).json()
+    outcome = run["strategies"]["lv_hil"]
+    assert outcome["status"] == ("ok" if build.compilers() else "failed"), outcome
+    sources = httpx.post(f"{address}/api/v1/controller", json={"scenario": body["scenario"]}, timeout=60)
+    assert (sources.status_code, sources.content[:2]) == (200, b"PK")
+    report = httpx.get(f"{address}/api/v1/runs/{run['id']}/report.html", timeout=60)
+    assert report.status_code == 200, report.text
+
+
+def test_the_servers_command_line_starts_its_own_service(server: Environment) -> None:
+    run = server.run("ridelab", "run", "bump_only", "--strategy", "passive")
+    assert run.returncode == 0, run.stderr
+    assert "\nrun " in run.stdout
+    copy = server.run("ridelab", "backup", "copy.sqlite")
+    assert copy.stdout.startswith("copy.sqlite: "), copy.stderr
