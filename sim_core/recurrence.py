@@ -46,19 +46,17 @@ class Recurrence:
 
 def recurrence(matrix: FloatArray, most_steps: int) -> Recurrence:
     """Prepare x[i + 1] = matrix · x[i] + f[i] for runs of at most so many steps."""
-    return _transposed(matrix.T, most_steps)
-
-
-def _transposed(matrix: FloatArray, most_steps: int) -> Recurrence:
     n = len(matrix)
-    powers = [np.eye(n)]
-    for _ in range(_GROUP):
-        powers.append(powers[-1] @ matrix)
-    own = np.zeros((_GROUP, n, _GROUP, n))
-    for first in range(_GROUP):
-        own[first, :, first:] = np.stack(powers[: _GROUP - first], axis=1)
+    powers = np.zeros((2 * _GROUP, n, n))  # of the transposed matrix from -_GROUP on, the negative ones being nothing
+    powers[_GROUP] = np.eye(n)
+    for i in range(_GROUP + 1, 2 * _GROUP):
+        powers[i] = powers[i - 1] @ matrix.T
+    step = np.arange(_GROUP)
+    own = powers[_GROUP + step - step[:, None]].transpose(0, 2, 1, 3)
+    onward = powers[_GROUP:] @ matrix.T
+    groups = -(-most_steps // _GROUP)
     return Recurrence(
         own=own.reshape(_GROUP * n, -1),
-        onward=np.hstack(powers[1:]),
-        groups=_transposed(powers[_GROUP], -(-most_steps // _GROUP) - 1) if most_steps > _GROUP else None,
+        onward=onward.transpose(1, 0, 2).reshape(n, -1),
+        groups=recurrence(onward[-1].T, groups - 1) if groups > 1 else None,
     )

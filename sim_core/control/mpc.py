@@ -9,14 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
 
 from sim_core.arrays import BoolArray, FloatArray
 from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.lqr import regulator
+from sim_core.control.lqr import regulator, solve
 from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpShape, QpSolver
 from sim_core.drive.preview import Forecast, flattened
 from sim_core.errors import TooExpensiveError
@@ -53,40 +52,57 @@ class MpcDesign:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Prediction:
-    """The horizon as a linear map of given = [state (8); preview (3 Np)] and moves (2 Nc) in kN.
+    """The horizon as a linear map of given = [state (8); previous command (2); preview (3 Np)] and moves (2 Nc) in kN.
 
-    `z_given`, `z_moves`: every interval's [state; force; disturbance] stacked (Np, 13, …); `end_*`: the last state.
+    Attributes:
+        x_given: State at the start of every interval (8 · Np, …), one of its numbers after another.
+        z_moves: [State; force; disturbance] of every interval (13 · Np, …), likewise.
+        end_given: The last state (8, …).
+        end_moves: The same.
+        travel_given: Deflections at the end of every interval, front ones first (2 Np, …) [m].
+        travel_moves: The same.
+        rows: Of the QP, one slack per axle on |deflection| <= limit + slack: on moves and slacks (4 Np, 2 Nc + 2) [cm].
     """
 
-    z_given: FloatArray
+    x_given: FloatArray
     z_moves: FloatArray
     end_given: FloatArray
     end_moves: FloatArray
+    travel_given: FloatArray
+    travel_moves: FloatArray
+    rows: FloatArray
 
 
+@cached
 def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
     """Roll the discrete model over the horizon; after the last move the force is held."""
     model = discrete(vehicle, sample_time)
     A, B, E = model.A, model.B * KILO, model.E
-    given, free = STATES + DISTURBANCES * horizon, FORCES * moves
+    given, free = MEASURED + DISTURBANCES * horizon, FORCES * moves
     n = STATES + FORCES + DISTURBANCES
-    z_given, z_moves = np.zeros((horizon, n, given)), np.zeros((horizon, n, free))
+    before, z_moves = np.empty((STATES, horizon, given)), np.zeros((n, horizon, free))
     x_given, x_moves = np.eye(STATES, given), np.zeros((STATES, free))
+    travel_given, travel_moves = np.empty((2, horizon, given)), np.empty((2, horizon, free))
     for i in range(horizon):
         move = FORCES * min(i, moves - 1)
-        columns = STATES + horizon * np.arange(DISTURBANCES) + i
-        z_given[i, :STATES], z_moves[i, :STATES] = x_given, x_moves
-        z_moves[i, STATES : STATES + FORCES, move : move + FORCES] = np.eye(FORCES)
-        z_given[i, STATES + FORCES :, columns] = np.eye(DISTURBANCES)
+        columns = MEASURED + horizon * np.arange(DISTURBANCES) + i
+        before[:, i], z_moves[:STATES, i] = x_given, x_moves
+        z_moves[STATES : STATES + FORCES, i, move : move + FORCES] = np.eye(FORCES)
         x_given, x_moves = A @ x_given, A @ x_moves
         x_given[:, columns] += E
         x_moves[:, move : move + FORCES] += B
-    return Prediction(z_given=z_given, z_moves=z_moves, end_given=x_given, end_moves=x_moves)
-
-
-@cached
-def _prediction(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
-    return predict(vehicle, sample_time, horizon, moves)
+        travel_given[:, i], travel_moves[:, i] = x_given[:2], x_moves[:2]
+    on_moves = CENTI * travel_moves.reshape(-1, free)
+    slack = -np.kron(np.eye(2), np.ones((horizon, 1)))
+    return Prediction(
+        x_given=before.reshape(-1, given),
+        z_moves=z_moves.reshape(-1, free),
+        end_given=x_given,
+        end_moves=x_moves,
+        travel_given=travel_given.reshape(-1, given),
+        travel_moves=travel_moves.reshape(-1, free),
+        rows=np.block([[on_moves, slack], [-on_moves, slack]]),
+    )
 
 
 def _move_penalty(moves: int, weight: float) -> tuple[FloatArray, FloatArray]:
@@ -115,32 +131,31 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         RidelabError: No stabilising terminal controller exists for these weights.
     """
     S, P = stage_cost(terms), regulator(terms).P
-    p = _prediction(terms.vehicle, terms.sample_time, horizon.prediction, horizon.control)
-    given, free = p.z_given.shape[2], p.z_moves.shape[2]
+    p = predict(terms.vehicle, terms.sample_time, horizon.prediction, horizon.control)
+    free = p.z_moves.shape[1]
 
-    weighted = (S @ p.z_moves).reshape(-1, free)
+    weighted = (S @ p.z_moves.reshape(len(S), -1)).reshape(-1, free)
     end = P @ p.end_moves
     change, change_previous = _move_penalty(horizon.control, horizon.force_change_weight)
-    H = p.z_moves.reshape(-1, free).T @ weighted + p.end_moves.T @ end + change
+    H = p.z_moves.T @ weighted + p.end_moves.T @ end + change
     H = (H + H.T) / 2
-    on_given = weighted.T @ p.z_given.reshape(-1, given) + end.T @ p.end_given
-    linear = np.hstack([on_given[:, :STATES], change_previous / KILO, on_given[:, STATES:]])
-    optimum = -cho_solve(cho_factor(H), linear)
+    linear = weighted[: len(p.x_given)].T @ p.x_given + end.T @ p.end_given
+    linear[:, STATES:MEASURED] += change_previous / KILO
+    linear[:, MEASURED:] += weighted[
+        -DISTURBANCES * horizon.prediction :
+    ].T  # the preview is the last of z as it stands
+    optimum = -solve(H, linear)
 
-    # Predicted deflections at the end of every interval, front ones first, on [state; previous; preview] and moves.
-    x_given = np.concatenate([p.z_given[1:, :2], p.end_given[None, :2]]).transpose(1, 0, 2).reshape(-1, given)
-    travel_moves = np.concatenate([p.z_moves[1:, :2], p.end_moves[None, :2]]).transpose(1, 0, 2).reshape(-1, free)
-    travel = np.hstack([x_given[:, :STATES], np.zeros((2 * horizon.prediction, FORCES)), x_given[:, STATES:]])
-    checks = np.vstack([optimum * KILO, travel + travel_moves @ optimum])
+    checks = np.vstack([optimum * KILO, p.travel_given + p.travel_moves @ optimum])
     bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
     checks /= bounds[:, None]
     return MpcDesign(
-        shape=_shape(H, travel_moves, horizon.prediction, horizon.force_limit),
+        shape=_shape(H, p.rows, horizon.force_limit),
         linear=2 * linear,
-        rows_given=np.vstack([travel, -travel]) * CENTI,
+        rows_given=np.vstack([p.travel_given, -p.travel_given]) * CENTI,
         row_limits=np.full(4 * horizon.prediction, terms.deflection_limit * CENTI),
-        law=LinearLaw(gain=optimum[:FORCES, : STATES + FORCES] * KILO),
-        feed=optimum[:FORCES, STATES + FORCES :] * KILO,
+        law=LinearLaw(gain=optimum[:FORCES, :MEASURED] * KILO),
+        feed=optimum[:FORCES, MEASURED:] * KILO,
         checks=checks,
         bounds=bounds,
         bound=_bound(checks),
@@ -152,17 +167,15 @@ def _bound(checks: FloatArray) -> NDArray[np.float32]:
     by_disturbance = checks[:, MEASURED:].reshape(len(checks), DISTURBANCES, -1)
     gain = np.hstack([checks[:, :MEASURED], by_disturbance[:, 2].sum(axis=1)[:, None]])
     norms = np.linalg.norm(by_disturbance, axis=2)
-    return np.block([[gain, norms], [-gain, norms]]).astype(np.float32)
+    return np.vstack([np.hstack([gain, norms]), np.hstack([-gain, norms])]).astype(np.float32)
 
 
-def _shape(H: FloatArray, travel_moves: FloatArray, horizon: int, force_limit: float) -> QpShape:
-    """The QP's constant matrices, with one slack per axle on |deflection| <= limit + slack."""
+def _shape(H: FloatArray, rows: FloatArray, force_limit: float) -> QpShape:
+    """The QP's constant matrices: H on the moves, and the slacks' price beside it."""
     free, axles = len(H), 2
     full = np.zeros((free + axles, free + axles))
     full[:free, :free] = 2 * H
     full[free:, free:] = 2 * SLACK_QUADRATIC / CENTI**2 * np.eye(axles)
-    slack = -np.kron(np.eye(axles), np.ones((horizon, 1)))
-    rows = np.block([[travel_moves * CENTI, slack], [-travel_moves * CENTI, slack]])
     force = np.full(free, force_limit / KILO)
     return QpShape(
         H=full,
