@@ -1,4 +1,4 @@
-"""docs/cli.md and docs/api.md: what they show is what the commands print, run here again in order.
+"""docs/cli.md, docs/api.md and docs/notebook.md: what they show is what the commands print, run here again in order.
 
 `UPDATE_DOCS=1 python -m pytest tests/api/test_cli_docs.py` prints the outputs into the pages anew; tests/drill does the
 same for pages whose commands take long.
@@ -51,6 +51,7 @@ class Page:
     def __init__(self, name: str, address: str) -> None:
         self.path = ROOT / "docs" / name
         self._address = address
+        self._variables: dict[str, object] = {"__name__": "__main__"}  # which later cells go on with
         self._ids: dict[str, str] = {}  # of the last batch, run and link, for commands that name BATCH, RUN, SLUG
 
     def again(self) -> str:
@@ -59,7 +60,7 @@ class Page:
 
     def _block(self, kind: str, text: str, _: str | None) -> str:
         if kind == "python":
-            script = partial(exec, text.replace(ADDRESS, self._address), {"__name__": "__main__"})
+            script = partial(exec, text.replace(ADDRESS, self._address), self._variables)
             return f"```python\n{text}```\n\nIt prints:\n\n```text\n{self._shown(printed(script))}```\n"
         commands = [line for line in text.splitlines() if line.startswith("$ ")]
         shown = "".join(f"{line}\n{self._shown(run(self._prepared(line[2:])))}" for line in commands)
@@ -156,7 +157,7 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.usefixtures("reproduced")
-@pytest.mark.parametrize("name", ["cli.md", "api.md"])
+@pytest.mark.parametrize("name", ["cli.md", "api.md", "notebook.md"])
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -184,7 +184,6 @@ def test_results_as_files(batch: Batch, tmp_path: Path) -> None:
 
 
 def test_a_batch_as_a_frame(batch: Batch) -> None:
-    pytest.importorskip("pandas")
     frame = batch.frame()
     assert list(frame["road.bump.height"]) == [height for height in HEIGHTS for _ in range(2)]
     assert frame.attrs["units"]["bump.body_acceleration.peak"] == "m/s^2"
