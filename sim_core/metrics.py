@@ -40,11 +40,8 @@ def evaluate(
     bump, road_input = scenario.road.bump, recording.road_input
     report, loop, table = recording.report, recording.loop, recording.table
     samples, commands = table.shape[1:]
-    bump_end = bump.start + bump.width
-    complete = bump_end + scenario.vehicle.wheelbase
-    windows = windows_of(
-        road_input.drive, drive, (bump.start, bump_end), complete, scenario.road.length, samples - 1, commands
-    )
+    bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
+    windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, samples - 1, commands)
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
     metrics = _by_window(table[: len(METRIC_SIGNALS)], windows, road_input, tyres)
 
@@ -68,7 +65,7 @@ def evaluate(
         events={
             **_airborne(table[_LOADS], windows, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
-            "bump_complete": complete <= scenario.road.length,
+            "bump_complete": bump_end <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
             "limited_steps": recording.limited,
             "qp_solves": report.solves,
@@ -203,10 +200,11 @@ def _peaks_at_kinks(
         windows: Where the sections lie.
         road_input: The road under the axles.
     """
-    most_rise = max(tyres) * road_input.surface.max_chord_deviation(road_input.drive.max_step_distance)
-    near = windows.always_near.copy()
-    for inner, peak in zip(windows.sections.inner, peaks, strict=True):
-        near[:, inner] |= highest[:, inner] >= peak[:, np.newaxis] - most_rise
+    beside, on_bump = road_input.surface.slope_range()
+    most_rise = max(tyres) * np.array([beside, on_bump, beside]) * windows.step_distance / 4
+    near = np.ones(highest.shape, dtype=np.bool_)
+    for inner, peak, rise in zip(windows.sections.inner, peaks, most_rise, strict=True):
+        near[:, inner] = highest[:, inner] >= peak[:, np.newaxis] - rise
     kinks = np.flatnonzero(near.take(windows.kink_command))
     samples, commands = loads.shape[1:]
     met = road_input.drive.kinks

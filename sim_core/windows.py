@@ -8,7 +8,7 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.arrays import BoolArray, FloatArray
+from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.drive.sampling import SampledDrive
 from sim_core.drive.speed_profile import Drive
@@ -64,8 +64,7 @@ class Windows:
         fine_step: In s.
         kink_command: Index of the command under which each kink is met, in (axle, command), flattened (k,).
         kink_ends: First and one past the last kink of each axle in each section (2, sections, 2).
-        always_near: The commands whose kinks may raise a peak whatever their samples are: where an axle is on the bump,
-            and those within which a section ends (2, commands).
+        step_distance: The longest fine step in each section (3,) [m].
         arrival_speed: Speed of the car as the front axle meets the bump [m/s].
     """
 
@@ -74,7 +73,7 @@ class Windows:
     fine_step: float
     kink_command: NDArray[np.intp]
     kink_ends: NDArray[np.intp]
-    always_near: BoolArray
+    step_distance: FloatArray
     arrival_speed: float
 
 
@@ -82,7 +81,7 @@ class Windows:
 def windows_of(
     sampled: SampledDrive,
     drive: Drive,
-    bump: tuple[float, float],
+    bump_start: float,
     bump_end: float,
     length: float,
     fine: int,
@@ -93,35 +92,32 @@ def windows_of(
     Args:
         sampled: The drive, sampled.
         drive: The same.
-        bump: First and last position of the bump [m].
+        bump_start: Of the bump [m].
         bump_end: Where the front axle is when the rear one has left it [m].
         length: Of the road [m].
         fine: Fine steps in a command.
         commands: On record.
     """
     h = sampled.fine_step
-    places = [0.0, *(drive.time_at(place) / h for place in (bump[0], min(bump_end, length), length))]
+    places = [0.0, *(drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))]
     spans = list(pairwise(map(_snapped, places)))
     sections = sections_of(spans, fine)
-    kinks, margin = sampled.kinks, sampled.max_step_distance
+    kinks = sampled.kinks
     kink_command = kinks.step // fine
     kink_command[kinks.rear :] += commands
-    always_near = np.zeros((2, commands), dtype=bool)
-    always_near[:, sections.edges] = True
     kink_ends = np.empty((2, len(spans), 2), dtype=np.intp)
     for axle, part in enumerate((slice(kinks.rear), slice(kinks.rear, None))):
         met, offset = kinks.step[part] + kinks.share[part], axle * kinks.rear
         kink_ends[axle] = [met.searchsorted((first - _NEAR, last + _NEAR)) + offset for first, last in spans]
-        first, last = kinks.position[part].searchsorted((bump[0] - margin, bump[1] + margin))
-        always_near.reshape(-1)[kink_command[part][first:last]] = True
+    distance = np.diff(sampled.position[0, sampled.on_record.start :])
     return Windows(
         sections=sections,
         edge_values=tuple(_edge_values(first, last, sections.edges, fine) for first, last in spans),
         fine_step=h,
         kink_command=kink_command,
         kink_ends=kink_ends,
-        always_near=always_near,
-        arrival_speed=float(drive.at(np.array(drive.time_at(bump[0])))[1]),
+        step_distance=np.array([distance[int(first) : ceil(last)].max(initial=0) for first, last in spans]),
+        arrival_speed=float(drive.at(np.array(drive.time_at(bump_start)))[1]),
     )
 
 

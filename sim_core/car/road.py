@@ -4,7 +4,7 @@ Every strategy drives the same road whatever its speed, and the rear axle the fr
 """
 
 from dataclasses import dataclass
-from math import ceil, exp, floor, pi, sqrt
+from math import ceil, exp, floor, inf, pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -80,9 +80,13 @@ class RoadProfile:
         height += self.roughness.take(place.cell)
         return height
 
-    def max_chord_deviation(self, length: float) -> float:
-        """Bound on the distance of the roughness from a chord of at most that length, by its steepest slopes [m]."""
-        return float(max(self.rise.max(), 0.0) - min(self.rise.min(), 0.0)) / GRID * length / 4
+    def slope_range(self) -> tuple[float, float]:
+        """Between its steepest slopes up and down [1], beside the bump and on it.
+
+        A chord deviates from the road by at most a quarter of that times its length.
+        """
+        roughness = float(max(self.rise.max(), 0.0) - min(self.rise.min(), 0.0)) / GRID
+        return roughness, roughness + 2 * steepest(self.bump)
 
 
 def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
@@ -116,6 +120,14 @@ def kinks(bump: Bump) -> tuple[float, ...]:
     elif bump.shape == "trapezoid":
         shares = (0.0, 0.25, 0.75, 1.0)
     return tuple(bump.start + share * bump.width for share in shares) if bump.height else ()
+
+
+def steepest(bump: Bump) -> float:
+    """The bump's steepest slope, up or down [1]; infinite for half a circle."""
+    height, half = abs(bump.height), bump.width / 2
+    if bump.shape == "circular":
+        return height / half * 2 / (1 - (height / half) ** 2) if height < half else inf
+    return {"cosine": pi, "half_sine": pi, "trapezoid": 4.0, "flat_top": 2 * pi}[bump.shape] * height / bump.width
 
 
 def detail(bump: Bump) -> float:

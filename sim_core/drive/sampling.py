@@ -64,7 +64,6 @@ class SampledDrive:
         place: The same on the road's grid.
         kinks: Where they meet kinks of the road.
         braking: Deceleration, held over a fine step (n,) [m/s^2].
-        max_step_distance: Greatest distance driven in a fine step [m].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
     """
@@ -76,7 +75,6 @@ class SampledDrive:
     place: GridPlace
     kinks: Kinks
     braking: FloatArray
-    max_step_distance: float
     on_record: slice
     series: dict[str, FloatArray]
 
@@ -187,7 +185,8 @@ def sample_road(
     surface = profile(road)
     height = surface.height_along(sampled.position, sampled.place)
     held = np.empty((len(sampled.braking), DISTURBANCES))
-    held[:, :2] = ((height[:, 1:] - height[:, :-1]) * (1 / sampled.fine_step)).T
+    velocity = np.subtract(height[:, 1:], height[:, :-1], out=held.T[:2])
+    velocity *= 1 / sampled.fine_step
     held[:, 2] = sampled.braking
     height.flags.writeable = False
     front, rear = height[:, sampled.on_record]
@@ -233,7 +232,6 @@ def _sampled(
         place=grid_place(axles, grid_samples(length)),
         kinks=_kinks(axles[:, first:], bump_kinks),
         braking=drive.sample(drive.braking, time[:-1] + h / 2),
-        max_step_distance=float((position[1:] - position[:-1]).max()),
         on_record=record,
         series=series,
     )
