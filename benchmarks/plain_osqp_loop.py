@@ -54,7 +54,7 @@ class OsqpStage:
     def force(self, given: Array) -> tuple[Array, bool]:
         """First force [N] for [state; previous command; preview], and whether OSQP calls it solved."""
         self.q[:-2] = self.design.linear @ given
-        upper = np.concatenate([self.design.shape.high, self.design.row_limits - self.design.rows_given @ given])
+        upper = np.concatenate([self.design.shape.high, self.design.row_limits - self.design.rows_parameters @ given])
         self.solver.update(q=self.q, l=self.lower, u=upper)
         result = self.solver.solve()
         return result.x[:2] * NEWTON_PER_KILO, result.info.status_val == osqp.SolverStatus.OSQP_SOLVED

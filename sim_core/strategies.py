@@ -133,10 +133,10 @@ def strategy_named(name: str) -> Strategy:
 
 def part_read(scenario: Scenario, name: str) -> dict[str, Any]:
     """The part of the scenario that strategy reads: dotted name -> plain JSON value, sorted by name."""
-    chosen: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for path in sorted(strategy_named(name).reads):
         value: Any = scenario
         for key in path.split("."):
             value = getattr(value, key)
-        chosen[path] = value.model_dump(mode="json") if hasattr(value, "model_dump") else value
-    return chosen
+        values[path] = value.model_dump(mode="json") if hasattr(value, "model_dump") else value
+    return values

@@ -53,11 +53,11 @@ class Plant:
         used, parts, state = 0, [], states.T
         for lift in self.lifts:
             width = DISTURBANCES * lift.fine
-            given = np.vstack([state, commands.T, disturbance[:, used * DISTURBANCES : used * DISTURBANCES + width].T])
-            parts.append((lift.outputs @ given).reshape(len(RECORDED), lift.fine + 1, -1))
+            causes = np.vstack([state, commands.T, disturbance[:, used * DISTURBANCES : used * DISTURBANCES + width].T])
+            parts.append((lift.outputs @ causes).reshape(len(RECORDED), lift.fine + 1, -1))
             used += lift.fine
             if len(parts) < len(self.lifts):
-                state = lift.end @ given
+                state = lift.end @ causes
         if len(parts) == 1:
             return parts[0]
         return np.concatenate([*(part[:, :-1] for part in parts), parts[-1][:, -1:]], axis=1)

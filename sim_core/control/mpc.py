@@ -33,7 +33,7 @@ class MpcDesign:
     """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
 
     The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
-    b = row_limits - rows_given·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each
+    b = row_limits - rows_parameters·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each
     force and deflection of the horizon on [the same], each over its bound. In single precision, `bound` (2 rows, 14)
     are the checks of either sign on [state; previous command; mean deceleration of the preview], then their norms on
     the rest: with `Forecast.spread` they bound each check (Cauchy-Schwarz).
@@ -41,7 +41,7 @@ class MpcDesign:
 
     shape: QpShape
     linear: FloatArray
-    rows_given: FloatArray
+    rows_parameters: FloatArray
     row_limits: FloatArray
     law: LinearLaw
     feed: FloatArray
@@ -52,23 +52,23 @@ class MpcDesign:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Prediction:
-    """The horizon as a linear map of given = [state (8); previous command (2); preview (3 Np)] and moves (2 Nc) in kN.
+    """The horizon as a linear map of parameters [state (8); previous command; preview (3 Np)] and moves (2 Nc) in kN.
 
     Attributes:
-        x_given: State at the start of every interval (8 · Np, …), one of its numbers after another.
+        x_parameters: State at the start of every interval (8 · Np, …), one of its numbers after another.
         z_moves: [State; force; disturbance] of every interval (13 · Np, …), likewise.
-        end_given: The last state (8, …).
+        end_parameters: The last state (8, …).
         end_moves: The same.
-        travel_given: Deflections at the end of every interval, front ones first (2 Np, …) [m].
+        travel_parameters: Deflections at the end of every interval, front ones first (2 Np, …) [m].
         travel_moves: The same.
         rows: Of the QP, one slack per axle on |deflection| <= limit + slack: on moves and slacks (4 Np, 2 Nc + 2) [cm].
     """
 
-    x_given: FloatArray
+    x_parameters: FloatArray
     z_moves: FloatArray
-    end_given: FloatArray
+    end_parameters: FloatArray
     end_moves: FloatArray
-    travel_given: FloatArray
+    travel_parameters: FloatArray
     travel_moves: FloatArray
     rows: FloatArray
 
@@ -78,28 +78,28 @@ def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> P
     """Roll the discrete model over the horizon; after the last move the force is held."""
     model = discrete(vehicle, sample_time)
     A, B, E = model.A, model.B * KILO, model.E
-    given, free = MEASURED + DISTURBANCES * horizon, FORCES * moves
+    parameters, free = MEASURED + DISTURBANCES * horizon, FORCES * moves
     n = STATES + FORCES + DISTURBANCES
-    before, z_moves = np.empty((STATES, horizon, given)), np.zeros((n, horizon, free))
-    x_given, x_moves = np.eye(STATES, given), np.zeros((STATES, free))
-    travel_given, travel_moves = np.empty((2, horizon, given)), np.empty((2, horizon, free))
+    before, z_moves = np.empty((STATES, horizon, parameters)), np.zeros((n, horizon, free))
+    x_parameters, x_moves = np.eye(STATES, parameters), np.zeros((STATES, free))
+    travel_parameters, travel_moves = np.empty((2, horizon, parameters)), np.empty((2, horizon, free))
     for i in range(horizon):
         move = FORCES * min(i, moves - 1)
         columns = MEASURED + horizon * np.arange(DISTURBANCES) + i
-        before[:, i], z_moves[:STATES, i] = x_given, x_moves
+        before[:, i], z_moves[:STATES, i] = x_parameters, x_moves
         z_moves[STATES : STATES + FORCES, i, move : move + FORCES] = np.eye(FORCES)
-        x_given, x_moves = A @ x_given, A @ x_moves
-        x_given[:, columns] += E
+        x_parameters, x_moves = A @ x_parameters, A @ x_moves
+        x_parameters[:, columns] += E
         x_moves[:, move : move + FORCES] += B
-        travel_given[:, i], travel_moves[:, i] = x_given[:2], x_moves[:2]
+        travel_parameters[:, i], travel_moves[:, i] = x_parameters[:2], x_moves[:2]
     on_moves = CENTI * travel_moves.reshape(-1, free)
     slack = -np.kron(np.eye(2), np.ones((horizon, 1)))
     return Prediction(
-        x_given=before.reshape(-1, given),
+        x_parameters=before.reshape(-1, parameters),
         z_moves=z_moves.reshape(-1, free),
-        end_given=x_given,
+        end_parameters=x_parameters,
         end_moves=x_moves,
-        travel_given=travel_given.reshape(-1, given),
+        travel_parameters=travel_parameters.reshape(-1, parameters),
         travel_moves=travel_moves.reshape(-1, free),
         rows=np.block([[on_moves, slack], [-on_moves, slack]]),
     )
@@ -139,20 +139,20 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     change, change_previous = _move_penalty(horizon.control, horizon.force_change_weight)
     H = p.z_moves.T @ weighted + p.end_moves.T @ end + change
     H = (H + H.T) / 2
-    linear = weighted[: len(p.x_given)].T @ p.x_given + end.T @ p.end_given
+    linear = weighted[: len(p.x_parameters)].T @ p.x_parameters + end.T @ p.end_parameters
     linear[:, STATES:MEASURED] += change_previous / KILO
     linear[:, MEASURED:] += weighted[
         -DISTURBANCES * horizon.prediction :
     ].T  # the preview is the last of z as it stands
     optimum = -solve(H, linear)
 
-    checks = np.vstack([optimum * KILO, p.travel_given + p.travel_moves @ optimum])
+    checks = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
     bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
     checks /= bounds[:, None]
     return MpcDesign(
         shape=_shape(H, p.rows, horizon.force_limit),
         linear=2 * linear,
-        rows_given=np.vstack([p.travel_given, -p.travel_given]) * CENTI,
+        rows_parameters=np.vstack([p.travel_parameters, -p.travel_parameters]) * CENTI,
         row_limits=np.full(4 * horizon.prediction, terms.deflection_limit * CENTI),
         law=LinearLaw(gain=optimum[:FORCES, :MEASURED] * KILO),
         feed=optimum[:FORCES, MEASURED:] * KILO,
@@ -231,16 +231,16 @@ class MpcController(Controller):
             TooExpensiveError: The run's QPs have taken all that one run's may.
         """
         design = self._designs[stage]
-        given = np.concatenate([state, previous, self._windows[:, step].reshape(-1)])
-        checks = design.checks @ given
+        parameters = np.concatenate([state, previous, self._windows[:, step].reshape(-1)])
+        checks = design.checks @ parameters
         if np.abs(checks).max() <= WITHIN:
             return checks[:FORCES] * self._limit, False
         if sum(solver.spent for solver in self._solvers.values()) > MAX_EFFORT:
             raise TooExpensiveError("The run's QPs take too many iterations", fields=self._costly_fields)
         f = np.zeros(len(design.shape.H))
-        f[:-2] = design.linear @ given
+        f[:-2] = design.linear @ parameters
         f[-2:] = SLACK_LINEAR / CENTI
-        b = design.row_limits - design.rows_given @ given
+        b = design.row_limits - design.rows_parameters @ parameters
         self.report.solves += 1
         force = previous
         for attempt, name in enumerate(self._order):

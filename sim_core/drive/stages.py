@@ -44,6 +44,6 @@ def segments(stages: tuple[Span, ...], position: FloatArray) -> list[tuple[str, 
 def coordinated_weights(scenario: Scenario, strategy: Strategy, stage: str) -> Weights:
     """The MPC's weights in a stage: Table 6 by driving stage, or Table 3 by road."""
     if strategy.suspension is not SuspensionPolicy.MPC_BY_ROAD:
-        chosen: Weights = getattr(scenario.mpc.stage_weights, stage)
-        return chosen
+        weights: Weights = getattr(scenario.mpc.stage_weights, stage)
+        return weights
     return scenario.mpc.road_weights.bump if stage == "bump" else scenario.mpc.road_weights.rough

@@ -68,8 +68,8 @@ class ModelEcu(Ecu):
             preview: From then on (3, Np).
         """
         tables = self._calibration.stages[stage]
-        given = np.concatenate([state, self._previous, preview.ravel()])
-        return _Dual(self._calibration, tables, tables.rows @ given).solve()
+        inputs = np.concatenate([state, self._previous, preview.ravel()])
+        return _Dual(self._calibration, tables, tables.rows @ inputs).solve()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,7 +13,7 @@ FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED")
 @cache
 def program_hash() -> str:
     """SHA-256 of what is compiled for this machine, and how, in hexadecimal: a result of `lv_hil` depends on both."""
-    found = hashlib.sha256(repr(FLAGS).encode())
+    digest = hashlib.sha256(repr(FLAGS).encode())
     for path in sorted([*SOURCES.glob("*.[ch]"), *SOURCES.glob("host/*.[ch]")]):
-        found.update(f"{path.relative_to(SOURCES).as_posix()}\0".encode() + path.read_bytes() + b"\0")
-    return found.hexdigest()
+        digest.update(f"{path.relative_to(SOURCES).as_posix()}\0".encode() + path.read_bytes() + b"\0")
+    return digest.hexdigest()

@@ -60,10 +60,10 @@ def field(name: str) -> DottedField:
 
 def value(scenario: Mapping[str, Any], name: str) -> Any:
     """That field's value in a complete plain scenario."""
-    found: Any = scenario
+    part: Any = scenario
     for step in name.split("."):
-        found = found[step] if isinstance(found, dict) else found[int(step)]
-    return found
+        part = part[step] if isinstance(part, dict) else part[int(step)]
+    return part
 
 
 def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -90,14 +90,14 @@ def _set(part: dict[str, Any], path: list[str], value: Any) -> None:
 
 def offered(name: str) -> list[str]:
     """What an unknown name may have meant: those below the deepest part that it begins with."""
-    known = fields()
+    names = list(fields())
     steps = name.split(".")
     for length in range(len(steps), 0, -1):
         prefix = ".".join(steps[:length]) + "."
-        below = [each for each in known if each.startswith(prefix)]
+        below = [each for each in names if each.startswith(prefix)]
         if below:
             return below
-    return list(known)
+    return names
 
 
 def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:

@@ -26,9 +26,9 @@ WEIGHTS: dict[Weighting, StageWeights] = {
     "comfort": StageWeights(cruise=_SWITCHED.cruise, brake=_SWITCHED.cruise, bump=_SWITCHED.cruise),
     "switched": _SWITCHED,
 }
-_WEIGHTS_TOLD = {"equal": "equal weights", "comfort": "cruise weights throughout", "switched": "switched weights"}
-_PREVIEW_TOLD = {"none": "no preview", "wheelbase": "front axle's road", "lookahead": "road ahead"}
-_CONTROLLER_TOLD = {"passive": "Passive", "lqr": "LQR", "mpc": "MPC"}
+_WEIGHTS_WORDS = {"equal": "equal weights", "comfort": "cruise weights throughout", "switched": "switched weights"}
+_PREVIEW_WORDS = {"none": "no preview", "wheelbase": "front axle's road", "lookahead": "road ahead"}
+_CONTROLLER_WORDS = {"passive": "Passive", "lqr": "LQR", "mpc": "MPC"}
 _POLICIES = {
     "passive": SuspensionPolicy.PASSIVE,
     "lqr": SuspensionPolicy.LQR,
@@ -53,12 +53,12 @@ class Variant:
     @property
     def label(self) -> str:
         """Its parts in words."""
-        told = [_CONTROLLER_TOLD[self.controller]]
+        words = [_CONTROLLER_WORDS[self.controller]]
         if self.controller == "mpc" and self.weights:
-            told.append(_WEIGHTS_TOLD[self.weights])
+            words.append(_WEIGHTS_WORDS[self.weights])
         if self.preview:
-            told.append(_PREVIEW_TOLD[self.preview])
-        return ", ".join([*told, f"{self.speed} speed"])
+            words.append(_PREVIEW_WORDS[self.preview])
+        return ", ".join([*words, f"{self.speed} speed"])
 
     @property
     def known_as(self) -> str | None:
@@ -174,30 +174,29 @@ def compared(first: str, second: str, values: Values) -> list[Interval]:
 
 def sentences(values: Values) -> list[str]:
     """What contributes how much, in words; every number is computed from `values`."""
-    found = shares(values)
-    told = []
+    by_figure, lines = shares(values), []
     for window, statistic, title in (
         ("bump", "peak", "peaks on the bump"),
         ("rough_road", "rms", "RMS on the rough road"),
     ):
-        of_window = [item for item in found if item.figure[:2] == (window, statistic)]
+        of_window = [item for item in by_figure if item.figure[:2] == (window, statistic)]
         changes = ", ".join(f"{item.total:+.0f} %" for item in of_window)
         speed, preview, switching = (
             _mean([getattr(item, factor) * log(1 + item.total / 100) for item in of_window]) for factor in FACTORS
         )
         whole = speed + preview + switching
-        told.append(
+        lines.append(
             f"Of the change in the {title} from an MPC with equal weights, without preview and at constant speed to LV "
             f"(body, pitch, front and rear tyre: {changes}), {100 * speed / whole:.0f} % is the lower speed, "
             f"{100 * preview / whole:.0f} % the preview and {100 * switching / whole:.0f} % the switching of weights."
         )
-    told += [_against(label, first, second, values) for label, first, second in EQUAL_SPEED[:4]]
+    lines += [_against(label, first, second, values) for label, first, second in EQUAL_SPEED[:4]]
     slow, fast = values[LV]["travel_time"], values["passive-constant"]["travel_time"]
-    told.append(
+    lines.append(
         f"The lower speed costs {_mean(slow) - _mean(fast):.1f} s over the road "
         f"({_mean(slow):.1f} against {_mean(fast):.1f} s)."
     )
-    return told
+    return lines
 
 
 def _against(label: str, first: str, second: str, values: Values) -> str:

@@ -43,6 +43,6 @@ FAVOURABLE = Interpretation(
 INTERPRETATIONS = {each.id: each for each in (DEFAULT, FAVOURABLE)}
 
 
-def interpretation_of(chosen: Mapping[str, str]) -> str | None:
+def interpretation_of(choices: Mapping[str, str]) -> str | None:
     """The id of the set that makes just these choices (reading -> choice, all of them), if one does."""
-    return next((each.id for each in INTERPRETATIONS.values() if each.choices == chosen), None)
+    return next((each.id for each in INTERPRETATIONS.values() if each.choices == choices), None)

@@ -93,15 +93,15 @@ def _judged(cell: PaperCell, values: Values) -> Judged:
     ours, base = values[cell.strategy][figure], values[cell.against][figure]
     change = change_with_interval(ours, base)
     hil = cell.strategy == IN_ECU
-    found = verdict(cell.claim, change.value, hil=hil)
+    judgement = verdict(cell.claim, change.value, hil=hil)
     ends = {verdict(cell.claim, end, hil=hil) for end in (change.low, change.high)}
     return Judged(
         cell=cell,
         value=sum(ours) / len(ours),
         base=sum(base) / len(base),
         change=change,
-        verdict=found,
-        certain=ends == {found},
+        verdict=judgement,
+        certain=ends == {judgement},
     )
 
 
@@ -135,13 +135,13 @@ def agreement(judged: Sequence[Judged]) -> Agreement:
     )
 
 
-def scenario_for(chosen: Mapping[str, str], seed: int) -> Scenario:
+def scenario_for(choices: Mapping[str, str], seed: int) -> Scenario:
     """The paper's scenario under these readings (reading -> choice; others take their default) on one road.
 
     Raises:
         UnknownNameError: No such reading or choice.
     """
-    changes: dict[str, Any] = {**changes_of(chosen), "road.seed": seed}
+    changes: dict[str, Any] = {**changes_of(choices), "road.seed": seed}
     return Scenario.model_validate(dotted.with_changes(Scenario().model_dump(mode="json"), changes))
 
 
@@ -152,17 +152,17 @@ def figures_of(result: StrategyResult) -> list[float]:
 
 def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, list[float]]:
     """`figures_of` a run under each choice of the reading `window`."""
-    own, found = figures_of(result), {}
+    own, figures = figures_of(result), {}
     for choice in READINGS[WINDOW].choices:
         if choice.stretches is None:
-            found[choice.id] = own
+            figures[choice.id] = own
             continue
         rms = rms_between(result.series, drive(scenario, strategy_named(result.strategy).speed), choice.stretches)
-        found[choice.id] = [
+        figures[choice.id] = [
             rms[signal] if window == "rough_road" else value
             for (window, _, signal), value in zip(FIGURES, own, strict=True)
         ]
-    return found
+    return figures
 
 
 def gathered(

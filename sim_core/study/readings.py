@@ -238,13 +238,13 @@ def reading(name: str) -> Reading:
         raise UnknownNameError(f"Unknown reading; there are {', '.join(READINGS)}") from None
 
 
-def changes_of(chosen: Mapping[str, str]) -> dict[str, Any]:
+def changes_of(choices: Mapping[str, str]) -> dict[str, Any]:
     """The scenario's fields under these choices, by dotted name; readings not named take Ridelab's.
 
     Raises:
         UnknownNameError: No such reading or choice.
     """
     changes: dict[str, Any] = {}
-    for name, choice in chosen.items():
+    for name, choice in choices.items():
         changes |= reading(name).choice(choice).changes
     return changes

@@ -58,9 +58,9 @@ def drive(scenario: Scenario, strategies: Iterable[str], roads: int) -> dict[str
     """
     driven: dict[str, list[Numbers]] = {name: [] for name in strategies}
     for road in seeded(scenario, roads):
-        for name, found in driven.items():
+        for name, of_strategy in driven.items():
             result = simulate(road, name)
-            found.append(numbers(result.metrics, result.comfort))
+            of_strategy.append(numbers(result.metrics, result.comfort))
     return driven
 
 

@@ -41,10 +41,10 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    chosen = strategy_named(name) if isinstance(name, str) else name
-    if chosen.suspension not in JUDGED:
+    strategy = strategy_named(name) if isinstance(name, str) else name
+    if strategy.suspension not in JUDGED:
         return None
-    actuated = chosen.suspension is not SuspensionPolicy.PASSIVE
+    actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     believed = scenario.model_copy(
         update={
             "road": _ANY_ROAD,
@@ -54,13 +54,13 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
         }
     )
     step = scenario.mpc.sample_time if actuated else CONTROL_STEP
-    motion = drive(believed, chosen.speed)
-    road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, chosen))
-    controller = make_controller(believed, chosen, motion, road_input)
+    motion = drive(believed, strategy.speed)
+    road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, strategy))
+    controller = make_controller(believed, strategy, motion, road_input)
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
     stages = STAGES if actuated else ("cruise",)
-    apart = {coordinated_weights(believed, chosen, stage): stage for stage in stages}
-    return min(damping(closed_loop_matrix(car, controller.law(stage)), step) for stage in apart.values())
+    distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}
+    return min(damping(closed_loop_matrix(car, controller.law(stage)), step) for stage in distinct.values())
 
 
 def damping(loop: FloatArray, step: float) -> float:

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from sim_core import reference
 from sim_core.catalogue import SIGNALS
-from sim_core.scenario import Scenario, reference
+from sim_core.scenario import Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
 from sim_core.study import errata
