@@ -21,7 +21,7 @@ from ridelab import (
     RidelabAPIError,
     RidelabConnectionError,
 )
-from ridelab.cli.following import followed, later
+from ridelab.cli.following import followed
 from ridelab.cli.service import Services
 from ridelab.files import format_of, save
 from ridelab.http import LONGEST_WAIT, Http, plain, retry_after
@@ -342,7 +342,7 @@ def test_rows_that_ctrl_c_cannot_save_are_had_with_the_command_that_is_told(
     with patient(handler) as ridelab:
         batch = Batch(ridelab._http, batch_answer("queued"))
         with pytest.raises(typer.Exit) as caught:
-            followed(batch, later(batch, services, *options))
+            followed(batch, services, *options)
     assert caught.value.exit_code == 130
     why, last = capsys.readouterr().err.splitlines()
     assert why.startswith(("No answer from http://ridelab.test", "Interrupted again"))

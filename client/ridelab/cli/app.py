@@ -9,16 +9,17 @@ from typing import Annotated
 import typer
 
 from ridelab import __version__
+from ridelab.cli import jobs
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
-from ridelab.cli.jobs import jobs
 from ridelab.cli.paper import paper
 from ridelab.cli.parsing import Command
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output, end_on_sigterm
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
 from ridelab.cli.server import backup, open_, serve
+from ridelab.cli.service import with_services
 from ridelab.cli.sweep import sweep
 from ridelab.cli.tune import tune
 from ridelab.client import TOKEN_VARIABLE
@@ -55,9 +56,12 @@ COMMANDS: dict[str, Callable[..., None]] = {
     "export": export,
     "backup": backup,
 }
+JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
+app.add_typer(JOBS, name="jobs")
 for name, command in COMMANDS.items():
-    app.command(name, cls=Command)(command)
-app.add_typer(jobs, name="jobs")
+    app.command(name, cls=Command)(command if command in (serve, backup) else with_services(command))
+for name, command in jobs.COMMANDS.items():
+    JOBS.command(name, cls=Command)(with_services(command))
 
 
 def _version(wanted: bool) -> None:

@@ -20,34 +20,29 @@ _RELATIVE, _ABSOLUTE = 1e-6, 1e-9  # room for rounding
 
 
 def compare(
+    services: Services,
     a: Annotated[str, typer.Argument(metavar="A", help=_RESULT, autocompletion=options.completes("presets"))],
     b: Annotated[str, typer.Argument(metavar="B", help="The same; changes are from A to B.")],
     strategy: options.Strategies = None,
     metric: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="PATTERN",
-            help="Only these metrics, such as bump.*.peak; with commas or repeated.",
-            show_default=False,
+        options.option(
+            "PATTERN",
+            "Only these metrics, such as bump.*.peak; with commas or repeated.",
             autocompletion=options.completes("metrics"),
         ),
     ] = None,
     tolerance: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="[PATTERN=]REL",
-            help="Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Repeated: the "
+        options.option(
+            "[PATTERN=]REL",
+            "Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Repeated: the "
             "last that fits.",
-            show_default=False,
         ),
     ] = None,
     tolerance_abs: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="[PATTERN=]ABS",
-            help="Equal up to this much, in each metric's own unit [default: 1e-9]; likewise.",
-            show_default=False,
-        ),
+        options.option("[PATTERN=]ABS", "Equal up to this much, in each metric's own unit [default: 1e-9]; likewise."),
     ] = None,
     worse: Annotated[
         bool,
@@ -55,8 +50,6 @@ def compare(
     ] = False,
     limit: Annotated[int, typer.Option(metavar="N", min=0, help="Show the N largest differences, 0 for all.")] = 20,
     as_json: Annotated[bool, typer.Option("--json", help="Every difference, as JSON.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Compare two results metric by metric, the largest change first.
 
@@ -71,11 +64,10 @@ def compare(
         relative=_limits(tolerance or [], "--tolerance", _RELATIVE),
         absolute=_limits(tolerance_abs or [], "--tolerance-abs", _ABSOLUTE),
     )
-    with Services(server, data_dir) as services:
-        found = [targets.find(target, services) for target in (a, b)]
-        wanted = options.listed(strategy)
-        runs = [_run(item, wanted, found, services) for item in found]
-        field_units = services.names.units() if services.used else {}
+    found = [targets.find(target, services) for target in (a, b)]
+    wanted = options.listed(strategy)
+    runs = [_run(item, wanted, found, services) for item in found]
+    field_units = services.names.units() if services.used else {}
     names = wanted or list(dict.fromkeys([*runs[0].strategies, *runs[1].strategies]))
     patterns = options.listed(metric) or ["*"]
     told = differences(runs[0], runs[1], names, equal, patterns)

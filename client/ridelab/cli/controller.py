@@ -16,6 +16,7 @@ from ridelab.cli.tables import show_table
 
 
 def controller(
+    services: Services,
     scenario: options.Scenario = "paper",
     out: Annotated[
         str | None,
@@ -23,15 +24,10 @@ def controller(
     ] = None,
     report: Annotated[bool, typer.Option("--report", help="Say whether it fits an STM32F103, and what does.")] = False,
     program: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Drive this program, built from those sources.", exists=True, show_default=False
-        ),
+        Path | None, options.option("FILE", "Drive this program, built from those sources.", exists=True)
     ] = None,
     changes: options.Changes = None,
     as_json: Annotated[bool, typer.Option("--json", help="The whole report, as JSON.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Export the scenario's lv_hil controller as C sources with a README and a Makefile, or measure it for its part.
 
@@ -39,36 +35,33 @@ def controller(
     """
     if sum((out is not None, report, program is not None)) != 1:
         raise InputError("controller takes one of --out FILE, --report and --program FILE")
-    with Services(server, data_dir) as services:
-        wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
-        ridelab = services.at()
-        if out is not None:
-            deliver([ridelab.controller(wanted)], out)
-            return
-        if program is not None:
-            _drive(program, wanted)
-        note("Building and driving each controller; this takes about ten seconds")
-        found = ridelab.controller_report(wanted)
+    wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    ridelab = services.at()
+    if out is not None:
+        deliver([ridelab.controller(wanted)], out)
+        return
+    if program is not None:
+        _drive(program, wanted)
+    note("Building and driving each controller; this takes about ten seconds")
+    found = ridelab.controller_report(wanted)
     print_json(found) if as_json else _show_fit(found)
 
 
 def hil(
+    services: Services,
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
     as_json: Annotated[bool, typer.Option("--json", help="The whole report with its histograms, as JSON.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Drive lv_hil once by the clock: latency, jitter and missed deadlines, and what they change.
 
     It takes as long as the drive. The figures are this machine's at this moment, under an ordinary operating system.
     """
-    with Services(server, data_dir) as services:
-        wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
-        ridelab = services.at()
-        note("Driving by the clock; this takes as long as the drive")
-        found = ridelab.realtime(wanted)
-        print_json(found) if as_json else _show_clock(found, services.names)
+    wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    ridelab = services.at()
+    note("Driving by the clock; this takes as long as the drive")
+    found = ridelab.realtime(wanted)
+    print_json(found) if as_json else _show_clock(found, services.names)
 
 
 def _drive(program: Path, scenario: Mapping[str, Any]) -> None:

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import options, targets
-from ridelab.cli.following import followed, later
+from ridelab.cli.following import file_options, followed
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note
 from ridelab.cli.run import with_units
 from ridelab.cli.service import Services
@@ -17,6 +17,7 @@ from ridelab.results import Interval, RunResult, flat
 
 
 def export(
+    services: Services,
     target: Annotated[str, typer.Argument(metavar="RESULT", help="Id or address of a run, a batch or a link.")],
     out: Annotated[
         str, typer.Option("--out", "-o", metavar="FILE", help="Where to write: .csv, .parquet or .json; - is stdout.")
@@ -24,21 +25,13 @@ def export(
     file_format: options.Format = None,
     strategy: options.Strategies = None,
     signals: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="KEYS", help="Of a run: some signals, with commas; time and position always.", show_default=False
-        ),
+        list[str] | None, options.option("KEYS", "Of a run: some signals, with commas; time and position always.")
     ] = None,
-    points: Annotated[
-        int | None,
-        typer.Option(metavar="N", min=2, help="Of a run: about N samples instead of all.", show_default=False),
-    ] = None,
+    points: Annotated[int | None, options.option("N", "Of a run: about N samples instead of all.", min=2)] = None,
     metrics: Annotated[
         bool, typer.Option("--metrics", help="Of a run: its metrics, as .csv or as the .json that compare reads.")
     ] = False,
     wait: Annotated[bool, typer.Option("--wait", help="Of a batch: until it has ended.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Write a run's time histories or metrics, or a batch's table, to a file; units are in the header.
 
@@ -47,27 +40,25 @@ def export(
     wanted = chosen_format(out, file_format)
     if metrics and wanted == "parquet":
         raise InputError("--metrics: The file's format has to be json or csv")
-    with Services(server, data_dir) as services:
-        found = targets.find(target, services)
-        if found.batch is not None:
-            if wait:
-                again = ["--out", out, *(() if file_format is None else ("--format", file_format))]
-                followed(found.batch, later(found.batch, services, *again), ours=False)
-            elif not found.batch.finished:
-                left = found.batch.total - found.batch.done - found.batch.failed
-                note(f"The batch is {found.batch.state}: {left} of {found.batch.total} rows wait")
-            content = found.batch.content(wanted)
-        elif found.run is not None and metrics:
-            text = json.dumps(with_units(found.run), indent=1, ensure_ascii=False) + "\n"
-            content = iter([(text if wanted == "json" else _metrics_csv(found.run)).encode()])
-        elif found.run is not None and found.ridelab is not None:
-            names = options.listed(strategy) or [each.strategy for each in found.run if each.status == "ok"]
-            content = found.ridelab.series_content(
-                found.run, wanted, strategies=names, signals=options.listed(signals) or None, points=points
-            )
-        else:
-            raise InputError(f"{target}: export takes a stored run, batch or link; run and sweep make them")
-        deliver(content, out)
+    found = targets.find(target, services)
+    if found.batch is not None:
+        if wait:
+            followed(found.batch, services, *file_options(out, file_format), ours=False)
+        elif not found.batch.finished:
+            left = found.batch.total - found.batch.done - found.batch.failed
+            note(f"The batch is {found.batch.state}: {left} of {found.batch.total} rows wait")
+        content = found.batch.content(wanted)
+    elif found.run is not None and metrics:
+        text = json.dumps(with_units(found.run), indent=1, ensure_ascii=False) + "\n"
+        content = iter([(text if wanted == "json" else _metrics_csv(found.run)).encode()])
+    elif found.run is not None and found.ridelab is not None:
+        names = options.listed(strategy) or [each.strategy for each in found.run if each.status == "ok"]
+        content = found.ridelab.series_content(
+            found.run, wanted, strategies=names, signals=options.listed(signals) or None, points=points
+        )
+    else:
+        raise InputError(f"{target}: export takes a stored run, batch or link; run and sweep make them")
+    deliver(content, out)
 
 
 def _metrics_csv(run: RunResult) -> str:

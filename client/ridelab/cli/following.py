@@ -2,7 +2,7 @@
 
 import shlex
 import uuid
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 import typer
@@ -16,6 +16,7 @@ from ridelab.cli.reporting import (
     Terminated,
     UnavailableError,
     note,
+    print_json,
     terminal,
 )
 from ridelab.cli.service import Services
@@ -35,13 +36,14 @@ def may_detach(detach: bool, services: Services) -> None:
         raise InputError("--detach needs --server: a private service ends with this command")
 
 
-def submitted(submit: Callable[[str], AnyJob], label: str | None, follow_up: Callable[[AnyJob], str]) -> AnyJob:
+def submitted(submit: Callable[[str], AnyJob], services: Services, label: str | None, *options: str) -> AnyJob:
     """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends.
 
     Args:
         submit: Hands it in under that key.
+        services: Where.
         label: What to call it.
-        follow_up: The command that takes its results later.
+        options: Those of the command that takes its results later.
 
     Raises:
         typer.Exit: It was interrupted.
@@ -52,17 +54,18 @@ def submitted(submit: Callable[[str], AnyJob], label: str | None, follow_up: Cal
         return job.rename(label) if label is not None else job
     except KeyboardInterrupt as interrupt:
         job = submit(key)
-        raise typer.Exit(_stopped(job, follow_up(job), interrupt)) from None
+        raise typer.Exit(_stopped(job, interrupt, later(job, services, *options), ours=True)) from None
 
 
-def followed(job: Job, follow_up: str, *, ours: bool = True, timeout: float | None = None) -> int:
+def followed(job: Job, services: Services, *options: str, ours: bool = True, timeout: float | None = None) -> int:
     """Wait for a job with a progress bar.
 
     Ctrl-C cancels a job that is `ours`, another's goes on; SIGTERM cancels none.
 
     Args:
         job: The job.
-        follow_up: The command that takes its results later.
+        services: Where it runs.
+        options: Those of the command that takes its results later.
         ours: Whether this command handed it in.
         timeout: Wait so long at most [s].
 
@@ -78,18 +81,20 @@ def followed(job: Job, follow_up: str, *, ours: bool = True, timeout: float | No
         _follow(job, timeout)
         return 0
     except KeyboardInterrupt as interrupt:
-        if ours and not isinstance(interrupt, Terminated):
-            return _stopped(job, follow_up, interrupt)
-        why = "Ended" if isinstance(interrupt, Terminated) else "Stopped waiting"
-        note(f"{why}; the {job.NAME} {job.id} goes on. To wait for it: {follow_up}")
-        raise typer.Exit(TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED) from None
+        return _stopped(job, interrupt, later(job, services, *options), ours=ours)
 
 
 def later(job: Job, services: Services, *options: str) -> str:
     """The command that waits for a batch and writes its rows, or that shows a tuning."""
-    tuning = isinstance(job, Tuning)
-    words = ["tune", "--resume", job.id] if tuning else ["export", job.id, "--wait", *(options or ("--out", "FILE"))]
+    words = ["export", job.id, "--wait", *(options or ("--out", "FILE"))]
+    if isinstance(job, Tuning):
+        words = ["tune", "--resume", job.id]
     return shlex.join(["ridelab", *words, *services.options])
+
+
+def file_options(out: str | None, file_format: str | None) -> list[str]:
+    """The options that name the same file in another command."""
+    return [] if out is None else ["--out", out, *([] if file_format is None else ["--format", file_format])]
 
 
 def told_end(job: Job) -> int:
@@ -104,22 +109,27 @@ def told_end(job: Job) -> int:
     return DIFFERENT if job.failed or job.state == "cancelled" else 0
 
 
-def estimate_text(found: dict[str, Any], counts: Sequence[str]) -> str:
-    """A dry run's answer as a line: `6 runs, 3 points, about 0.1 s`."""
+def show_estimate(found: Mapping[str, Any], runs: str, units: str, *, as_json: bool) -> None:
+    """Print a dry run's answer: `6 runs, 3 points, about 0.1 s`."""
+    if as_json:
+        print_json(found)
+        return
     seconds = found.get("estimated_seconds")
-    counted = ", ".join(f"{found['total' if each == 'runs' and 'total' in found else each]} {each}" for each in counts)
-    return counted + ("" if seconds is None else f", about {seconds:.3g} s")
+    told = "" if seconds is None else f", about {seconds:.3g} s"
+    typer.echo(f"{found[runs]} runs, {found[units]} {units}{told}")
 
 
-def _stopped(job: Job, follow_up: str, interrupt: KeyboardInterrupt) -> int:
-    """Cancel what is left of it; the exit code where its results can still be taken.
+def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bool) -> int:
+    """Cancel what is left of a job that is ours; the exit code where its results can still be taken.
 
     Raises:
         typer.Exit: They cannot, and how to get them has been said.
     """
-    if isinstance(interrupt, Terminated):
-        note(f"Ended; the {job.NAME} {job.id} goes on. To wait for it: {follow_up}")
-        raise typer.Exit(TERMINATED)
+    terminated = isinstance(interrupt, Terminated)
+    if terminated or not ours:
+        why = "Ended" if terminated else "Stopped waiting"
+        note(f"{why}; the {job.NAME} {job.id} goes on. To wait for it: {follow_up}")
+        raise typer.Exit(TERMINATED if terminated else INTERRUPTED)
     try:
         if not job.finished:
             job.cancel()

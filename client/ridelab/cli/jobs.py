@@ -1,42 +1,34 @@
 """`ridelab jobs`: batches and tunings on a service, wherever they were handed in."""
 
+from collections.abc import Callable
 from typing import Annotated, Any
 
 import typer
 
 from ridelab.cli import options, targets
 from ridelab.cli.following import followed, later, told_end
-from ridelab.cli.parsing import Command
 from ridelab.cli.reporting import InputError, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 from ridelab.jobs import Job
 
-jobs = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
-
 JobId = Annotated[str, typer.Argument(metavar="JOB", help="Id of a batch or a tuning.")]
 AsJson = Annotated[bool, typer.Option("--json", help="As the service answers.")]
 
 
-@jobs.command("list", cls=Command)
 def list_jobs(
-    state: Annotated[
-        str | None,
-        typer.Option(metavar="STATE", help="queued, running, done, cancelled or failed only.", show_default=False),
-    ] = None,
-    label: Annotated[str | None, typer.Option(metavar="TEXT", help="Of this label only.", show_default=False)] = None,
+    services: Services,
+    state: Annotated[str | None, options.option("STATE", "queued, running, done, cancelled or failed only.")] = None,
+    label: Annotated[str | None, options.option("TEXT", "Of this label only.")] = None,
     limit: Annotated[int, typer.Option(metavar="N", min=1, help="The newest N of each kind.")] = 20,
     as_json: AsJson = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """The newest jobs first."""
-    with Services(server, data_dir) as services:
-        ridelab = services.at()
-        found: list[Job] = [
-            *ridelab.batches(state=state, label=label, limit=limit),
-            *ridelab.tunings(state=state, label=label, limit=limit),
-        ]
+    ridelab = services.at()
+    found: list[Job] = [
+        *ridelab.batches(state=state, label=label, limit=limit),
+        *ridelab.tunings(state=state, label=label, limit=limit),
+    ]
     found.sort(key=lambda job: str(job.answer["created_at"]), reverse=True)
     if as_json:
         print_json([{"kind": job.NAME, **job.answer} for job in found])
@@ -48,15 +40,13 @@ def list_jobs(
         note("There are none")
 
 
-@jobs.command("show", cls=Command)
-def show(job: JobId, as_json: AsJson = False, server: options.Server = None, data_dir: options.DataDir = None) -> None:
+def show(services: Services, job: JobId, as_json: AsJson = False) -> None:
     """How a job stands."""
-    with Services(server, data_dir) as services:
-        found = targets.job(job, services)
-        if as_json:
-            print_json(found.answer)
-            return
-        follow_up = later(found, services)
+    found = targets.job(job, services)
+    if as_json:
+        print_json(found.answer)
+        return
+    follow_up = later(found, services)
     answer = found.answer
     told: dict[str, Any] = {
         found.NAME: found.id,
@@ -76,68 +66,64 @@ def show(job: JobId, as_json: AsJson = False, server: options.Server = None, dat
             typer.echo(f"{name + ':':<16}{value}")
 
 
-@jobs.command("follow", cls=Command)
 def follow(
+    services: Services,
     job: JobId,
-    timeout: Annotated[
-        float | None, typer.Option(metavar="SECONDS", min=0, help="Wait so long at most.", show_default=False)
-    ] = None,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
+    timeout: Annotated[float | None, options.option("SECONDS", "Wait so long at most.", min=0)] = None,
 ) -> None:
     """Wait for a job's end; Ctrl-C only ends the waiting."""
-    with Services(server, data_dir) as services:
-        found = targets.job(job, services)
-        followed(found, later(found, services), ours=False, timeout=timeout)
+    found = targets.job(job, services)
+    followed(found, services, ours=False, timeout=timeout)
     raise typer.Exit(told_end(found))
 
 
-@jobs.command("label", cls=Command)
 def label_job(
+    services: Services,
     job: JobId,
     text: Annotated[str, typer.Argument(metavar="TEXT", help="Empty takes the label away.")],
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Give a job a label, by which lists find it."""
-    with Services(server, data_dir) as services:
-        targets.job(job, services).rename(text or None)
+    targets.job(job, services).rename(text or None)
 
 
-@jobs.command("cancel", cls=Command)
-def cancel(job: JobId, server: options.Server = None, data_dir: options.DataDir = None) -> None:
+def cancel(services: Services, job: JobId) -> None:
     """Stop a job; what is finished stays."""
-    with Services(server, data_dir) as services:
-        found = targets.job(job, services).cancel()
+    found = targets.job(job, services).cancel()
     note(f"{found.NAME} {found.id}: {found.state}, {found.done} of {found.total} done, {found.failed} failed")
 
 
-@jobs.command("resume", cls=Command)
-def resume(job: JobId, server: options.Server = None, data_dir: options.DataDir = None) -> None:
+def resume(services: Services, job: JobId) -> None:
     """Go on with a job that was cancelled or failed; a private service ends with the command, so it is followed."""
-    with Services(server, data_dir) as services:
-        found = targets.job(job, services).resume()
-        if services.private:
-            followed(found, later(found, services))
+    found = targets.job(job, services).resume()
+    if services.private:
+        followed(found, services)
     note(f"{found.NAME} {found.id}: {found.state}, {found.done} of {found.total} done, {found.failed} failed")
 
 
-@jobs.command("delete", cls=Command)
 def delete(
+    services: Services,
     job: Annotated[list[str], typer.Argument(metavar="JOB...", help="Ids of batches and tunings.")],
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Remove jobs that have ended and that no link shows."""
-    with Services(server, data_dir) as services:
-        for each in job:
-            found = targets.job(each, services)
-            if not found.finished:
-                raise InputError(f"The {found.NAME} {found.id} is {found.state}; cancel it first")
-            found.delete()
-            note(f"{found.NAME} {found.id}: deleted")
+    for each in job:
+        found = targets.job(each, services)
+        if not found.finished:
+            raise InputError(f"The {found.NAME} {found.id} is {found.state}; cancel it first")
+        found.delete()
+        note(f"{found.NAME} {found.id}: deleted")
 
 
 def _row(job: Job) -> list[str]:
     created = str(job.answer["created_at"])[:16].replace("T", " ")
     return [job.NAME, job.id, job.state, str(job.done), str(job.failed), str(job.total), created, job.label or ""]
+
+
+COMMANDS: dict[str, Callable[..., None]] = {
+    "list": list_jobs,
+    "show": show,
+    "follow": follow,
+    "label": label_job,
+    "cancel": cancel,
+    "resume": resume,
+    "delete": delete,
+}

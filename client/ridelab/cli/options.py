@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -20,6 +20,11 @@ def folder(text: str) -> Path:
     return Path(text)
 
 
+def option(metavar: str, help: str, *names: str, **more: Any) -> Any:  # noqa: A002  # typer's name for it
+    """An option without a default to show."""
+    return typer.Option(*names, metavar=metavar, help=help, show_default=False, **more)
+
+
 def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
     """Completion of what a service knows by name, the last of several with commas between them."""
 
@@ -32,21 +37,16 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
 
 Server = Annotated[
     str | None,
-    typer.Option(
+    option(
+        "URL",
+        "Service to work with; without one a private one is started for as long as the command runs.",
         envvar="RIDELAB_SERVER",
-        metavar="URL",
-        help="Service to work with; without one a private one is started for as long as the command runs.",
-        show_default=False,
     ),
 ]
 DataDir = Annotated[
     Path | None,
-    typer.Option(
-        envvar="RIDELAB_DATA_DIR",
-        metavar="DIR",
-        parser=folder,
-        help="Where the private service keeps its database [default: data].",
-        show_default=False,
+    option(
+        "DIR", "Where the private service keeps its database [default: data].", envvar="RIDELAB_DATA_DIR", parser=folder
     ),
 ]
 Scenario = Annotated[
@@ -59,42 +59,25 @@ Scenario = Annotated[
 ]
 Changes = Annotated[
     list[str] | None,
-    typer.Option(
+    option(
+        "FIELD=VALUE",
+        "Change one field, such as road.bump.height=0.12; may be repeated.",
         "--set",
-        metavar="FIELD=VALUE",
-        help="Change one field, such as road.bump.height=0.12; may be repeated.",
-        show_default=False,
         autocompletion=completes("fields", "="),
     ),
 ]
 Strategies = Annotated[
     list[str] | None,
-    typer.Option(
-        "--strategy",
-        "-s",
-        metavar="ID",
-        help="Strategies to run, with commas or repeated.",
-        show_default=False,
-        autocompletion=completes("strategies"),
+    option(
+        "ID", "Strategies to run, with commas or repeated.", "--strategy", "-s", autocompletion=completes("strategies")
     ),
 ]
 Baseline = Annotated[
-    str | None,
-    typer.Option(
-        metavar="ID",
-        help="Strategy that changes refer to.",
-        show_default=False,
-        autocompletion=completes("strategies"),
-    ),
+    str | None, option("ID", "Strategy that changes refer to.", autocompletion=completes("strategies"))
 ]
-Format = Annotated[
-    str | None,
-    typer.Option("--format", metavar="csv|parquet|json", help="Instead of the file name's end.", show_default=False),
-]
+Format = Annotated[str | None, option("csv|parquet|json", "Instead of the file name's end.", "--format")]
 Detach = Annotated[bool, typer.Option("--detach", help="Hand it in and leave; needs --server.")]
-Label = Annotated[
-    str | None, typer.Option(metavar="TEXT", help="Call the job so; lists find it by that.", show_default=False)
-]
+Label = Annotated[str | None, option("TEXT", "Call the job so; lists find it by that.")]
 DryRun = Annotated[bool, typer.Option("--dry-run", help="Only say how many runs and how long.")]
 
 

@@ -20,13 +20,10 @@ _LEFT = {1, 2, 3, 9, 12}
 
 
 def paper(
+    services: Services,
     reading: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="READING=CHOICE",
-            help="Read the paper otherwise, such as preview=none; may be repeated.",
-            show_default=False,
-        ),
+        options.option("READING=CHOICE", "Read the paper otherwise, such as preview=none; may be repeated."),
     ] = None,
     interpretation: Annotated[
         str,
@@ -35,13 +32,8 @@ def paper(
     seeds: Annotated[
         str, typer.Option(metavar="N|A-B", help="Roads that every strategy drives, 20 to 100: seeds 1 to N, or A to B.")
     ] = "20",
-    report: Annotated[
-        str | None,
-        typer.Option(metavar="FILE", help="Write all of it as one HTML file, figures too.", show_default=False),
-    ] = None,
+    report: Annotated[str | None, options.option("FILE", "Write all of it as one HTML file, figures too.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="The whole answer, as JSON.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Hold the paper's Tables 4, 5 and 7 to 10 against ours: each printed change, ours, and a verdict by rule.
 
@@ -51,15 +43,14 @@ def paper(
     asked |= {"interpretation": interpretation, "readings": _choices(reading or [])}
     if report is not None and report != "-" and not Path(report).parent.is_dir():
         raise InputError(f"--report: there is no folder {Path(report).parent}")
-    with Services(server, data_dir) as services:
-        ridelab = services.at()
-        with _waiting(f"Driving {asked['seeds']} roads"):
-            found = ridelab.paper(**asked)
-        if report is not None:
-            with _waiting("Making the report"):
-                deliver(ridelab.paper_report(**asked), report)
-        if report != "-":
-            print_json(found) if as_json else _show(found, services.names)
+    ridelab = services.at()
+    with _waiting(f"Driving {asked['seeds']} roads"):
+        found = ridelab.paper(**asked)
+    if report is not None:
+        with _waiting("Making the report"):
+            deliver(ridelab.paper_report(**asked), report)
+    if report != "-":
+        print_json(found) if as_json else _show(found, services.names)
     if report not in (None, "-"):
         note(f"The report is {report}")
 

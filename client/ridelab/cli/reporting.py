@@ -65,8 +65,9 @@ class ReportingGroup(TyperGroup):
             raise failed(UNAVAILABLE if there else BAD_INPUT, error.lines) from None
         except (RidelabClientError, UnavailableError) as error:
             raise failed(UNAVAILABLE, [str(error)]) from None
-        except Terminated:
-            raise typer.Exit(TERMINATED) from None
+        except KeyboardInterrupt as interrupt:  # who has handed in a job, has said what becomes of it
+            code = TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED
+            raise failed(code, ["Interrupted, nothing was submitted"]) from None
         except BrokenPipeError:
             abandon_output()
             raise typer.Exit(BROKEN_PIPE) from None
@@ -88,11 +89,6 @@ def failed(code: int, lines: Sequence[str]) -> typer.Exit:
     for line in lines:
         typer.echo(line, err=True)
     return typer.Exit(code)
-
-
-def nothing_submitted() -> typer.Exit:
-    """Say that Ctrl-C came before anything was handed to a service; the exit to raise."""
-    return failed(INTERRUPTED, ["Interrupted, nothing was submitted"])
 
 
 def abandon_output() -> None:

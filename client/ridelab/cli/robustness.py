@@ -6,8 +6,8 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.following import followed, later, submitted, told_end
-from ridelab.cli.reporting import InputError, nothing_submitted, print_json
+from ridelab.cli.following import followed, submitted, told_end
+from ridelab.cli.reporting import InputError, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.jobs import Batch
@@ -17,19 +17,14 @@ _CHANCE = 0.001  # what chance makes more often than this is not named
 
 
 def robustness(
+    services: Services,
     scenario: options.Scenario = "paper",
-    samples: Annotated[
-        int | None, typer.Option(metavar="N", min=2, help="Points drawn [default: 200].", show_default=False)
-    ] = None,
+    samples: Annotated[int | None, options.option("N", "Points drawn [default: 200].", min=2)] = None,
     ranges: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--range", metavar="FIELD=LOW:HIGH", help="Instead of, or beside, the default ranges.", show_default=False
-        ),
+        list[str] | None, options.option("FIELD=LOW:HIGH", "Instead of, or beside, the default ranges.", "--range")
     ] = None,
     exact: Annotated[
-        list[str] | None,
-        typer.Option(metavar="FIELD", help="Known exactly: not varied; with commas or repeated.", show_default=False),
+        list[str] | None, options.option("FIELD", "Known exactly: not varied; with commas or repeated.")
     ] = None,
     only: Annotated[bool, typer.Option("--only", help="Vary only what --range names.")] = False,
     seed: Annotated[int, typer.Option(metavar="N", min=0, help="Same seed, same points.")] = 0,
@@ -38,35 +33,27 @@ def robustness(
     changes: options.Changes = None,
     label: options.Label = None,
     as_json: Annotated[bool, typer.Option("--json", help="The whole summary, as JSON.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Worst case and quantiles of each strategy over uncertain mass, stiffness, damping, preview and actuators.
 
     Every strategy runs at the same points of a Latin hypercube; the controllers know none of it. Without options it is
     the study that GET /robustness describes.
     """
-    with Services(server, data_dir) as services:
-        try:
-            start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
-            ridelab = services.at()
-            usual = ridelab.get("/robustness")
-            names = options.listed(strategy) or usual["strategies"]
-            if baseline is not None and baseline not in names:
-                raise InputError(f"--baseline: {baseline} is not among the strategies {', '.join(names)}")
-            given = fields.ranges_of(ranges or [], "--range", services)
-            varied = _ranges([] if only else usual["ranges"], given, options.listed(exact))
-            sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
-        except KeyboardInterrupt:
-            raise nothing_submitted() from None
-        batch = submitted(
-            lambda key: ridelab.submit(start, names, sweep, key), label, lambda batch: later(batch, services)
-        )
-        code = followed(batch, later(batch, services))
-        if batch.state != "failed":
-            summary = batch.summary(baseline=baseline)
-            print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)
-    raise typer.Exit(told_end(batch) if code == 0 else code)
+    start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    ridelab = services.at()
+    usual = ridelab.get("/robustness")
+    names = options.listed(strategy) or usual["strategies"]
+    if baseline is not None and baseline not in names:
+        raise InputError(f"--baseline: {baseline} is not among the strategies {', '.join(names)}")
+    given = fields.ranges_of(ranges or [], "--range", services)
+    varied = _ranges([] if only else usual["ranges"], given, options.listed(exact))
+    sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
+    batch = submitted(lambda key: ridelab.submit(start, names, sweep, key), services, label)
+    code = followed(batch, services)
+    if batch.state != "failed":
+        summary = batch.summary(baseline=baseline)
+        print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)
+    raise typer.Exit(code or told_end(batch))
 
 
 def _ranges(

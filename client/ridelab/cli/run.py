@@ -13,6 +13,7 @@ from ridelab.results import RunResult
 
 
 def run(
+    services: Services,
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
     strategy: options.Strategies = None,
@@ -22,8 +23,6 @@ def run(
     ] = 1,
     baseline: options.Baseline = None,
     as_json: Annotated[bool, typer.Option("--json", help="The whole run as JSON, as compare reads it.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Run strategies over one scenario and show how they compare.
 
@@ -33,16 +32,15 @@ def run(
     names = options.listed(strategy)
     if names and baseline is not None and baseline not in names:
         raise InputError(f"--baseline: one of the strategies that run, {', '.join(names)}")
-    with Services(server, data_dir) as services:
-        found = targets.find(scenario, services)
-        wanted = fields.changed(found.scenario, changes or [], services)
-        ridelab = services.at()
-        result = ridelab.run(wanted, names or list(services.names.strategies), roads=roads, baseline=baseline)
-        if as_json:
-            print_json(with_units(result))
-        else:
-            _show(result, ", ".join([found.name, *(changes or [])]), baseline, services.names)
-            typer.echo(f"\nrun {result.id}" if services.private else f"\n{ridelab.address}/r/{result.id}")
+    found = targets.find(scenario, services)
+    wanted = fields.changed(found.scenario, changes or [], services)
+    ridelab = services.at()
+    result = ridelab.run(wanted, names or list(services.names.strategies), roads=roads, baseline=baseline)
+    if as_json:
+        print_json(with_units(result))
+    else:
+        _show(result, ", ".join([found.name, *(changes or [])]), baseline, services.names)
+        typer.echo(f"\nrun {result.id}" if services.private else f"\n{ridelab.address}/r/{result.id}")
     if any(outcome.status != "ok" for outcome in result):
         note("Not every strategy could run")
         raise typer.Exit(DIFFERENT)

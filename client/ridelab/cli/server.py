@@ -17,13 +17,7 @@ from ridelab.cli.service import Services, server_command, server_environment
 
 DatabaseDir = Annotated[
     Path | None,
-    typer.Option(
-        envvar="RIDELAB_DATA_DIR",
-        metavar="DIR",
-        parser=options.folder,
-        help="Where the database is [default: data].",
-        show_default=False,
-    ),
+    options.option("DIR", "Where the database is [default: data].", envvar="RIDELAB_DATA_DIR", parser=options.folder),
 ]
 
 
@@ -64,28 +58,26 @@ def _in(data_dir: Path | None) -> list[str]:
 
 
 def open_(
+    services: Services,
     target: Annotated[
         str, typer.Argument(metavar="RESULT", help="Scenario, preset, run id, batch id, link, or address of one.")
     ] = "paper",
     changes: options.Changes = None,
     strategy: options.Strategies = None,
     only_print: Annotated[bool, typer.Option("--print", help="Print the address, start no browser.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Open a result in the browser, and print its address.
 
     A scenario is run first. Without --server the private service stays until Ctrl-C, so that the page can work.
     """
-    with Services(server, data_dir) as services:
-        address = _address(target, changes or [], options.listed(strategy), services)
-        typer.echo(address)
-        if not only_print:
-            webbrowser.open(address)
-        if services.started:
-            with contextlib.suppress(KeyboardInterrupt):  # which may come as soon as it is said
-                note("Serving until Ctrl-C")
-                signal.pause()
+    address = _address(target, changes or [], options.listed(strategy), services)
+    typer.echo(address)
+    if not only_print:
+        webbrowser.open(address)
+    if services.started:
+        with contextlib.suppress(KeyboardInterrupt):  # which may come as soon as it is said
+            note("Serving until Ctrl-C")
+            signal.pause()
 
 
 def _address(target: str, changes: list[str], strategies: list[str], services: Services) -> str:

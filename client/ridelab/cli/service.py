@@ -1,21 +1,23 @@
 """Services a command works with: those at an address, or a private one that ends with the command."""
 
 import importlib.util
+import inspect
 import os
 import re
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
-from typing import IO, Self
+from typing import IO, Any, Self
 
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import InputError, UnavailableError, nothing_submitted, terminal
+from ridelab.cli.options import DataDir, Server
+from ridelab.cli.reporting import InputError, UnavailableError, terminal
 from ridelab.client import Ridelab
 from ridelab.http import without_login
 
@@ -115,13 +117,28 @@ class Services:
         return self._open[address]
 
 
+def with_services(command: Callable[..., None]) -> Callable[..., None]:
+    """A command as typer takes it: `services`, its first argument, comes from options that name a service."""
+
+    def run(server: Server = None, data_dir: DataDir = None, **arguments: Any) -> None:
+        with Services(server, data_dir) as services:
+            command(services, **arguments)
+
+    own = list(inspect.signature(command).parameters.values())[1:]
+    named = list(inspect.signature(run).parameters.values())[:2]
+    parameters = [each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in (*own, *named)]
+    run.__doc__ = command.__doc__
+    run.__annotations__ = {each.name: each.annotation for each in parameters}
+    run.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]  # what inspect.signature reads first
+    return run
+
+
 @contextmanager
 def private(data_dir: Path | None) -> Iterator[str]:
     """A service on a free port of this machine, ended with the block; gives its address.
 
     Raises:
         UnavailableError: It does not start; the message is its own.
-        typer.Exit: Ctrl-C came while it started, and that has been said.
     """
     options = [] if data_dir is None else ["--data-dir", str(data_dir)]
     environment = server_environment()
@@ -136,11 +153,7 @@ def private(data_dir: Path | None) -> Iterator[str]:
             start_new_session=True,  # Ctrl-C is the command's: it may still need the service to cancel
         )
         try:
-            try:
-                address = _wait(process, log)
-            except KeyboardInterrupt:
-                raise nothing_submitted() from None
-            yield address
+            yield _wait(process, log)
         finally:
             _end(process)
 

@@ -7,8 +7,8 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.following import estimate_text, followed, later, may_detach, submitted, told_end
-from ridelab.cli.reporting import InputError, chosen_format, deliver, note, nothing_submitted, print_json
+from ridelab.cli.following import file_options, followed, later, may_detach, show_estimate, submitted, told_end
+from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.errors import RidelabClientError
@@ -20,38 +20,30 @@ _FIGURES = ("rough_road.body_acceleration.rms", "bump.body_acceleration.peak", "
 
 
 def sweep(
+    services: Services,
     scenario: options.Scenario = "paper",
     grid: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="FIELD=VALUES",
-            help="road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination.",
-            show_default=False,
+        options.option(
+            "FIELD=VALUES",
+            "road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination.",
             autocompletion=options.completes("fields", "="),
         ),
     ] = None,
     latin_hypercube: Annotated[
         list[str] | None,
-        typer.Option(
-            metavar="FIELD=LOW:HIGH",
-            help="Evenly spread random points in these ranges.",
-            show_default=False,
+        options.option(
+            "FIELD=LOW:HIGH",
+            "Evenly spread random points in these ranges.",
             autocompletion=options.completes("fields", "="),
         ),
     ] = None,
-    samples: Annotated[
-        int | None, typer.Option(metavar="N", min=1, help="Points of the hypercube.", show_default=False)
-    ] = None,
+    samples: Annotated[int | None, options.option("N", "Points of the hypercube.", min=1)] = None,
     seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the hypercube: same seed, same points.")] = 0,
     points: Annotated[
         Path | None,
-        typer.Option(
-            "--list",
-            metavar="FILE",
-            help='JSON list of points, [{"road.bump.height": 0.1}, ..].',
-            exists=True,
-            dir_okay=False,
-            show_default=False,
+        options.option(
+            "FILE", 'JSON list of points, [{"road.bump.height": 0.1}, ..].', "--list", exists=True, dir_okay=False
         ),
     ] = None,
     strategy: options.Strategies = None,
@@ -65,8 +57,6 @@ def sweep(
     detach: options.Detach = False,
     dry_run: options.DryRun = False,
     as_json: Annotated[bool, typer.Option("--json", help="How the batch ended, as JSON.")] = False,
-    server: options.Server = None,
-    data_dir: options.DataDir = None,
 ) -> None:
     """Run many variants of a scenario; Ctrl-C cancels and keeps what is finished.
 
@@ -76,41 +66,32 @@ def sweep(
         raise InputError("Say what to sweep with one of --grid, --latin-hypercube and --list")
     if (samples is not None) != bool(latin_hypercube):
         raise InputError("--latin-hypercube and --samples belong together")
-    file_options = () if out is None else ("--out", out, *(() if file_format is None else ("--format", file_format)))
-    wanted = "" if out is None else chosen_format(out, file_format)
-    with Services(server, data_dir) as services:
-        may_detach(detach, services)
-        try:
-            swept = fields.sweep_of(
-                services, grid=grid or [], ranges=latin_hypercube or [], samples=samples, seed=seed, points=points
-            )
-            start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
-            ridelab, names = services.at(), options.listed(strategy) or ["lv"]
-            if dry_run:
-                found = ridelab.estimate(start, names, swept)
-                print_json(found) if as_json else typer.echo(estimate_text(found, ("runs", "points")))
-                return
-        except KeyboardInterrupt:
-            raise nothing_submitted() from None
-
-        def take_later(batch: Batch) -> str:
-            return later(batch, services, *file_options)
-
-        batch = submitted(lambda key: ridelab.submit(start, names, swept, key), label, take_later)
-        if detach:
-            print_json(batch.answer) if as_json else typer.echo(batch.id)
-            note(f"{batch.total} runs; {take_later(batch)}")
-            return
-        code = followed(batch, take_later(batch))
-        if out is not None:
-            _write(batch, wanted, out, take_later(batch))
-        elif code:
-            note(f"For its rows: {take_later(batch)}")
-        elif not as_json:
-            _preview(batch, services)
+    wanted = None if out is None else chosen_format(out, file_format)
+    may_detach(detach, services)
+    swept = fields.sweep_of(
+        services, grid=grid or [], ranges=latin_hypercube or [], samples=samples, seed=seed, points=points
+    )
+    start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    ridelab, names = services.at(), options.listed(strategy) or ["lv"]
+    if dry_run:
+        show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
+        return
+    again = file_options(out, file_format)
+    batch = submitted(lambda key: ridelab.submit(start, names, swept, key), services, label, *again)
+    if detach:
+        print_json(batch.answer) if as_json else typer.echo(batch.id)
+        note(f"{batch.total} runs; {later(batch, services, *again)}")
+        return
+    code = followed(batch, services, *again)
+    if out is not None and wanted is not None:
+        _write(batch, wanted, out, later(batch, services, *again))
+    elif code:
+        note(f"For its rows: {later(batch, services)}")
+    elif not as_json:
+        _preview(batch, services)
     if as_json:
         print_json(batch.answer)
-    raise typer.Exit(told_end(batch) if code == 0 else code)
+    raise typer.Exit(code or told_end(batch))
 
 
 def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:
