@@ -3,10 +3,8 @@
 import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from typing import Any
 
 from fastapi import FastAPI
-from fastapi.openapi.utils import get_openapi
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
@@ -14,7 +12,7 @@ from backend.batches.driver import Driver
 from backend.batches.service import Batches
 from backend.compute import Workers
 from backend.hil.service import Controllers
-from backend.http import problems
+from backend.http import openapi, problems
 from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
@@ -88,7 +86,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     for router in ROUTERS:
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
-    app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
+    app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
     return app
 
 
@@ -145,22 +143,3 @@ def _admission(settings: Settings) -> Admission:
         max_client_streams=settings.max_client_streams,
         max_streams=settings.max_streams,
     )
-
-
-def _openapi(app: FastAPI) -> dict[str, Any]:
-    """OpenAPI 3.1 with each error under the media type it is sent with."""
-    if app.openapi_schema is None:
-        description = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
-        for operations in description["paths"].values():
-            for operation in operations.values():
-                for answer in operation["responses"].values():
-                    _name_problem(answer)
-        app.openapi_schema = description
-    return app.openapi_schema
-
-
-def _name_problem(answer: dict[str, Any]) -> None:
-    content = answer.get("content", {})
-    for media_type in list(content):  # a route that answers with HTML describes its problems so, too
-        if str(content[media_type].get("schema", {}).get("$ref", "")).endswith("/Problem"):
-            content[problems.MEDIA_TYPE] = content.pop(media_type)

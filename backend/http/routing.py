@@ -13,7 +13,6 @@ from fastapi.dependencies.utils import get_flat_params
 from fastapi.params import Param, Query
 from fastapi.routing import APIRoute
 from starlette.datastructures import QueryParams
-from starlette.types import Receive, Scope
 
 from backend.errors import InvalidError
 from backend.http import strict_json
@@ -27,85 +26,59 @@ SCENARIO_VALUES = 10_000  # a scenario has about a hundred
 _parsing = ThreadPoolExecutor(1, thread_name_prefix="strict-json")
 
 
-class StrictRequest(Request):
-    """A request whose body is bounded in size, time and number of values, and whose JSON is read strictly.
-
-    Args:
-        scope: ASGI.
-        receive: ASGI.
-        held: Keeps the place of a bulky body until the request is answered.
-        max_values: How many values the body may hold.
-        computes: Whether it may lead to computing, and takes a place among those as soon as its body is there.
-    """
-
-    def __init__(self, scope: Scope, receive: Receive, *, held: ExitStack, max_values: int, computes: bool) -> None:
-        super().__init__(scope, receive)
-        self._held = held
-        self._max_values = max_values
-        self._computes = computes
-        self._bulky = False
-
-    async def body(self) -> bytes:
-        """The whole body.
-
-        Raises:
-            RequestError: It is too long, announced or in pieces, or takes too long to come.
-            TemporaryError: Too many bulky ones are being read.
-        """
-        if not hasattr(self, "_body"):
-            announced = self.headers.get("content-length", "")
-            if announced.isdecimal():
-                self._expect(int(announced[:12]))
-            try:
-                async with asyncio.timeout(self.app.state.settings.body_timeout):
-                    self._body = await self._read()
-            except TimeoutError:
-                raise RequestError("slow-body", "The request body did not come in time.") from None
-        return self._body
-
-    async def _read(self) -> bytes:
-        pieces = bytearray()
-        async for piece in self.stream():
-            pieces += piece
-            self._expect(len(pieces))
-        return bytes(pieces)
-
-    def _expect(self, length: int) -> None:
-        """Refuse a body of at least that length, or take a place for it."""
-        limit: int = self.app.state.settings.max_body_bytes
-        if length > limit:
-            raise RequestError("too-long", f"The body may have {limit} bytes.")
-        if length > BULKY and not self._bulky:
-            self._bulky = True
-            self._held.enter_context(self.app.state.admission.receiving(client_address(self)))
-
-    async def json(self) -> Any:
-        """The body's value; anything doubtful is a problem."""
-        if not hasattr(self, "_json"):
-            self._json = await self._parsed(await self.body())
-        return self._json
-
-    async def _parsed(self, body: bytes) -> Any:
-        if self._computes:
-            self._held.enter_context(self.app.state.admission.admitted(client_address(self)))
-        parse = partial(strict_json.parse, body, max_values=self._max_values)
-        try:
-            if len(body) > BULKY:
-                return await asyncio.get_running_loop().run_in_executor(_parsing, parse)
-            return parse()
-        except strict_json.StrictJSONError as error:
-            message = error.message
-            errors = [{"pointer": "", "message": message}]
-            raise RequestError("strict-json", message, status=error.status, errors=errors) from None
-
-
 def client_address(request: Request) -> str:
     """The client's address by the server, or by a trusted proxy; empty where neither names one."""
     return request.client.host if request.client else ""
 
 
+async def _read_body(request: Request, held: ExitStack) -> bytes:
+    """The whole body; `held` keeps the place of a bulky one until the request is answered.
+
+    Raises:
+        RequestError: It is too long, announced or in pieces, or takes too long to come.
+        TemporaryError: Too many bulky ones are being read.
+    """
+    settings, admission = request.app.state.settings, request.app.state.admission
+    pieces, bulky = bytearray(), False
+
+    def expect(length: int) -> None:
+        nonlocal bulky
+        if length > settings.max_body_bytes:
+            raise RequestError("too-long", f"The body may have {settings.max_body_bytes} bytes.")
+        if length > BULKY and not bulky:
+            bulky = True
+            held.enter_context(admission.receiving(client_address(request)))
+
+    announced = request.headers.get("content-length", "")
+    expect(int(announced[:12]) if announced.isdecimal() else 0)
+    try:
+        async with asyncio.timeout(settings.body_timeout):
+            async for piece in request.stream():
+                pieces += piece
+                expect(len(pieces))
+    except TimeoutError:
+        raise RequestError("slow-body", "The request body did not come in time.") from None
+    return bytes(pieces)
+
+
+async def _parse(body: bytes, max_values: int) -> Any:
+    """The body's value.
+
+    Raises:
+        RequestError: Anything about it is doubtful.
+    """
+    parse = partial(strict_json.parse, body, max_values=max_values)
+    try:
+        if len(body) > BULKY:
+            return await asyncio.get_running_loop().run_in_executor(_parsing, parse)
+        return parse()
+    except strict_json.StrictJSONError as error:
+        errors = [{"pointer": "", "message": error.message}]
+        raise RequestError("strict-json", error.message, status=error.status, errors=errors) from None
+
+
 class StrictRoute(APIRoute):
-    """A route that reads its body with `StrictRequest`, and only as JSON, and takes the parameters it declares.
+    """A route that takes the parameters it declares and reads its body as strict JSON, bounded in every way.
 
     One that may lead to computing (`COMPUTES`) refuses a request that would wait too long before it does anything else.
     """
@@ -114,7 +87,7 @@ class StrictRoute(APIRoute):
     COMPUTES = False
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The framework's handler, given a stricter request."""
+        """The framework's handler, behind what it would let pass."""
         handler = super().get_route_handler()
         takes_body = self.body_field is not None
         declared = [(field.alias, field.field_info) for field in get_flat_params(self.dependant)]
@@ -133,13 +106,14 @@ class StrictRoute(APIRoute):
                     "unsupported-media-type", "The body has to come as it is, without a Content-Encoding."
                 )
             with ExitStack() as held:
-                if self.COMPUTES and not takes_body:
+                body = await _read_body(request, held) if takes_body else b""
+                if self.COMPUTES:
                     held.enter_context(request.app.state.admission.admitted(client_address(request)))
-                limits: dict[str, Any] = {"max_values": self.MAX_VALUES, "computes": self.COMPUTES}
-                bounded = StrictRequest(request.scope, request.receive, held=held, **limits)
-                if takes_body and await bounded.body():
-                    await bounded.json()  # here: the framework would call any exception a malformed body
-                return await handler(bounded)
+                if takes_body:  # what the framework would read itself, and call any error a malformed body
+                    request._body = body
+                if body:
+                    request._json = await _parse(body, self.MAX_VALUES)
+                return await handler(request)
 
         return strict
 

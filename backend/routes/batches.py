@@ -122,7 +122,7 @@ async def get_batch_events(
 async def get_batch_results(
     batch_id: BatchId,
     service: BatchesService,
-    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format")] = "json",
+    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
     batch, stream = await service.results(batch_id, file_format)

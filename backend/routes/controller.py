@@ -9,7 +9,7 @@ from backend.hil.export import FOLDER
 from backend.hil.service import Controllers
 from backend.http.routing import ScenarioRoute
 from backend.routes import router
-from backend.routes.deps import Client, json_answer, unless_gone
+from backend.routes.deps import Client, cancel_on_disconnect, json_answer
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 
@@ -40,7 +40,7 @@ async def report_controller(
     body: models.ControllerRequest, request: Request, service: ControllersService, client: Client
 ) -> Response:
     """Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time."""
-    return json_answer(await unless_gone(request, service.report(body.scenario, client)))
+    return json_answer(await cancel_on_disconnect(request, service.report(body.scenario, client)))
 
 
 @controller.post("/controller/realtime", operation_id="driveByClock", response_model=models.RealtimeReport)
@@ -48,4 +48,4 @@ async def drive_by_clock(
     body: models.ControllerRequest, request: Request, service: ControllersService, client: Client
 ) -> Response:
     """Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time."""
-    return json_answer(await unless_gone(request, service.drive_by_clock(body.scenario, client)))
+    return json_answer(await cancel_on_disconnect(request, service.drive_by_clock(body.scenario, client)))

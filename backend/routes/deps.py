@@ -54,7 +54,7 @@ def html_answer(report: Report, name: str) -> Response:
     return HTMLResponse(report.content, headers=headers)
 
 
-def unless_known(request: Request, tag: str, content: Any, cache_control: str) -> Response:
+def answer_unless_cached(request: Request, tag: str, content: Any, cache_control: str) -> Response:
     """JSON with that entity tag, or 304 where the client has it already (weak comparison, RFC 9110, 13.1.2)."""
     headers = {"ETag": tag, "Cache-Control": cache_control}
     offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
@@ -63,7 +63,7 @@ def unless_known(request: Request, tag: str, content: Any, cache_control: str) -
     return json_answer(content, headers)
 
 
-async def unless_gone(request: Request, work: Coroutine[Any, Any, T]) -> T:
+async def cancel_on_disconnect(request: Request, work: Coroutine[Any, Any, T]) -> T:
     """The result of `work`, which is called off when the client goes away first.
 
     Raises:

@@ -9,7 +9,7 @@ from fastapi import Path, Request, Response
 
 from backend.links import models as models_links
 from backend.routes import router
-from backend.routes.deps import Client, LinksService, json_answer, unless_known
+from backend.routes.deps import Client, LinksService, answer_unless_cached, json_answer
 
 links = router("links", 404, 422, 503)
 sharing = router("links", 400, 413, 415, 422, 429, 503)
@@ -42,4 +42,4 @@ async def get_link(slug: Slug, request: Request, service: LinksService) -> Respo
     # Of the content: what is shared never changes, but the service's own version and a batch's progress do.
     digest = hashlib.sha256(orjson.dumps(content)).digest()[:16]
     tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
-    return unless_known(request, tag, content, "no-cache")
+    return answer_unless_cached(request, tag, content, "no-cache")

@@ -8,7 +8,7 @@ from fastapi.responses import HTMLResponse
 from backend.paper import models
 from backend.paper.service import Paper
 from backend.routes import router
-from backend.routes.deps import Client, html_answer, json_answer, takes_gzip, unless_gone
+from backend.routes.deps import Client, cancel_on_disconnect, html_answer, json_answer, takes_gzip
 
 paper = router("paper", 422, 429, 503)
 
@@ -26,25 +26,25 @@ Roads = Annotated[models.RoadsQuery, Query()]
 @paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
 async def get_paper(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
     """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly."""
-    return json_answer(await unless_gone(request, service.reproduction(query.chosen(), query.roads, client)))
+    return json_answer(await cancel_on_disconnect(request, service.reproduction(query.chosen(), query.roads, client)))
 
 
 @paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)
 async def get_readings(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
     """What each reading does to the verdicts by itself; ask again while it is not complete."""
-    return json_answer(await unless_gone(request, service.readings(query.roads, client)))
+    return json_answer(await cancel_on_disconnect(request, service.readings(query.roads, client)))
 
 
 @paper.get("/paper/attribution", operation_id="getPaperAttribution", response_model=models.AttributionAnswer)
 async def get_attribution(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
     """Preview, weights and speed varied one at a time, and how much of LV's gain each is."""
-    return json_answer(await unless_gone(request, service.attribution(query.roads, client)))
+    return json_answer(await cancel_on_disconnect(request, service.attribution(query.roads, client)))
 
 
 @paper.get("/paper/figures", operation_id="getPaperFigures", response_model=models.PaperFigures)
 async def get_figures(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
     """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
-    return json_answer(await unless_gone(request, service.figures(query.roads, client)))
+    return json_answer(await cancel_on_disconnect(request, service.figures(query.roads, client)))
 
 
 @paper.get(
@@ -56,5 +56,5 @@ async def get_figures(query: Roads, request: Request, service: PaperService, cli
 async def get_report(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
     """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
     work = service.report(query.chosen(), query.roads, client, compressed=takes_gzip(request))
-    report = await unless_gone(request, work)
+    report = await cancel_on_disconnect(request, work)
     return html_answer(report, "ridelab-paper.html")

@@ -8,6 +8,7 @@ from fastapi.responses import HTMLResponse
 from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
+from backend.figures import PANELS
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.roads_models import CreatedRoadsRun, RoadsRun
 from backend.routes import router
@@ -15,11 +16,11 @@ from backend.routes.deps import (
     IMMUTABLE,
     Client,
     RunsService,
+    answer_unless_cached,
+    cancel_on_disconnect,
     html_answer,
     json_answer,
     takes_gzip,
-    unless_gone,
-    unless_known,
 )
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -48,7 +49,7 @@ async def create_run(body: models.RunRequest, service: RunsService, client: Clie
 async def live(body: models.LiveRequest, request: Request, service: RunsService, client: Client) -> Response:
     """Figures and decimated time histories while somebody drags; nothing is stored."""
     work = service.live(body.scenario, body.strategies, body.points, body.signals, client)
-    return json_answer(await unless_gone(request, work))
+    return json_answer(await cancel_on_disconnect(request, work))
 
 
 @runs.get(
@@ -60,7 +61,7 @@ async def live(body: models.LiveRequest, request: Request, service: RunsService,
 async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:
     """A stored run; it never changes."""
     answer = await service.get(run_id)
-    return unless_known(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
+    return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
 
 
 @drawing.get(
@@ -75,7 +76,7 @@ async def get_series(
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
     signals: Annotated[str | None, Query(description="Keys with commas; omitted is all")] = None,
-    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format")] = "json",
+    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
     points: Annotated[
         int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")
     ] = None,
@@ -124,7 +125,7 @@ async def get_run_figures(
 )
 async def get_run_figure(
     run_id: RunId,
-    name: str,
+    name: Annotated[str, Path(json_schema_extra={"enum": list(PANELS)}, description="Of the figure")],
     service: RunsService,
     client: Client,
     x: Axis = "position",

@@ -129,6 +129,48 @@ def test_every_address_is_documented_with_its_parameters(description: dict[str, 
     }
 
 
+def test_every_body_has_an_example_that_is_taken(
+    client: httpx.Client, description: dict[str, Any], run: dict[str, Any]
+) -> None:
+    bodies = {
+        path: operation["requestBody"]["content"]["application/json"]["schema"]["$ref"].rpartition("/")[2]
+        for path, operations in description["paths"].items()
+        for operation in operations.values()
+        if "requestBody" in operation
+    }
+    assert len(bodies) > 7
+    for path, name in bodies.items():
+        (example,) = description["components"]["schemas"][name]["examples"]
+        if name in ("BatchRequest", "TuningRequest"):
+            example = {**example, "dry_run": True}
+        elif name == "LinkRequest":
+            example = {**example, "run_id": run["id"]}
+        if path not in ("/api/v1/login", "/api/v1/controller/report", "/api/v1/controller/realtime"):  # one takes 10 s
+            assert client.post(path, json=example).is_success, path
+
+
+def test_headers_tags_links_and_names_are_described(description: dict[str, Any]) -> None:
+    operations = {each["operationId"]: each for methods in description["paths"].values() for each in methods.values()}
+    assert {name for each in operations.values() for name in each["tags"]} == {
+        tag["name"] for tag in description["tags"] if tag["description"]
+    }
+    for operation in operations.values():
+        for status, answer in operation["responses"].items():
+            assert "X-Request-ID" in answer["headers"]
+            assert ("Retry-After" in answer["headers"]) is (status in ("429", "503"))
+            assert answer["description"] not in ("", "Successful Response")
+        for link in (link for answer in operation["responses"].values() for link in answer.get("links", {}).values()):
+            taken = {parameter["name"] for parameter in operations[link["operationId"]]["parameters"]}
+            assert set(link["parameters"]) <= taken
+    assert all(header["description"] for header in description["components"]["headers"].values())
+    schemas = description["components"]["schemas"]
+    for name, field in (
+        (name, field) for each in schemas.values() for name, field in each.get("properties", {}).items()
+    ):
+        if name in ("state", "strategy") and field.get("type") == "string":
+            assert field["enum"], (name, field)
+
+
 def test_answers_are_described_precisely(description: dict[str, Any]) -> None:
     schemas = description["components"]["schemas"]
     answer = description["paths"]["/api/v1/runs"]["post"]["responses"]["200"]["content"]["application/json"]["schema"]

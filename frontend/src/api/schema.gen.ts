@@ -929,7 +929,7 @@ export interface components {
              */
             state: "queued" | "running" | "done" | "cancelled" | "failed";
             /** Strategies */
-            strategies: string[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
             /** Sweep */
             sweep: {
                 [key: string]: unknown;
@@ -961,8 +961,19 @@ export interface components {
          * BatchRequest
          * @description What to run: each point of the sweep under each strategy.
          * @example {
+         *       "scenario": {
+         *         "road": {
+         *           "length": 130,
+         *           "bump": {
+         *             "height": 0.08
+         *           }
+         *         },
+         *         "speed": {
+         *           "target_speed_kmh": 25
+         *         }
+         *       },
          *       "strategies": [
-         *         "lv",
+         *         "lqr",
          *         "passive"
          *       ],
          *       "sweep": {
@@ -972,38 +983,6 @@ export interface components {
          *             0.1
          *           ]
          *         }
-         *       }
-         *     }
-         * @example {
-         *       "strategies": [
-         *         "lqr"
-         *       ],
-         *       "sweep": {
-         *         "latin_hypercube": {
-         *           "ranges": {
-         *             "speed.target_speed_kmh": [
-         *               20,
-         *               40
-         *             ]
-         *           },
-         *           "samples": 3
-         *         }
-         *       }
-         *     }
-         * @example {
-         *       "dry_run": true,
-         *       "strategies": [
-         *         "passive"
-         *       ],
-         *       "sweep": {
-         *         "list": [
-         *           {
-         *             "road.seed": 2
-         *           },
-         *           {
-         *             "road.seed": 3
-         *           }
-         *         ]
          *       }
          *     }
          */
@@ -1189,16 +1168,22 @@ export interface components {
              * @enum {string}
              */
             status: "ok" | "failed" | "waiting" | "cancelled";
-            /** Strategy */
-            strategy: string;
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
         };
         /**
          * BatchSummary
          * @description What a batch's finished runs say as a whole.
          */
         BatchSummary: {
-            /** Baseline */
-            baseline: string;
+            /**
+             * Baseline
+             * @enum {string}
+             */
+            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /** Batch */
             batch: string;
             /** Points */
@@ -1563,8 +1548,11 @@ export interface components {
             signal: string;
             /** Statistic */
             statistic: string;
-            /** Strategy */
-            strategy: string;
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /** Table */
             table: number;
             /**
@@ -1611,8 +1599,11 @@ export interface components {
         Column: {
             /** Against */
             against: string;
-            /** Strategy */
-            strategy: string;
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
         };
         /**
          * CombinationRow
@@ -1797,8 +1788,14 @@ export interface components {
          * @description Whose controller; an omitted part of the scenario takes the paper's default.
          * @example {
          *       "scenario": {
-         *         "mpc": {
-         *           "prediction_horizon": 20
+         *         "road": {
+         *           "length": 130,
+         *           "bump": {
+         *             "height": 0.08
+         *           }
+         *         },
+         *         "speed": {
+         *           "target_speed_kmh": 25
          *         }
          *       }
          *     }
@@ -2029,8 +2026,11 @@ export interface components {
          * @description A run over several roads as the request that made it sees it.
          */
         CreatedRoadsRun: {
-            /** Baseline */
-            baseline: string;
+            /**
+             * Baseline
+             * @enum {string}
+             */
+            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /**
              * Changes
              * @description By strategy; not of the baseline, nor of failures
@@ -2457,6 +2457,13 @@ export interface components {
         /**
          * LinkRequest
          * @description What to share: a stored run or a batch, and how it is looked at.
+         * @example {
+         *       "run_id": "AAAAAAAAAAAAAAAAAAAAAA",
+         *       "view": {
+         *         "baseline": "passive",
+         *         "axis": "time"
+         *       }
+         *     }
          */
         LinkRequest: {
             /** Batch Id */
@@ -2521,15 +2528,21 @@ export interface components {
          * @example {
          *       "scenario": {
          *         "road": {
+         *           "length": 130,
          *           "bump": {
-         *             "height": 0.12
+         *             "height": 0.08
          *           }
+         *         },
+         *         "speed": {
+         *           "target_speed_kmh": 25
          *         }
          *       },
          *       "strategies": [
-         *         "lv",
-         *         "lqr",
-         *         "passive"
+         *         "lv"
+         *       ],
+         *       "points": 200,
+         *       "signals": [
+         *         "body_acceleration"
          *       ]
          *     }
          */
@@ -2757,6 +2770,9 @@ export interface components {
         /**
          * LoginRequest
          * @description A token, as the service's file has it.
+         * @example {
+         *       "token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"
+         *     }
          */
         LoginRequest: {
             /** Token */
@@ -3496,8 +3512,11 @@ export interface components {
          * @description A stored run over several roads; it never changes.
          */
         RoadsRun: {
-            /** Baseline */
-            baseline: string;
+            /**
+             * Baseline
+             * @enum {string}
+             */
+            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /**
              * Changes
              * @description By strategy; not of the baseline, nor of failures
@@ -3570,8 +3589,11 @@ export interface components {
          * @description What a robustness study varies unless told otherwise.
          */
         RobustnessDefaults: {
-            /** Baseline */
-            baseline: string;
+            /**
+             * Baseline
+             * @enum {string}
+             */
+            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /** Figures */
             figures: string[];
             /** Ranges */
@@ -3579,7 +3601,7 @@ export interface components {
             /** Samples */
             samples: number;
             /** Strategies */
-            strategies: string[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
         };
         /**
          * Run
@@ -3605,30 +3627,17 @@ export interface components {
          * @example {
          *       "scenario": {
          *         "road": {
+         *           "length": 130,
          *           "bump": {
-         *             "height": 0.12
+         *             "height": 0.08
          *           }
+         *         },
+         *         "speed": {
+         *           "target_speed_kmh": 25
          *         }
          *       },
          *       "strategies": [
          *         "lv",
-         *         "lqr",
-         *         "passive"
-         *       ]
-         *     }
-         * @example {
-         *       "baseline": "lqr",
-         *       "roads": 10,
-         *       "scenario": {
-         *         "road": {
-         *           "bump": {
-         *             "height": 0.12
-         *           }
-         *         }
-         *       },
-         *       "strategies": [
-         *         "lv",
-         *         "lqr",
          *         "passive"
          *       ]
          *     }
@@ -3955,8 +3964,11 @@ export interface components {
             series: {
                 [key: string]: (number | null)[] | components["schemas"]["TypedArray"];
             };
-            /** Strategy */
-            strategy: string;
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /** Units */
             units: {
                 [key: string]: string;
@@ -4560,8 +4572,11 @@ export interface components {
              * @enum {string}
              */
             step: "search" | "comparison";
-            /** Strategy */
-            strategy: string;
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             trials: components["schemas"]["TrialCounts"];
         };
         /**
@@ -4591,44 +4606,27 @@ export interface components {
          * TuningRequest
          * @description What to tune, for what, on which roads.
          * @example {
-         *       "limits": [
-         *         {
-         *           "at_most": 0,
-         *           "figure": "events.travel_exceeded_mm"
-         *         }
-         *       ],
-         *       "objectives": [
-         *         {
-         *           "kind": "paper"
-         *         }
-         *       ],
-         *       "strategy": "lv",
-         *       "trials": 32
-         *     }
-         * @example {
-         *       "dry_run": true,
-         *       "objectives": [
-         *         {
-         *           "kind": "paper"
+         *       "scenario": {
+         *         "road": {
+         *           "length": 130,
+         *           "bump": {
+         *             "height": 0.08
+         *           }
          *         },
-         *         {
-         *           "figure": "bump.body_acceleration.peak",
-         *           "kind": "figure"
+         *         "speed": {
+         *           "target_speed_kmh": 25
          *         }
-         *       ],
-         *       "population": 4,
-         *       "search": {
-         *         "lqr.weights.0": [
-         *           0.1,
-         *           10
-         *         ],
-         *         "lqr.weights.2": [
-         *           0.1,
-         *           10
-         *         ]
          *       },
          *       "strategy": "lqr",
-         *       "trials": 8
+         *       "trials": 2,
+         *       "population": 2,
+         *       "seeds": [
+         *         1
+         *       ],
+         *       "fresh_seeds": [
+         *         2,
+         *         3
+         *       ]
          *     }
          */
         TuningRequest: {
@@ -4913,8 +4911,11 @@ export interface components {
              * @enum {string}
              */
             step: "search" | "comparison";
-            /** Strategy */
-            strategy: string;
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             trials: components["schemas"]["TrialCounts"];
         };
         /**
@@ -5058,7 +5059,22 @@ export interface components {
     responses: never;
     parameters: never;
     requestBodies: never;
-    headers: never;
+    headers: {
+        /** @description A file's name; not of JSON */
+        "Content-Disposition": string;
+        /** @description For If-None-Match */
+        ETag: string;
+        /** @description Where it is */
+        Location: string;
+        /** @description When to ask again [s] */
+        "Retry-After": number;
+        /** @description The page's cookie, HttpOnly and SameSite=Strict */
+        "Set-Cookie": string;
+        /** @description `Bearer` */
+        "WWW-Authenticate": string;
+        /** @description The request's name, also in the service's log */
+        "X-Request-ID": string;
+    };
     pathItems: never;
 }
 export type $defs = Record<string, never>;
@@ -5075,54 +5091,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The newest batches first. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Batches"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5150,105 +5174,121 @@ export interface operations {
             /** @description Of a dry run */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Estimate"];
                 };
             };
-            /** @description Successful Response */
+            /** @description Submit a sweep; 202 comes after the commit: what was accepted completes, whatever crashes. */
             202: {
                 headers: {
+                    Location: components["headers"]["Location"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Batch"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: A tuning that is done goes on with a greater number of trials only. */
             409: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5269,54 +5309,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description A batch as it stands. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Batch"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5337,54 +5385,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Queued and running runs stop; finished results stay. A batch that has ended is answered as it is. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Batch"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5411,9 +5467,10 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Server-sent events `state` and `progress` with `{state, done, failed, total}`; the last is the final state. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5426,54 +5483,63 @@ export interface operations {
                     };
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5485,6 +5551,7 @@ export interface operations {
     getBatchResults: {
         parameters: {
             query?: {
+                /** @description Of the answer */
                 format?: "json" | "csv" | "parquet";
             };
             header?: never;
@@ -5496,9 +5563,11 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description One row a run, in order, streamed; a batch that still runs has rows that wait. */
             200: {
                 headers: {
+                    "Content-Disposition": components["headers"]["Content-Disposition"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5507,45 +5576,52 @@ export interface operations {
                     "text/csv": unknown;
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5558,7 +5634,7 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description Strategy; without one LV, else the first */
-                baseline?: string | null;
+                baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
                 /** @description Keys with commas; without any the paper's eight, travel exceeded and airborne */
                 figures?: string;
             };
@@ -5571,63 +5647,73 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Each figure's quantiles and extremes under each strategy, paired margins, what they follow, and stability. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["BatchSummary"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5651,54 +5737,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["BatchTable"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5716,36 +5810,41 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Signals, windows, statistics, stages, comfort, events, references: keys, labels and units. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Catalogue"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5770,87 +5869,101 @@ export interface operations {
             /** @description A zip with README, Makefile and C sources */
             200: {
                 headers: {
+                    "Content-Disposition": components["headers"]["Content-Disposition"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/zip": unknown;
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5872,90 +5985,103 @@ export interface operations {
             };
         };
         responses: {
-            /** @description Successful Response */
+            /** @description Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["RealtimeReport"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -5977,90 +6103,103 @@ export interface operations {
             };
         };
         responses: {
-            /** @description Successful Response */
+            /** @description Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["ControllerReport"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6078,36 +6217,41 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Figure templates in the order of display: layout, and a trace without data for each strategy. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Figures"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6129,90 +6273,104 @@ export interface operations {
             };
         };
         responses: {
-            /** @description Successful Response */
+            /** @description Share a stored run or a batch; the answer comes after the commit. */
             201: {
                 headers: {
+                    Location: components["headers"]["Location"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["CreatedLink"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6233,9 +6391,11 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description What a link opens: results as they were computed, the scenario as today's schema has it, the view. */
             200: {
                 headers: {
+                    ETag: components["headers"]["ETag"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6245,49 +6405,58 @@ export interface operations {
             /** @description Not changed */
             304: {
                 headers: {
+                    ETag: components["headers"]["ETag"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6309,90 +6478,103 @@ export interface operations {
             };
         };
         responses: {
-            /** @description Successful Response */
+            /** @description Figures and decimated time histories while somebody drags; nothing is stored. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["LiveRun"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6410,72 +6592,81 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Whether the service wants a token. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["LoginState"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6497,70 +6688,80 @@ export interface operations {
             };
         };
         responses: {
-            /** @description Successful Response */
+            /** @description Keep the token in a cookie that no script can read; 401 where it is none of the service's. */
             204: {
                 headers: {
+                    "Set-Cookie": components["headers"]["Set-Cookie"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6578,70 +6779,80 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Forget the cookie. */
             204: {
                 headers: {
+                    "Set-Cookie": components["headers"]["Set-Cookie"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6686,54 +6897,63 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["PaperAnswer"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6756,54 +6976,63 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Preview, weights and speed varied one at a time, and how much of LV's gain each is. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["AttributionAnswer"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6826,54 +7055,63 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Figures 3-6, 8, 10-17 and 19-22 from our own runs. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["PaperFigures"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6896,54 +7134,63 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description What each reading does to the verdicts by itself; ask again while it is not complete. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["ReadingsAnswer"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -6988,54 +7235,64 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description All of this as one HTML file that needs nothing else; each reading may be chosen for its tables. */
             200: {
                 headers: {
+                    "Content-Disposition": components["headers"]["Content-Disposition"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "text/html": string;
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7053,36 +7310,41 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Named scenarios; the paper's first. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["PresetAnswer"][];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7100,54 +7362,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["RobustnessDefaults"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7169,90 +7439,103 @@ export interface operations {
             };
         };
         responses: {
-            /** @description Successful Response */
+            /** @description Run what is not stored yet, on one road or several; the answer comes after the commit. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["CreatedRun"] | components["schemas"]["CreatedRoadsRun"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7273,9 +7556,11 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description A stored run; it never changes. */
             200: {
                 headers: {
+                    ETag: components["headers"]["ETag"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7285,49 +7570,58 @@ export interface operations {
             /** @description Not changed */
             304: {
                 headers: {
+                    ETag: components["headers"]["ETag"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7351,72 +7645,83 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Every figure with this run's data. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Figures"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Gone */
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. */
             410: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7435,15 +7740,17 @@ export interface operations {
             path: {
                 /** @description 22 characters */
                 id: string;
-                name: string;
+                /** @description Of the figure */
+                name: "road" | "speed" | "brake_pressure" | "body_acceleration" | "pitch_acceleration" | "front_tyre_load" | "rear_tyre_load" | "front_deflection" | "rear_deflection" | "front_force" | "rear_force";
             };
             cookie?: never;
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description One figure with this run's data. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7452,63 +7759,73 @@ export interface operations {
                     };
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Gone */
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. */
             410: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7521,7 +7838,7 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description Whose figures the changes refer to; omitted is passive */
-                baseline?: string | null;
+                baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
                 /** @description What is on the x axis */
                 x?: "position" | "time";
             };
@@ -7534,63 +7851,74 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none. */
             200: {
                 headers: {
+                    "Content-Disposition": components["headers"]["Content-Disposition"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "text/html": string;
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7604,6 +7932,7 @@ export interface operations {
             query?: {
                 /** @description Of JSON only */
                 encoding?: "list" | "base64";
+                /** @description Of the answer */
                 format?: "json" | "csv" | "parquet";
                 /** @description About how many samples; omitted is all */
                 points?: number | null;
@@ -7621,9 +7950,11 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Time histories in SI units; time and position always come along. */
             200: {
                 headers: {
+                    "Content-Disposition": components["headers"]["Content-Disposition"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7632,63 +7963,73 @@ export interface operations {
                     "text/csv": unknown;
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Gone */
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. */
             410: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7706,9 +8047,10 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description JSON Schema of the scenario: title, description, unit, default, hard limits and soft_range of each field. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7717,27 +8059,31 @@ export interface operations {
                     };
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7755,36 +8101,41 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Every strategy: what it does, what it reads, how it is drawn. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["StrategyAnswer"][];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7805,54 +8156,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The newest tunings first, without their scenarios and results. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Tunings"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7880,105 +8239,121 @@ export interface operations {
             /** @description Of a dry run */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["TuningEstimate"];
                 };
             };
-            /** @description Successful Response */
+            /** @description Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes. */
             202: {
                 headers: {
+                    Location: components["headers"]["Location"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Tuning"];
                 };
             };
-            /** @description Bad Request */
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             400: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Timeout */
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
             408: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: A tuning that is done goes on with a greater number of trials only. */
             409: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             413: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
             415: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -7999,54 +8374,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description A tuning as it stands: the best weights so far, the front, how it got there, in the end the comparison. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Tuning"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8067,54 +8450,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description It stops; what its complete generations found stays. One that has ended is answered as it is. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Tuning"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8141,9 +8532,10 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Server-sent events `state`, `progress` (a generation) and `restart`; the last is the final state. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8156,54 +8548,63 @@ export interface operations {
                     };
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
             429: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8227,63 +8628,72 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description One that has ended goes on where it stopped, perhaps with more trials; one under way is answered as it is. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Tuning"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: A tuning that is done goes on with a greater number of trials only. */
             409: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8304,54 +8714,62 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Every trial of the complete generations, in order. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/json": components["schemas"]["Trials"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
             401: {
                 headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Internal Server Error */
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable */
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8369,9 +8787,10 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The process answers. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8389,9 +8808,10 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Figures for Prometheus: counts, gauges and latencies, nothing of anybody's scenario. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8410,9 +8830,10 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The store answers and a warm worker is there. */
             200: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {
@@ -8422,6 +8843,8 @@ export interface operations {
             /** @description Not yet, or not now */
             503: {
                 headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
                 content: {

@@ -65,5 +65,5 @@ export function BatchHeader({ batch, view }: Props) {
 
 function toShare({ fields, strategies }: Batch, { x, y, hidden }: BatchView) {
   const shown = x ?? fields[0]?.name;
-  return { ...(shown === undefined ? {} : { x: shown }), y, hidden: hidden.filter((id) => strategies.includes(id)) };
+  return { ...(shown === undefined ? {} : { x: shown }), y, hidden: hidden.filter((id) => strategies.some((each) => each === id)) };
 }

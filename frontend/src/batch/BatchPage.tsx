@@ -40,7 +40,7 @@ export function BatchPage({ id, link }: Props) {
   useDocumentTitle(`${title} · Ridelab`);
 
   const figures = useMemo(() => (catalogue.data && templates.data ? figuresOf(catalogue.data, templates.data) : null), [catalogue.data, templates.data]);
-  const swept = useMemo(() => (strategies.data ?? []).filter(({ id: strategy }) => batch?.strategies.includes(strategy)), [strategies.data, batch?.strategies]);
+  const swept = useMemo(() => (strategies.data ?? []).filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)), [strategies.data, batch?.strategies]);
   const markers = useMemo(() => markersOf(strategies.data ?? []), [strategies.data]);
   const fault = [error, strategies.error, catalogue.error, templates.error, form.error].find((each) => each !== null && !isTransient(each));
 

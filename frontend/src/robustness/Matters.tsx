@@ -20,7 +20,7 @@ interface Props {
 const STABILITY = "stability";
 
 export function Matters({ batch, summary, strategies, figures }: Props) {
-  const [chosen, setChosen] = useState(summary.baseline);
+  const [chosen, setChosen] = useState<string>(summary.baseline);
   const [of, setOf] = useState<"value" | "margin">("value");
   const strategy = strategies.find(({ id }) => id === chosen) ?? strategies[0];
   const found = strategy && summary.strategies[strategy.id];

@@ -35,7 +35,7 @@ export function StudyPage({ id }: { readonly id: string }) {
   useDocumentTitle("Robustness study · Ridelab");
 
   const figures = useMemo(() => (catalogue.data && templates.data ? figuresOf(catalogue.data, templates.data) : null), [catalogue.data, templates.data]);
-  const studied = useMemo(() => (strategies.data ?? []).filter(({ id: each }) => batch?.strategies.includes(each)), [strategies.data, batch?.strategies]);
+  const studied = useMemo(() => (strategies.data ?? []).filter(({ id }) => batch?.strategies.some((each) => each === id)), [strategies.data, batch?.strategies]);
   const fault = [error, strategies.error, catalogue.error, templates.error, form.error, defaults.error].find((each) => each !== null && !isTransient(each));
 
   return (

@@ -1,0 +1,145 @@
+"""The service's description of itself: what FastAPI finds, with what it cannot know beside it.
+
+Headers, examples, links and tags stand here and not at each route, because they follow from a status, a name or a type.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+
+from backend.http.kinds import KINDS
+from backend.http.problems import MEDIA_TYPE
+from backend.http.request_log import HEADER
+from backend.http.tokens import COOKIE
+from sim_core.strategies import STRATEGIES
+
+TAGS = {
+    "runs": "A scenario and the strategies that drive it: computed once, stored, read, drawn.",
+    "batches": "Sweeps and robustness studies: many runs, submitted, followed and read as one.",
+    "tunings": "Searches for better weights.",
+    "links": "Links that open a run or a batch as it was shared.",
+    "paper": "The paper's tables and figures, checked.",
+    "controller": "The controller as a program for a small processor.",
+    "schema": "What there is to choose from: fields, presets, strategies, signals, figures.",
+    "login": "The page's login, where the service wants a token.",
+    "health": "For those who operate the service.",
+}
+HEADERS: dict[str, dict[str, Any]] = {
+    HEADER: {"description": "The request's name, also in the service's log", "required": True},
+    "Retry-After": {"description": "When to ask again [s]", "schema": {"type": "integer"}},
+    "WWW-Authenticate": {"description": "`Bearer`", "required": True},
+    "Location": {"description": "Where it is", "required": True},
+    "ETag": {"description": "For If-None-Match", "required": True},
+    "Set-Cookie": {"description": "The page's cookie, HttpOnly and SameSite=Strict", "required": True},
+    "Content-Disposition": {"description": "A file's name; not of JSON"},
+}
+OF_STATUS = {
+    "201": ["Location"],
+    "202": ["Location"],
+    "204": ["Set-Cookie"],
+    "304": ["ETag"],
+    "401": ["WWW-Authenticate"],
+    "429": ["Retry-After"],
+    "503": ["Retry-After"],
+}
+OF_ROWS = frozenset({"EqualSpeed"})  # its `strategy` is a row's id
+FILES = frozenset({"text/csv", "application/zip", "text/html"})  # answers that come with a file's name
+
+SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target_speed_kmh": 25}}
+EXAMPLES: dict[str, dict[str, Any]] = {  # of bodies, by their schema
+    "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
+    "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": ["body_acceleration"]},
+    "BatchRequest": {
+        "scenario": SCENARIO,
+        "strategies": ["lqr", "passive"],
+        "sweep": {"grid": {"road.bump.height": [0.05, 0.1]}},
+    },
+    "TuningRequest": {
+        "scenario": SCENARIO,
+        "strategy": "lqr",
+        "trials": 2,
+        "population": 2,
+        "seeds": [1],
+        "fresh_seeds": [2, 3],
+    },
+    "LinkRequest": {"run_id": "AAAAAAAAAAAAAAAAAAAAAA", "view": {"baseline": "passive", "axis": "time"}},
+    "ControllerRequest": {"scenario": SCENARIO},
+    "LoginRequest": {"token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"},
+}
+LINKS = {  # operations that take the id, by the operation that answers with it
+    "createRun": ("200", "$response.body#/id", ["getRun", "getRunFigures", "getRunReport"]),
+    "createBatch": ("202", "$response.body#/id", ["getBatch", "cancelBatch", "getBatchResults", "getBatchTable"]),
+    "createTuning": ("202", "$response.body#/id", ["getTuning", "cancelTuning", "getTuningTrials"]),
+    "createLink": ("201", "$response.body#/slug", ["getLink"]),
+}
+
+
+def describe(app: FastAPI) -> dict[str, Any]:
+    """OpenAPI 3.1, made once."""
+    if app.openapi_schema is None:
+        whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+        whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
+        components = whole["components"]
+        components["headers"] = {name: {"schema": {"type": "string"}, **header} for name, header in HEADERS.items()}
+        components["securitySchemes"] = {
+            "token": {"type": "http", "scheme": "bearer", "description": "Where the service has a file of tokens"},
+            "login": {"type": "apiKey", "in": "cookie", "name": COOKIE, "description": "What the page's login sets"},
+        }
+        for name, example in EXAMPLES.items():
+            components["schemas"][name]["examples"] = [example]
+        for schema in components["schemas"].values():
+            for name, field in schema.get("properties", {}).items() if schema["title"] not in OF_ROWS else ():
+                _name_strategies(name, field)
+        for path, operation in _operations(whole):
+            if path.startswith("/api/"):
+                operation["security"] = [{}, {"token": []}, {"login": []}]
+            for parameter in operation.get("parameters", []):
+                _name_strategies(parameter["name"], parameter["schema"])
+            _describe_answers(operation)
+        app.openapi_schema = whole
+    return app.openapi_schema
+
+
+def _operations(whole: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    for path, operations in whole["paths"].items():
+        for operation in operations.values():
+            yield path, operation
+
+
+def _describe_answers(operation: dict[str, Any]) -> None:
+    answers: dict[str, dict[str, Any]] = operation["responses"]
+    for status, answer in answers.items():
+        content = answer.get("content", {})
+        for media_type in list(content):  # a route that answers with HTML describes its problems so, too
+            if str(content[media_type].get("schema", {}).get("$ref", "")).endswith("/Problem"):
+                content[MEDIA_TYPE] = content.pop(media_type)
+        if MEDIA_TYPE in content:
+            kinds = [kind for kind in KINDS.values() if int(status) in kind.statuses]
+            answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning}" for kind in kinds)
+        elif answer.get("description") == "Successful Response":
+            answer["description"] = operation["description"].partition("\n")[0]
+        names = [HEADER, *OF_STATUS.get(status, [])]
+        if status == "200" and "304" in answers:
+            names.append("ETag")
+        if status == "200" and any(media_type.partition(";")[0] in FILES for media_type in content):
+            names.append("Content-Disposition")
+        answer["headers"] = {name: {"$ref": f"#/components/headers/{name}"} for name in names}
+    if operation["operationId"] in LINKS:
+        status, expression, others = LINKS[operation["operationId"]]
+        parameter = expression.rpartition("/")[2]
+        answers[status]["links"] = {
+            other: {"operationId": other, "parameters": {parameter: expression}} for other in others
+        }
+
+
+def _name_strategies(name: str, field: dict[str, Any]) -> None:
+    """Say which names there are where a field holds a strategy's, or several."""
+    listed = "with commas" in field.get("description", "")  # several in one text
+    if name in ("strategy", "baseline", "strategies") and not listed:
+        for each in (field, field.get("items", {}), *field.get("anyOf", [])):
+            if each.get("type") == "string" and "enum" not in each:
+                each["enum"] = list(STRATEGIES)
+            elif each.get("type") == "object":
+                each["propertyNames"] = {"enum": list(STRATEGIES)}
