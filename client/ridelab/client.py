@@ -163,8 +163,8 @@ class Ridelab:
         except ImportError:
             raise ImportError("Arrays need NumPy: pip install 'ridelab[pandas]'") from None
         path, params = self._series_request(run, [strategy], signals, points)
-        found = self.get(path, {**params, "encoding": "base64"})["series"]
-        return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in found.items()}
+        arrays = self.get(path, {**params, "encoding": "base64"})["series"]
+        return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in arrays.items()}
 
     def series_content(
         self,
@@ -195,8 +195,8 @@ class Ridelab:
             ValueError: There is no such format.
             OSError: The file cannot be written.
         """
-        wanted = format_of(path, file_format)
-        return save(self.series_content(run, wanted, strategies=strategies, signals=signals, points=points), path)
+        kind = format_of(path, file_format)
+        return save(self.series_content(run, kind, strategies=strategies, signals=signals, points=points), path)
 
     def run_report(self, run: RunResult | str, *, baseline: str | None = None) -> Iterator[bytes]:
         """A run as one HTML file that needs nothing else, piece by piece; changes refer to the baseline."""
@@ -219,8 +219,7 @@ class Ridelab:
             readings: Reading -> choice, those that are not the set's.
         """
         params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
-        found: dict[str, Any] = self.get("/paper", params)
-        return found
+        return self._http.document("GET", f"{API}/paper", params=params)
 
     def paper_report(
         self,
@@ -256,8 +255,7 @@ class Ridelab:
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
         """What a batch would be: `total` runs, `points`, `estimated_cost` [s of one core], `estimated_seconds`."""
         body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep, "dry_run": True}
-        found: dict[str, Any] = self._http.json("POST", f"{API}/batches", body=body)
-        return found
+        return self._http.document("POST", f"{API}/batches", body=body)
 
     def get_batch(self, batch_id: str) -> Batch:
         """A batch as it stands."""
@@ -279,8 +277,7 @@ class Ridelab:
 
     def estimate_tuning(self, request: Mapping[str, Any]) -> dict[str, Any]:
         """What a tuning would be: `runs`, `generations`, `estimated_cost` [s of one core], `estimated_seconds`."""
-        found: dict[str, Any] = self._http.json("POST", f"{API}/tunings", body={**request, "dry_run": True})
-        return found
+        return self._http.document("POST", f"{API}/tunings", body={**request, "dry_run": True})
 
     def get_tuning(self, tuning_id: str) -> Tuning:
         """A tuning as it stands."""
@@ -296,13 +293,11 @@ class Ridelab:
 
     def controller_report(self, scenario: Scenario) -> dict[str, Any]:
         """Whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
-        found: dict[str, Any] = self._http.json("POST", f"{API}/controller/report", body={"scenario": scenario})
-        return found
+        return self._http.document("POST", f"{API}/controller/report", body={"scenario": scenario})
 
     def realtime(self, scenario: Scenario) -> dict[str, Any]:
         """One drive by the clock: latency, jitter, missed deadlines; takes as long as the drive."""
-        found: dict[str, Any] = self._http.json("POST", f"{API}/controller/realtime", body={"scenario": scenario})
-        return found
+        return self._http.document("POST", f"{API}/controller/realtime", body={"scenario": scenario})
 
     def link(self, result: RunResult | Job, view: Mapping[str, Any] | None = None) -> Link:
         """A new link that shares a run or a batch and how it is looked at."""

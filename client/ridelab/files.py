@@ -14,10 +14,10 @@ def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> s
     Raises:
         ValueError: There is no such format; the message lists those there are.
     """
-    chosen = (file_format or Path(path).suffix.removeprefix(".")).lower()
-    if chosen not in FORMATS:
+    kind = (file_format or Path(path).suffix.removeprefix(".")).lower()
+    if kind not in FORMATS:
         raise ValueError(f"The file's format has to be {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
-    return chosen
+    return kind
 
 
 def save(pieces: Iterable[bytes], path: str | os.PathLike[str]) -> Path:

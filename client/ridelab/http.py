@@ -74,6 +74,16 @@ class Http:
         except ValueError:
             raise self._foreign(response) from None
 
+    def document(self, method: str, path: str, **request: Any) -> dict[str, Any]:
+        """The answer's JSON object; the arguments are those of `send`.
+
+        Raises:
+            RidelabAPIError: The service refused.
+            RidelabConnectionError: No answer, or not Ridelab's.
+        """
+        answer: dict[str, Any] = self.json(method, path, **request)
+        return answer
+
     def send(
         self,
         method: str,

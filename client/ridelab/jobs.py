@@ -101,22 +101,22 @@ class Job:
 
     def refresh(self) -> Self:
         """Ask how it stands."""
-        self.answer = self._http.json("GET", self._path())
+        self.answer = self._http.document("GET", self._path())
         return self
 
     def cancel(self) -> Self:
         """Stop it; what is finished stays."""
-        self.answer = self._http.json("POST", self._path("/cancel"))
+        self.answer = self._http.document("POST", self._path("/cancel"))
         return self
 
     def resume(self) -> Self:
         """Go on where it stopped."""
-        self.answer = self._http.json("POST", self._path("/resume"))
+        self.answer = self._http.document("POST", self._path("/resume"))
         return self
 
     def rename(self, label: str | None) -> Self:
         """Give it a label, by which lists find it."""
-        self.answer = self._http.json("PATCH", self._path(), body={"label": label})
+        self.answer = self._http.document("PATCH", self._path(), body={"label": label})
         return self
 
     def delete(self) -> None:
@@ -150,20 +150,20 @@ class Job:
             RidelabAPIError: The service refused.
             RidelabConnectionError: No answer for 90 s.
         """
-        tell: Callable[[Self], object] = progress or (lambda _: None)
-        pause, heard = 0.1, time.monotonic()
-        end = None if timeout is None else heard + timeout
+        report: Callable[[Self], object] = progress or (lambda _: None)
+        pause, last_answer = 0.1, time.monotonic()
+        end = None if timeout is None else last_answer + timeout
         while not self.finished:
             try:
-                told = self._listen(tell, end)
+                any_events = self._listen(report, end)
                 ended = self.finished
                 self.refresh()
                 if not ended:
-                    tell(self)
-                pause, heard = 0.1 if told else min(2 * pause, LONGEST_PAUSE), time.monotonic()
+                    report(self)
+                pause, last_answer = 0.1 if any_events else min(2 * pause, LONGEST_PAUSE), time.monotonic()
             except (RidelabConnectionError, RidelabAPIError) as error:
                 away = isinstance(error, RidelabConnectionError) or error.status >= 500
-                if not away or time.monotonic() - heard > PATIENCE:
+                if not away or time.monotonic() - last_answer > PATIENCE:
                     raise
                 pause = LONGEST_PAUSE
             if not self.finished:
@@ -190,28 +190,28 @@ class Job:
         with self._http.stream(self._path("/events"), headers=headers, silence=SILENCE) as response:
             yield from server_sent(response.iter_lines(), after)
 
-    def _listen(self, tell: Callable[[Self], object], end: float | None) -> bool:
+    def _listen(self, report: Callable[[Self], object], end: float | None) -> bool:
         """Take events until the last one, or until they or the time end; says whether there were any."""
-        told = False
+        any_events = False
         try:
             for event in self._stream(self._last_event) if self._in_time(end) else ():
                 if event is not None:
-                    self._last_event, told = event.id, True
+                    self._last_event, any_events = event.id, True
                     self._take_in(event.data)
-                    tell(self)
+                    report(self)
                 if self.finished or not self._in_time(end):
                     break
         except (RidelabConnectionError, RidelabAPIError):
             pass  # asking how it stands says what is wrong, if anything is
-        return told
+        return any_events
 
     @staticmethod
     def _in_time(end: float | None) -> bool:
         """Whether a stream that falls silent is noticed before the end; else polls are more exact."""
         return end is None or time.monotonic() + SILENCE < end
 
-    def _take_in(self, told: Mapping[str, Any]) -> None:
-        self.answer |= told
+    def _take_in(self, data: Mapping[str, Any]) -> None:
+        self.answer |= data
 
 
 class Batch(Job):
@@ -228,8 +228,7 @@ class Batch(Job):
             baseline: The strategy the others are compared with; None is LV, else the first.
         """
         params = {"figures": ",".join(figures), "baseline": baseline}
-        found: dict[str, Any] = self._http.json("GET", self._path("/summary"), params=params)
-        return found
+        return self._http.document("GET", self._path("/summary"), params=params)
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too."""
@@ -247,10 +246,9 @@ class Batch(Job):
         except ImportError:
             raise ImportError("A frame needs pandas: pip install 'ridelab[pandas]'") from None
         frame = pd.read_csv(io.BytesIO(b"".join(self.content("csv"))))
-        heads = {head: re.fullmatch(r"(.+?)(?: \[(.+)\])?", head) for head in map(str, frame.columns)}
-        named = {head: (found[1], found[2] or "1") for head, found in heads.items() if found is not None}
-        frame.columns = pd.Index([name for name, _ in named.values()])
-        frame.attrs["units"] = dict(named.values())
+        heads = [head.removesuffix("]").partition(" [") for head in map(str, frame.columns)]
+        frame.columns = pd.Index([name for name, _, _ in heads])
+        frame.attrs["units"] = {name: unit or "1" for name, _, unit in heads}
         return frame
 
     def content(self, file_format: str) -> Iterator[bytes]:
@@ -316,17 +314,17 @@ class Tuning(Job):
         Raises:
             RidelabAPIError: There is nothing left to do (409), or a limit (422).
         """
-        self.answer = self._http.json("POST", self._path("/resume"), params={"trials": trials})
+        self.answer = self._http.document("POST", self._path("/resume"), params={"trials": trials})
         return self
 
     def trials(self) -> list[Trial]:
         """Every trial, in order."""
-        found: list[Trial] = self._http.json("GET", self._path("/trials"))["trials"]
-        return found
+        trials: list[Trial] = self._http.document("GET", self._path("/trials"))["trials"]
+        return trials
 
-    def _take_in(self, told: Mapping[str, Any]) -> None:
-        counts = {name: told[name] for name in self.counts}
-        self.answer |= {name: told[name] for name in ("state", "step", "generation")} | {"trials": counts}
+    def _take_in(self, data: Mapping[str, Any]) -> None:
+        counts = {name: data[name] for name in self.counts}
+        self.answer |= {name: data[name] for name in ("state", "step", "generation")} | {"trials": counts}
 
 
 def server_sent(lines: Iterable[str], last_id: str = "") -> Iterator[Event | None]:
@@ -362,10 +360,10 @@ def json_rows(pieces: Iterable[str]) -> Iterator[dict[str, Any]]:
     for piece in pieces:
         text += piece
         if not begun:
-            found = _ROWS.search(text)
-            if found is None:
+            head = _ROWS.search(text)
+            if head is None:
                 continue
-            text, begun = text[found.end() :], True
+            text, begun = text[head.end() :], True
         while True:
             text = text.lstrip(" \t\r\n,")
             if text.startswith("]"):

@@ -64,8 +64,8 @@ for name, command in jobs.COMMANDS.items():
     JOBS.command(name, cls=Command)(with_services(command))
 
 
-def _version(wanted: bool) -> None:
-    if wanted:
+def _version(asked: bool) -> None:
+    if asked:
         typer.echo(f"Ridelab {__version__}")
         raise typer.Exit
 

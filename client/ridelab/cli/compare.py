@@ -1,9 +1,8 @@
 """`ridelab compare`: two results, metric by metric; its exit code says whether they are the same."""
 
-import dataclasses
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from fnmatch import fnmatchcase
 from typing import Annotated, Any
 
@@ -64,25 +63,25 @@ def compare(
         relative=_limits(tolerance or [], "--tolerance", _RELATIVE),
         absolute=_limits(tolerance_abs or [], "--tolerance-abs", _ABSOLUTE),
     )
-    found = [targets.find(target, services) for target in (a, b)]
-    wanted = options.listed(strategy)
-    runs = [_run(item, wanted, found, services) for item in found]
+    sides = [targets.find(target, services) for target in (a, b)]
+    named = options.listed(strategy)
+    runs = [_run(side, named, sides, services) for side in sides]
     field_units = services.names.units() if services.used else {}
-    names = wanted or list(dict.fromkeys([*runs[0].strategies, *runs[1].strategies]))
+    names = named or list(dict.fromkeys([*runs[0].strategies, *runs[1].strategies]))
     patterns = options.listed(metric) or ["*"]
-    told = differences(runs[0], runs[1], names, equal, patterns)
-    told = [item for item in told if item.worse or not worse]
+    differing = differences(runs[0], runs[1], names, equal, patterns)
+    differing = [item for item in differing if item.worse or not worse]
     if as_json:
-        _print_json(runs, told)
+        _print_json(runs, differing)
     else:
-        for side, item, run in zip("AB", found, runs, strict=True):
+        for letter, side, run in zip("AB", sides, runs, strict=True):
             over = f", mean of {run.roads} roads" if run.roads > 1 else ""
-            typer.echo(f"{side}  {item.name} (core {run.core_version}{over})")
+            typer.echo(f"{letter}  {side.name} (core {run.core_version}{over})")
         for name, one, other in inputs(runs[0].scenario, runs[1].scenario):
             typer.echo(f"   {with_unit(name, field_units.get(name, ''))}: {shown(one)} -> {shown(other)}")
         count = sum(_fits(metric, patterns) for name in names for metric in runs[0][name].figures())
-        _print(told[:limit] if limit else told, len(told), f"{count} metrics of {', '.join(names)}")
-    if told:
+        _print(differing[:limit] if limit else differing, len(differing), f"{count} metrics of {', '.join(names)}")
+    if differing:
         raise typer.Exit(DIFFERENT)
 
 
@@ -121,15 +120,15 @@ def differences(
     a: RunResult, b: RunResult, strategies: Sequence[str], tolerance: Tolerance, patterns: Sequence[str]
 ) -> list[Difference]:
     """Every metric that differs, and what became of the strategies; the largest change first."""
-    found = []
+    differing = []
     for name in strategies:
         first, second = _all(a, name), _all(b, name)
         for metric in dict.fromkeys([*first, *second]):
             one, other = first.get(metric), second.get(metric)
             if (metric == "status" or _fits(metric, patterns)) and not _same(metric, one, other, tolerance):
                 unit, change = a.units.get(metric, "1"), _change(one, other)
-                found.append(Difference(strategy=name, figure=metric, unit=unit, a=one, b=other, change=change))
-    return sorted(found, key=lambda item: -abs(item.change))
+                differing.append(Difference(strategy=name, figure=metric, unit=unit, a=one, b=other, change=change))
+    return sorted(differing, key=lambda item: -abs(item.change))
 
 
 def inputs(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[tuple[str, Any, Any]]:
@@ -157,18 +156,18 @@ def _limits(texts: Sequence[str], option: str, default: float) -> Callable[[str]
     return lambda metric: next(value for pattern, value in reversed(limits) if fnmatchcase(metric, pattern))
 
 
-def _run(item: targets.Found, wanted: list[str], both: list[targets.Found], services: Services) -> RunResult:
+def _run(item: targets.Target, named: list[str], both: list[targets.Target], services: Services) -> RunResult:
     """The run to compare: as it is stored, or made now."""
     if item.batch is not None:
         raise InputError(f"{item.name}: compare takes single runs; export writes a batch's table")
     if item.run is not None:
-        missing = [name for name in wanted if name not in item.run.strategies]
+        missing = [name for name in named if name not in item.run.strategies]
         if missing:
             raise InputError(f"{item.name}: it has no {', '.join(missing)}, only {', '.join(item.run.strategies)}")
         return item.run
     others = [name for other in both for name in targets.strategies_of(other)]
     roads = max((other.run.roads for other in both if other.run is not None), default=1)
-    return services.at().run(item.scenario, wanted or others or list(services.names.strategies), roads=roads)
+    return services.at().run(item.scenario, named or others or list(services.names.strategies), roads=roads)
 
 
 def _all(run: RunResult, strategy: str) -> dict[str, Figure | str]:
@@ -192,17 +191,15 @@ def _is_number(value: object) -> bool:
     return isinstance(value, float | int) and not isinstance(value, bool)
 
 
-def _print_json(runs: list[RunResult], told: list[Difference]) -> None:
-    listed = [
-        {**dataclasses.asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in told
-    ]
+def _print_json(runs: list[RunResult], differing: list[Difference]) -> None:
+    listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
     sides = [{"id": run.id, "core_version": run.core_version} for run in runs]
     changed = [{"field": name, "a": one, "b": other} for name, one, other in inputs(runs[0].scenario, runs[1].scenario)]
-    print_json({"a": sides[0], "b": sides[1], "equal": not told, "inputs": changed, "differences": listed})
+    print_json({"a": sides[0], "b": sides[1], "equal": not differing, "inputs": changed, "differences": listed})
 
 
-def _print(told: list[Difference], all_told: int, compared: str) -> None:
-    if not told:
+def _print(differing: list[Difference], total: int, compared: str) -> None:
+    if not differing:
         typer.echo(f"Equal within the tolerance: {compared}")
         return
     rows = [
@@ -213,9 +210,9 @@ def _print(told: list[Difference], all_told: int, compared: str) -> None:
             shown(item.b),
             f"{100 * item.change:+.2f} %" if math.isfinite(item.change) else "-",
         ]
-        for item in told
+        for item in differing
     ]
     typer.echo()
     show_table(["strategy", "metric", "A", "B", "change"], rows, left={0, 1})
-    more = f"; these are the {len(told)} largest, --limit 0 shows all" if all_told > len(told) else ""
-    typer.echo(f"\n{all_told} metrics differ beyond the tolerance{more}")
+    more = f"; these are the {len(differing)} largest, --limit 0 shows all" if total > len(differing) else ""
+    typer.echo(f"\n{total} metrics differ beyond the tolerance{more}")

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options, targets
+from ridelab.cli import fields, options
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, deliver, note, print_json
 from ridelab.cli.service import Services, server_command, server_environment
@@ -35,16 +35,16 @@ def controller(
     """
     if sum((out is not None, report, program is not None)) != 1:
         raise InputError("controller takes one of --out FILE, --report and --program FILE")
-    wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    design = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     if out is not None:
-        deliver([ridelab.controller(wanted)], out)
+        deliver([ridelab.controller(design)], out)
         return
     if program is not None:
-        _drive(program, wanted)
+        _drive(program, design)
     note("Building and driving each controller; this takes about ten seconds")
-    found = ridelab.controller_report(wanted)
-    print_json(found) if as_json else _show_fit(found)
+    measured = ridelab.controller_report(design)
+    print_json(measured) if as_json else _show_fit(measured)
 
 
 def hil(
@@ -57,11 +57,11 @@ def hil(
 
     It takes as long as the drive. The figures are this machine's at this moment, under an ordinary operating system.
     """
-    wanted = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    design = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     note("Driving by the clock; this takes as long as the drive")
-    found = ridelab.realtime(wanted)
-    print_json(found) if as_json else _show_clock(found, services.names)
+    measured = ridelab.realtime(design)
+    print_json(measured) if as_json else _show_clock(measured, services.names)
 
 
 def _drive(program: Path, scenario: Mapping[str, Any]) -> None:
@@ -77,13 +77,13 @@ def _drive(program: Path, scenario: Mapping[str, Any]) -> None:
     raise typer.Exit(run.returncode)
 
 
-def _show_fit(found: Mapping[str, Any]) -> None:
-    part = found["part"]
+def _show_fit(measured: Mapping[str, Any]) -> None:
+    part = measured["part"]
     typer.echo(f"{part['name']}; {part['flash'] // 1024} KB flash, {part['ram'] // 1024} KB RAM")
-    typer.echo(f"One step every {1000 * found['sample_time']:g} ms; times within {100 * found['spread']:.0f} %")
+    typer.echo(f"One step every {1000 * measured['sample_time']:g} ms; times within {100 * measured['spread']:.0f} %")
     heads = ["Np", "Nc", "limits", "iterations", "flash", "RAM", "operations", "on the part", "fits", "worst change"]
-    show_table(heads, [[_cell(row, column) for column in range(len(heads))] for row in found["rows"]], {2})
-    for row in found["rows"]:
+    show_table(heads, [[_cell(row, column) for column in range(len(heads))] for row in measured["rows"]], {2})
+    for row in measured["rows"]:
         for reason in row["reasons"]:
             name = f"Np {row['prediction_horizon']}, Nc {row['control_horizon']}, {row['checked']} limits"
             typer.echo(f"{name}: {reason}")
@@ -107,18 +107,18 @@ def _cell(row: Mapping[str, Any], column: int) -> str:
     ][column]
 
 
-def _show_clock(found: Mapping[str, Any], names: Names) -> None:
-    typer.echo(f"{found['steps']} steps of {1000 * found['deadline']:g} ms, {found['misses']} deadlines missed")
+def _show_clock(report: Mapping[str, Any], names: Names) -> None:
+    typer.echo(f"{report['steps']} steps of {1000 * report['deadline']:g} ms, {report['misses']} deadlines missed")
     measured = {"latency": "frame to answer", "wake_up": "plant woken late", "computing": "program's own time"}
     keys = ("median", "percentile_99", "most", "deviation")
     rows = [
-        [label, *(f"{1e6 * found[key][item]:.0f} µs" for item in keys)]
+        [label, *(f"{1e6 * report[key][item]:.0f} µs" for item in keys)]
         for key, label in measured.items()
-        if found[key] is not None
+        if report[key] is not None
     ]
     show_table(["", "median", "99 %", "most", "deviation"], rows)
     typer.echo("Against the same drive in lock-step:")
-    for window, row in found["changes"].items():
+    for window, row in report["changes"].items():
         for key, value in row.items():
             if value is not None:
                 typer.echo(f"{names.windows[window]}, {names.signals[key][0]}: {value:+.2f} %")

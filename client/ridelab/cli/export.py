@@ -37,24 +37,24 @@ def export(
 
     The name's end or --format says how. A whole file replaces an older one; a broken one never does.
     """
-    wanted = chosen_format(out, file_format)
-    if metrics and wanted == "parquet":
+    kind = chosen_format(out, file_format)
+    if metrics and kind == "parquet":
         raise InputError("--metrics: The file's format has to be json or csv")
-    found = targets.find(target, services)
-    if found.batch is not None:
+    source = targets.find(target, services)
+    if source.batch is not None:
         if wait:
-            followed(found.batch, services, *file_options(out, file_format), ours=False)
-        elif not found.batch.finished:
-            left = found.batch.total - found.batch.done - found.batch.failed
-            note(f"The batch is {found.batch.state}: {left} of {found.batch.total} rows wait")
-        content = found.batch.content(wanted)
-    elif found.run is not None and metrics:
-        text = json.dumps(with_units(found.run), indent=1, ensure_ascii=False) + "\n"
-        content = iter([(text if wanted == "json" else _metrics_csv(found.run)).encode()])
-    elif found.run is not None and found.ridelab is not None:
-        names = options.listed(strategy) or [each.strategy for each in found.run if each.status == "ok"]
-        content = found.ridelab.series_content(
-            found.run, wanted, strategies=names, signals=options.listed(signals) or None, points=points
+            followed(source.batch, services, *file_options(out, file_format), ours=False)
+        elif not source.batch.finished:
+            left = source.batch.total - source.batch.done - source.batch.failed
+            note(f"The batch is {source.batch.state}: {left} of {source.batch.total} rows wait")
+        content = source.batch.content(kind)
+    elif source.run is not None and metrics:
+        text = json.dumps(with_units(source.run), indent=1, ensure_ascii=False) + "\n"
+        content = iter([(text if kind == "json" else _metrics_csv(source.run)).encode()])
+    elif source.run is not None and source.ridelab is not None:
+        names = options.listed(strategy) or [each.strategy for each in source.run if each.status == "ok"]
+        content = source.ridelab.series_content(
+            source.run, kind, strategies=names, signals=options.listed(signals) or None, points=points
         )
     else:
         raise InputError(f"{target}: export takes a stored run, batch or link; run and sweep make them")

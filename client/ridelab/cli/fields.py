@@ -12,13 +12,18 @@ from typing import Any
 from ridelab.cli.names import Field
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
-from ridelab.cli.targets import document
+from ridelab.cli.targets import document, find
 
 _SPAN = re.compile(r"([^:,]+):([^:,]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
 _NUMBERS = ("number", "integer")
 _WORDS = {"true": True, "false": False, "null": None}
+
+
+def scenario_of(target: str, changes: Sequence[str] | None, services: Services) -> dict[str, Any]:
+    """The scenario of a target with each `FIELD=VALUE` in its place; errors as those of `changed` and `find`."""
+    return changed(find(target, services).scenario, changes or [], services)
 
 
 def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Services) -> dict[str, Any]:
@@ -39,17 +44,17 @@ def with_values(scenario: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
     Raises:
         InputError: It has no such place.
     """
-    found: dict[str, Any] = json.loads(json.dumps(scenario))
+    copy: dict[str, Any] = json.loads(json.dumps(scenario))
     for name, value in values.items():
         *path, last = name.split(".")
-        part: Any = found
+        part: Any = copy
         try:
             for step in path:
                 part = part[int(step)] if isinstance(part, list) else part[step]
             part[int(last) if isinstance(part, list) else last] = value
         except (KeyError, TypeError, ValueError, IndexError):
             raise InputError(f"{name}: the scenario given has no such place") from None
-    return found
+    return copy
 
 
 def sweep_of(
@@ -71,8 +76,8 @@ def sweep_of(
         return {"list": document(points.read_bytes(), str(points))}
     if grid:
         return {"grid": _unique(grid, "--grid", "FIELD=VALUES", _values, services)}
-    found = ranges_of(ranges, "--latin-hypercube", services)
-    return {"latin_hypercube": {"ranges": found, "samples": samples, "seed": seed}}
+    ranged = ranges_of(ranges, "--latin-hypercube", services)
+    return {"latin_hypercube": {"ranges": ranged, "samples": samples, "seed": seed}}
 
 
 def ranges_of(specs: Sequence[str], option: str, services: Services) -> dict[str, list[float]]:
@@ -88,13 +93,13 @@ Reader = Callable[[str, Field], Any]
 
 
 def _unique(specs: Sequence[str], option: str, form: str, read: Reader, services: Services) -> dict[str, Any]:
-    found: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for spec in specs:
         name, value = _read(spec, option, form, read, services)
-        if name in found:
+        if name in values:
             raise InputError(f"{name}: given twice to {option}")
-        found[name] = value
-    return found
+        values[name] = value
+    return values
 
 
 def _read(text: str, option: str, form: str, read: Reader, services: Services) -> tuple[str, Any]:

@@ -97,7 +97,7 @@ def file_options(out: str | None, file_format: str | None) -> list[str]:
     return [] if out is None else ["--out", out, *([] if file_format is None else ["--format", file_format])]
 
 
-def told_end(job: Job) -> int:
+def say_end(job: Job) -> int:
     """Say how it ended; the exit code.
 
     Raises:
@@ -109,14 +109,14 @@ def told_end(job: Job) -> int:
     return DIFFERENT if job.failed or job.state == "cancelled" else 0
 
 
-def show_estimate(found: Mapping[str, Any], runs: str, units: str, *, as_json: bool) -> None:
+def show_estimate(estimate: Mapping[str, Any], runs: str, units: str, *, as_json: bool) -> None:
     """Print a dry run's answer: `6 runs, 3 points, about 0.1 s`."""
     if as_json:
-        print_json(found)
+        print_json(estimate)
         return
-    seconds = found.get("estimated_seconds")
-    told = "" if seconds is None else f", about {seconds:.3g} s"
-    typer.echo(f"{found[runs]} runs, {found[units]} {units}{told}")
+    seconds = estimate.get("estimated_seconds")
+    about = "" if seconds is None else f", about {seconds:.3g} s"
+    typer.echo(f"{estimate[runs]} runs, {estimate[units]} {units}{about}")
 
 
 def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bool) -> int:
@@ -147,18 +147,18 @@ def _follow(job: Job, timeout: float | None) -> None:
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
-        TextColumn("{task.fields[told]}"),
+        TextColumn("{task.fields[remarks]}"),
         TimeRemainingColumn(),
     )
     console = terminal()
     with Progress(*columns, console=console, disable=not console.is_terminal, transient=True) as bar:
-        task = bar.add_task(job.state, total=job.total, told="")
+        task = bar.add_task(job.state, total=job.total, remarks="")
 
         def show(job: Job) -> None:
-            told = [f"{job.failed} failed"] if job.failed else []
-            told += [f"{job.position} runs before it"] if job.position and job.state == "queued" else []
-            told += [f"{job.feasible} within the limits"] if isinstance(job, Tuning) and job.answer["limits"] else []
+            remarks = [f"{job.failed} failed"] if job.failed else []
+            remarks += [f"{job.position} runs before it"] if job.position and job.state == "queued" else []
+            remarks += [f"{job.feasible} within the limits"] if isinstance(job, Tuning) and job.answer["limits"] else []
             word = job.answer.get("step", job.state) if job.state == "running" else job.state
-            bar.update(task, description=word, completed=job.done + job.failed, told=", ".join(told))
+            bar.update(task, description=word, completed=job.done + job.failed, remarks=", ".join(remarks))
 
         job.follow(show, timeout=timeout)

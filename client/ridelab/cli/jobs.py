@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options, targets
-from ridelab.cli.following import followed, later, told_end
+from ridelab.cli.following import followed, later, say_end
 from ridelab.cli.reporting import InputError, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
@@ -25,35 +25,35 @@ def list_jobs(
 ) -> None:
     """The newest jobs first."""
     ridelab = services.at()
-    found: list[Job] = [
+    listed: list[Job] = [
         *ridelab.batches(state=state, label=label, limit=limit),
         *ridelab.tunings(state=state, label=label, limit=limit),
     ]
-    found.sort(key=lambda job: str(job.answer["created_at"]), reverse=True)
+    listed.sort(key=lambda job: str(job.answer["created_at"]), reverse=True)
     if as_json:
-        print_json([{"kind": job.NAME, **job.answer} for job in found])
-    elif found:
+        print_json([{"kind": job.NAME, **job.answer} for job in listed])
+    elif listed:
         show_table(
-            ["", "id", "state", "done", "failed", "of", "created", "label"], list(map(_row, found)), {0, 1, 2, 7}
+            ["", "id", "state", "done", "failed", "of", "created", "label"], list(map(_row, listed)), {0, 1, 2, 7}
         )
     else:
         note("There are none")
 
 
-def show(services: Services, job: JobId, as_json: AsJson = False) -> None:
+def show(services: Services, job_id: JobId, as_json: AsJson = False) -> None:
     """How a job stands."""
-    found = targets.job(job, services)
+    job = targets.job(job_id, services)
     if as_json:
-        print_json(found.answer)
+        print_json(job.answer)
         return
-    follow_up = later(found, services)
-    answer = found.answer
-    told: dict[str, Any] = {
-        found.NAME: found.id,
-        "label": found.label,
-        "state": found.state + (f": {found.reason}" if found.reason else ""),
-        "done": f"{found.done} of {found.total}, {found.failed} failed",
-        "runs before it": found.position,
+    follow_up = later(job, services)
+    answer = job.answer
+    lines: dict[str, Any] = {
+        job.NAME: job.id,
+        "label": job.label,
+        "state": job.state + (f": {job.reason}" if job.reason else ""),
+        "done": f"{job.done} of {job.total}, {job.failed} failed",
+        "runs before it": job.position,
         "strategies": ", ".join(answer.get("strategies") or [answer.get("strategy", "")]),
         "swept": ", ".join(each["name"] for each in answer.get("fields", [])),
         "core": answer.get("core_version"),
@@ -61,56 +61,56 @@ def show(services: Services, job: JobId, as_json: AsJson = False) -> None:
         "finished": answer.get("finished_at"),
         "results": follow_up,
     }
-    for name, value in told.items():
+    for name, value in lines.items():
         if value not in (None, ""):
             typer.echo(f"{name + ':':<16}{value}")
 
 
 def follow(
     services: Services,
-    job: JobId,
+    job_id: JobId,
     timeout: Annotated[float | None, options.option("SECONDS", "Wait so long at most.", min=0)] = None,
 ) -> None:
     """Wait for a job's end; Ctrl-C only ends the waiting."""
-    found = targets.job(job, services)
-    followed(found, services, ours=False, timeout=timeout)
-    raise typer.Exit(told_end(found))
+    job = targets.job(job_id, services)
+    followed(job, services, ours=False, timeout=timeout)
+    raise typer.Exit(say_end(job))
 
 
 def label_job(
     services: Services,
-    job: JobId,
+    job_id: JobId,
     text: Annotated[str, typer.Argument(metavar="TEXT", help="Empty takes the label away.")],
 ) -> None:
     """Give a job a label, by which lists find it."""
-    targets.job(job, services).rename(text or None)
+    targets.job(job_id, services).rename(text or None)
 
 
-def cancel(services: Services, job: JobId) -> None:
+def cancel(services: Services, job_id: JobId) -> None:
     """Stop a job; what is finished stays."""
-    found = targets.job(job, services).cancel()
-    note(f"{found.NAME} {found.id}: {found.state}, {found.done} of {found.total} done, {found.failed} failed")
+    job = targets.job(job_id, services).cancel()
+    note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
 
 
-def resume(services: Services, job: JobId) -> None:
+def resume(services: Services, job_id: JobId) -> None:
     """Go on with a job that was cancelled or failed; a private service ends with the command, so it is followed."""
-    found = targets.job(job, services).resume()
+    job = targets.job(job_id, services).resume()
     if services.private:
-        followed(found, services)
-    note(f"{found.NAME} {found.id}: {found.state}, {found.done} of {found.total} done, {found.failed} failed")
+        followed(job, services)
+    note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
 
 
 def delete(
     services: Services,
-    job: Annotated[list[str], typer.Argument(metavar="JOB...", help="Ids of batches and tunings.")],
+    job_ids: Annotated[list[str], typer.Argument(metavar="JOB...", help="Ids of batches and tunings.")],
 ) -> None:
     """Remove jobs that have ended and that no link shows."""
-    for each in job:
-        found = targets.job(each, services)
-        if not found.finished:
-            raise InputError(f"The {found.NAME} {found.id} is {found.state}; cancel it first")
-        found.delete()
-        note(f"{found.NAME} {found.id}: deleted")
+    for each in job_ids:
+        job = targets.job(each, services)
+        if not job.finished:
+            raise InputError(f"The {job.NAME} {job.id} is {job.state}; cancel it first")
+        job.delete()
+        note(f"{job.NAME} {job.id}: deleted")
 
 
 def _row(job: Job) -> list[str]:

@@ -83,10 +83,10 @@ class Names:
 def remembered() -> dict[str, list[str]]:
     """The names that a service answered with last; empty before the first time."""
     try:
-        found: dict[str, list[str]] = json.loads(_remembered_in().read_bytes())
+        names: dict[str, list[str]] = json.loads(_remembered_in().read_bytes())
     except (OSError, ValueError):
         return {}
-    return found
+    return names
 
 
 def _remembered_in() -> Path:

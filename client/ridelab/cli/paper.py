@@ -45,12 +45,12 @@ def paper(
         raise InputError(f"--report: there is no folder {Path(report).parent}")
     ridelab = services.at()
     with _waiting(f"Driving {asked['seeds']} roads"):
-        found = ridelab.paper(**asked)
+        answer = ridelab.paper(**asked)
     if report is not None:
         with _waiting("Making the report"):
             deliver(ridelab.paper_report(**asked), report)
     if report != "-":
-        print_json(found) if as_json else _show(found, services.names)
+        print_json(answer) if as_json else _show(answer, services.names)
     if report not in (None, "-"):
         note(f"The report is {report}")
 

@@ -5,8 +5,8 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options, targets
-from ridelab.cli.following import followed, submitted, told_end
+from ridelab.cli import fields, options
+from ridelab.cli.following import followed, say_end, submitted
 from ridelab.cli.reporting import InputError, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
@@ -39,7 +39,7 @@ def robustness(
     Every strategy runs at the same points of a Latin hypercube; the controllers know none of it. Without options it is
     the study that GET /robustness describes.
     """
-    start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    start = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     usual = ridelab.get("/robustness")
     names = options.listed(strategy) or usual["strategies"]
@@ -53,7 +53,7 @@ def robustness(
     if batch.state != "failed":
         summary = batch.summary(baseline=baseline)
         print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)
-    raise typer.Exit(code or told_end(batch))
+    raise typer.Exit(code or say_end(batch))
 
 
 def _ranges(
@@ -64,13 +64,13 @@ def _ranges(
     Raises:
         InputError: Nothing does, or a field that does not vary is to be exact.
     """
-    found = {each["field"]: [each["low"], each["high"]] for each in usual} | dict(given)
+    varied = {each["field"]: [each["low"], each["high"]] for each in usual} | dict(given)
     for name in exact:
-        if found.pop(name, None) is None:
-            raise InputError(f"--exact: {name} is not varied; what is: {', '.join(found) or 'nothing'}")
-    if not found:
+        if varied.pop(name, None) is None:
+            raise InputError(f"--exact: {name} is not varied; what is: {', '.join(varied) or 'nothing'}")
+    if not varied:
         raise InputError("Nothing is uncertain: every field is exact. Name one with --range FIELD=LOW:HIGH")
-    return found
+    return varied
 
 
 def _show(
@@ -116,20 +116,20 @@ def _compared(margin: Mapping[str, Any] | None, percents: Sequence[float]) -> li
     return [*(_percent(_quantile(margin, percents, at)) for at in (50, 5, 95)), _percent(better, signed=False)]
 
 
-def _stability(found: Mapping[str, Any], percents: Sequence[float]) -> list[str]:
+def _stability(stability: Mapping[str, Any], percents: Sequence[float]) -> list[str]:
     return [
-        shown(found["nominal"], 3),
-        shown(_quantile(found, percents, 50), 3),
-        shown(_quantile(found, percents, 0), 3),
-        "-" if found["lowest"] is None else str(found["lowest"]["run"]),
-        f"{found['unstable']} of {found['known']}",
-        _follows(found["sensitivity"]),
+        shown(stability["nominal"], 3),
+        shown(_quantile(stability, percents, 50), 3),
+        shown(_quantile(stability, percents, 0), 3),
+        "-" if stability["lowest"] is None else str(stability["lowest"]["run"]),
+        f"{stability['unstable']} of {stability['known']}",
+        _follows(stability["sensitivity"]),
     ]
 
 
 def _quantile(distribution: Mapping[str, Any], percents: Sequence[float], at: float) -> float | None:
-    found = distribution["quantiles"]
-    return None if found is None else float(found[list(percents).index(at)])
+    values = distribution["quantiles"]
+    return None if values is None else float(values[list(percents).index(at)])
 
 
 def _percent(value: float | None, *, signed: bool = True) -> str:

@@ -32,14 +32,14 @@ def run(
     names = options.listed(strategy)
     if names and baseline is not None and baseline not in names:
         raise InputError(f"--baseline: one of the strategies that run, {', '.join(names)}")
-    found = targets.find(scenario, services)
-    wanted = fields.changed(found.scenario, changes or [], services)
+    source = targets.find(scenario, services)
+    changed = fields.changed(source.scenario, changes or [], services)
     ridelab = services.at()
-    result = ridelab.run(wanted, names or list(services.names.strategies), roads=roads, baseline=baseline)
+    result = ridelab.run(changed, names or list(services.names.strategies), roads=roads, baseline=baseline)
     if as_json:
         print_json(with_units(result))
     else:
-        _show(result, ", ".join([found.name, *(changes or [])]), baseline, services.names)
+        _show(result, ", ".join([source.name, *(changes or [])]), baseline, services.names)
         typer.echo(f"\nrun {result.id}" if services.private else f"\n{ridelab.address}/r/{result.id}")
     if any(outcome.status != "ok" for outcome in result):
         note("Not every strategy could run")

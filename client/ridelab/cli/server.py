@@ -81,15 +81,15 @@ def open_(
 
 
 def _address(target: str, changes: list[str], strategies: list[str], services: Services) -> str:
-    found = targets.find(target, services)
-    if found.ridelab is not None and not changes and not strategies:
-        if found.slug is not None:
-            return f"{found.ridelab.address}/s/{found.slug}"
-        if found.batch is not None:
-            return found.ridelab.link(found.batch).url
-        if found.run is not None:
-            return f"{found.ridelab.address}/r/{found.run.id}"
-    ridelab = found.ridelab or services.at()
-    names = strategies or targets.strategies_of(found) or list(services.names.strategies)
-    run = ridelab.run(fields.changed(found.scenario, changes, services), names)
+    source = targets.find(target, services)
+    if source.ridelab is not None and not changes and not strategies:
+        if source.slug is not None:
+            return f"{source.ridelab.address}/s/{source.slug}"
+        if source.batch is not None:
+            return source.ridelab.link(source.batch).url
+        if source.run is not None:
+            return f"{source.ridelab.address}/r/{source.run.id}"
+    ridelab = source.ridelab or services.at()
+    names = strategies or targets.strategies_of(source) or list(services.names.strategies)
+    run = ridelab.run(fields.changed(source.scenario, changes, services), names)
     return f"{ridelab.address}/r/{run.id}"

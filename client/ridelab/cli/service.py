@@ -165,9 +165,9 @@ def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
         while time.monotonic() < end:
             ended = process.poll() is not None
             text = os.pread(log.fileno(), 1 << 20, 0).decode(errors="replace")
-            found = _ADDRESS.search(text)
-            if found is not None:
-                return found[1]
+            address = _ADDRESS.search(text)
+            if address is not None:
+                return address[1]
             if ended:
                 raise UnavailableError(_said(text))
             time.sleep(0.02)  # the log is a file, which nothing can wait on

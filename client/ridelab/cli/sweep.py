@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
-from ridelab.cli import fields, options, targets
-from ridelab.cli.following import file_options, followed, later, may_detach, show_estimate, submitted, told_end
+from ridelab.cli import fields, options
+from ridelab.cli.following import file_options, followed, later, may_detach, say_end, show_estimate, submitted
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
@@ -66,12 +66,12 @@ def sweep(
         raise InputError("Say what to sweep with one of --grid, --latin-hypercube and --list")
     if (samples is not None) != bool(latin_hypercube):
         raise InputError("--latin-hypercube and --samples belong together")
-    wanted = None if out is None else chosen_format(out, file_format)
+    kind = None if out is None else chosen_format(out, file_format)
     may_detach(detach, services)
     swept = fields.sweep_of(
         services, grid=grid or [], ranges=latin_hypercube or [], samples=samples, seed=seed, points=points
     )
-    start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+    start = fields.scenario_of(scenario, changes, services)
     ridelab, names = services.at(), options.listed(strategy) or ["lv"]
     if dry_run:
         show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
@@ -83,15 +83,15 @@ def sweep(
         note(f"{batch.total} runs; {later(batch, services, *again)}")
         return
     code = followed(batch, services, *again)
-    if out is not None and wanted is not None:
-        _write(batch, wanted, out, later(batch, services, *again))
+    if out is not None and kind is not None:
+        _write(batch, kind, out, later(batch, services, *again))
     elif code:
         note(f"For its rows: {later(batch, services)}")
     elif not as_json:
         _preview(batch, services)
     if as_json:
         print_json(batch.answer)
-    raise typer.Exit(code or told_end(batch))
+    raise typer.Exit(code or say_end(batch))
 
 
 def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:

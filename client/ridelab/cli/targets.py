@@ -3,7 +3,6 @@
 import json
 import re
 import sys
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -22,7 +21,7 @@ _PAGES: dict[str, Literal["run", "batch", "link"]] = {"r": "run", "b": "batch", 
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Found:
+class Target:
     """What a target turned out to be: a scenario always, and the stored result it belongs to if there is one.
 
     Attributes:
@@ -30,7 +29,7 @@ class Found:
         scenario: Perhaps in part; what is left out takes the paper's value.
         run: The run it is.
         batch: The batch it is.
-        slug: The shared link it was found by.
+        slug: The shared link that led to it.
         ridelab: The service that has it; None for files and presets.
     """
 
@@ -42,7 +41,7 @@ class Found:
     ridelab: Ridelab | None = None
 
 
-def find(target: str, services: Services) -> Found:
+def find(target: str, services: Services) -> Target:
     """Look up a target.
 
     Raises:
@@ -60,7 +59,7 @@ def find(target: str, services: Services) -> Found:
         return _stored(target, services.at())
     presets = services.names.presets
     if target in presets:
-        return Found(name=target, scenario=presets[target])
+        return Target(name=target, scenario=presets[target])
     raise InputError(
         f"{without_login(target)}: neither a file, nor a preset ({', '.join(presets)}), nor an id, nor an address"
     )
@@ -81,23 +80,23 @@ def document(content: bytes, name: str) -> Any:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise ValueError(f"the same key twice, one of {', '.join(found)}")
-    return found
+    members = dict(pairs)
+    if len(members) < len(pairs):
+        raise ValueError(f"the same key twice, one of {', '.join(members)}")
+    return members
 
 
 def _no_number(text: str) -> float:
     raise ValueError(f"{text} is no number")
 
 
-def _document(content: bytes, name: str) -> Found:
+def _document(content: bytes, name: str) -> Target:
     """A scenario, or a saved run."""
     value = document(content, name)
     if not isinstance(value, dict):
         raise InputError(f"{name}: this has to be a JSON object, a scenario or a saved run")
     if "strategies" not in value:
-        return Found(name=name, scenario=value)
+        return Target(name=name, scenario=value)
     try:
         run = RunResult.of(value)
         whole = isinstance(run.scenario, dict) and all(outcome.figures() for outcome in run if outcome.status == "ok")
@@ -105,10 +104,10 @@ def _document(content: bytes, name: str) -> Found:
         whole = False
     if not whole:
         raise InputError(f"{name}: this is not a whole run as ridelab run --json prints it")
-    return Found(name=name, scenario=run.scenario, run=run)
+    return Target(name=name, scenario=run.scenario, run=run)
 
 
-def _address(address: str, services: Services) -> Found:
+def _address(address: str, services: Services) -> Target:
     wrong = InputError(f"{without_login(address)}: the address of a result ends with /r/ID or /s/ID")
     try:
         parts = urlsplit(address)
@@ -122,7 +121,7 @@ def _address(address: str, services: Services) -> Found:
     return {"run": _run, "batch": _batch, "link": _link}[_PAGES[page]](rest, ridelab)
 
 
-def _stored(name: str, ridelab: Ridelab) -> Found:
+def _stored(name: str, ridelab: Ridelab) -> Target:
     """Ids of runs, batches and links look alike."""
     for lookup in (_run, _batch, _link):
         try:
@@ -133,29 +132,28 @@ def _stored(name: str, ridelab: Ridelab) -> Found:
     raise InputError(f"{name}: the service has no run, batch or link of this id")
 
 
-def _run(run_id: str, ridelab: Ridelab) -> Found:
+def _run(run_id: str, ridelab: Ridelab) -> Target:
     run = ridelab.get_run(run_id)
-    return Found(name=f"run {run.id}", scenario=run.scenario, run=run, ridelab=ridelab)
+    return Target(name=f"run {run.id}", scenario=run.scenario, run=run, ridelab=ridelab)
 
 
-def _batch(batch_id: str, ridelab: Ridelab) -> Found:
+def _batch(batch_id: str, ridelab: Ridelab) -> Target:
     batch = ridelab.get_batch(batch_id)
-    return Found(name=f"batch {batch.id}", scenario=dict(batch.answer["scenario"]), batch=batch, ridelab=ridelab)
+    return Target(name=f"batch {batch.id}", scenario=dict(batch.answer["scenario"]), batch=batch, ridelab=ridelab)
 
 
-def _link(slug: str, ridelab: Ridelab) -> Found:
+def _link(slug: str, ridelab: Ridelab) -> Target:
     link = ridelab.open_link(slug)
-    return Found(
+    return Target(
         name=f"link {slug}", scenario=link.scenario, run=link.run, batch=link.batch, slug=slug, ridelab=ridelab
     )
 
 
-def strategies_of(found: Found) -> list[str]:
+def strategies_of(target: Target) -> list[str]:
     """Those of the stored result; none where there is only a scenario."""
-    if found.run is not None:
-        return list(found.run.strategies)
-    chosen: Mapping[str, Any] = found.batch.answer if found.batch is not None else {}
-    return list(chosen.get("strategies", []))
+    if target.run is not None:
+        return list(target.run.strategies)
+    return [] if target.batch is None else list(target.batch.answer["strategies"])
 
 
 def job(job_id: str, services: Services) -> Job:

@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options, targets, tuned
-from ridelab.cli.following import followed, later, may_detach, show_estimate, submitted, told_end
+from ridelab.cli import fields, options, tuned
+from ridelab.cli.following import followed, later, may_detach, say_end, show_estimate, submitted
 from ridelab.cli.reporting import DIFFERENT, note, print_json
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
@@ -72,7 +72,7 @@ def tune(
             "trials": trials,
             "population": population,
         }
-        start = fields.changed(targets.find(scenario, services).scenario, changes or [], services)
+        start = fields.scenario_of(scenario, changes, services)
         request = {"scenario": start, "strategy": strategy, "seed": seed}
         request |= {name: value for name, value in asked.items() if value is not None}
         if dry_run:
@@ -88,7 +88,7 @@ def tune(
         raise typer.Exit(code)
     if tuning.state == "done":
         _show(tuning, out, services, as_json=as_json)
-    code = told_end(tuning)
+    code = say_end(tuning)
     raise typer.Exit(code if tuning.state != "done" else DIFFERENT * (_wanted(tuning) is None))
 
 

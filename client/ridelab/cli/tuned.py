@@ -22,17 +22,17 @@ def objective(text: str) -> dict[str, Any]:
     Raises:
         InputError: Its q are not three numbers.
     """
-    found = _NORMALISED.fullmatch(text)
-    if found is None:
+    match = _NORMALISED.fullmatch(text)
+    if match is None:
         return {"kind": "figure", "figure": text}
-    kind, window, q = found.groups()
-    wanted: dict[str, Any] = {"kind": kind} | ({"window": window} if window else {})
+    kind, window, q = match.groups()
+    objective: dict[str, Any] = {"kind": kind} | ({"window": window} if window else {})
     if q is not None:
         try:
-            wanted["q"] = [float(each) for each in q.split(",")]
+            objective["q"] = [float(each) for each in q.split(",")]
         except ValueError:
             raise InputError(f"--objective {kind}:Q1,Q2,Q3 takes three numbers") from None
-    return wanted
+    return objective
 
 
 def limit(text: str) -> dict[str, Any]:
@@ -56,18 +56,18 @@ def seeds(text: str | None, option: str) -> list[int] | None:
     """
     if text is None:
         return None
-    found: list[int] = []
+    numbers: list[int] = []
     for item in text.split(","):
         span = _SPAN.fullmatch(item.strip())
         low, high = (span[1], span[2]) if span else (item.strip(), item.strip())
         if not (low.isdecimal() and high.isdecimal()) or not 0 <= int(high) - int(low) < _MOST_SEEDS:
             raise InputError(f"{option} takes whole numbers and spans of them, such as 1-4,7")
-        found += range(int(low), int(high) + 1)
-    return found
+        numbers += range(int(low), int(high) + 1)
+    return numbers
 
 
 def show(tuning: Tuning, names: Names) -> None:
-    """Print what was found, then what it is worth on fresh roads."""
+    """Print the best trials, then what it is worth on fresh roads."""
     answer, comparison = tuning.answer, tuning.comparison
     typer.echo(f"Ridelab core {answer['core_version']}, weights of {names.label(answer['strategy'])}")
     within = f", {tuning.feasible} within the limits" if answer["limits"] else ""
