@@ -223,7 +223,9 @@ def test_comparing_files_needs_no_service(
     ):
         assert app.run(["compare", a, b, *words.split()]) == code, words
     assert app.run(["compare", b, a, "--worse"]) == 0
-    said = capsys.readouterr().err
+    printed = capsys.readouterr()
+    assert printed.out.endswith("Not worse beyond the tolerance: 140 metrics of passive, lv\n")
+    said = printed.err
     assert "it has no lqr, only passive, lv" in said
     assert "--tolerance: travel_time=much is neither a number from 0 on nor PATTERN=NUMBER" in said
     assert app.run(["compare", a, b, "--json"]) == 1
@@ -232,6 +234,9 @@ def test_comparing_files_needs_no_service(
     assert [(item["strategy"], item["figure"], item["unit"]) for item in told["differences"]] == [
         ("passive", "travel_time", "s")
     ]
+    other["strategies"] = {**answer["strategies"], "lqr": answer["strategies"]["lv"]}
+    Path(b).write_text(json.dumps(other), encoding="utf-8")
+    assert [app.run(["compare", a, b, *words]) for words in ([], ["--worse"])] == [1, 0], "one strategy more"
 
 
 @pytest.mark.parametrize(

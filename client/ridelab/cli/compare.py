@@ -79,8 +79,14 @@ def compare(
             typer.echo(f"{letter}  {side.name} (core {run.core_version}{over})")
         for name, one, other in inputs(runs[0].scenario, runs[1].scenario):
             typer.echo(f"   {with_unit(name, field_units.get(name, ''))}: {shown(one)} -> {shown(other)}")
-        count = sum(_fits(metric, patterns) for name in names for metric in runs[0][name].figures())
-        _print(differing[:limit] if limit else differing, len(differing), f"{count} metrics of {', '.join(names)}")
+        if differing:
+            _show(differing[:limit] if limit else differing, len(differing))
+        else:
+            count = sum(
+                _fits(metric, patterns) for name in names for metric in _all(runs[0], name) if metric != "status"
+            )
+            how = "Not worse beyond" if worse else "Equal within"
+            typer.echo(f"{how} the tolerance: {count} metrics of {', '.join(names)}")
     if differing:
         raise typer.Exit(DIFFERENT)
 
@@ -198,10 +204,7 @@ def _print_json(runs: list[RunResult], differing: list[Difference]) -> None:
     print_json({"a": sides[0], "b": sides[1], "equal": not differing, "inputs": changed, "differences": listed})
 
 
-def _print(differing: list[Difference], total: int, compared: str) -> None:
-    if not differing:
-        typer.echo(f"Equal within the tolerance: {compared}")
-        return
+def _show(differing: list[Difference], total: int) -> None:
     rows = [
         [
             item.strategy,
