@@ -4,13 +4,11 @@ Labels take their values from short lists only (states, route templates, reasons
 or a client ever becomes a label.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from platform import python_version
 from typing import Any, Protocol
 
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, ProcessCollector
-from prometheus_client.core import GaugeMetricFamily, Metric
-from prometheus_client.registry import Collector
 
 from sim_core import __version__
 
@@ -67,50 +65,36 @@ def count_run(kind: str, status: str, summary: Mapping[str, Any]) -> None:
         SOLVER_FALLBACKS.inc(fallbacks)
 
 
-class LoadedWorkers(Protocol):
-    """The worker pool, as far as it is measured."""
+class Loaded(Protocol):
+    """A part of one application that says how much it holds right now."""
 
     @property
-    def load(self) -> dict[str, int]:
-        """Processes `busy` and `idle`, tasks `waiting`."""
+    def load(self) -> Mapping[str, float]:
+        """Amounts by name."""
 
 
-class LoadedAdmission(Protocol):
-    """Admission, as far as it is measured."""
+def service_registry(workers: Loaded, admission: Loaded) -> CollectorRegistry:
+    """What `/metrics` of one application shows: the process's counters, and gauges that are read when it is asked.
 
-    @property
-    def load(self) -> dict[str, float]:
-        """`cost` [s of one core] not finished; expected `wait` [s]; `requests`, `streams`, long `bodies` open."""
-
-
-class ServiceCollector(Collector):
-    """Gauges of one application: two of them in a process do not meet."""
-
-    def __init__(self, workers: LoadedWorkers, admission: LoadedAdmission) -> None:
-        self._workers = workers
-        self._admission = admission
-
-    def collect(self) -> Iterator[Metric]:
-        """The gauges' values now."""
-        load = self._workers.load
-        workers = GaugeMetricFamily("ridelab_workers", "Warm worker processes", labels=["state"])
-        for state in ("busy", "idle"):
-            workers.add_metric([state], load[state])
-        yield workers
-        yield GaugeMetricFamily("ridelab_worker_queue", "Interactive tasks that wait for a worker", load["waiting"])
-        held = self._admission.load
-        yield GaugeMetricFamily(
-            "ridelab_admitted_cost_seconds", "Estimated computing accepted and not finished, of one core", held["cost"]
-        )
-        yield GaugeMetricFamily("ridelab_expected_wait_seconds", "How long a new request would wait", held["wait"])
-        yield GaugeMetricFamily("ridelab_open_requests", "Computing requests that are open", held["requests"])
-        yield GaugeMetricFamily("ridelab_open_streams", "Event streams that are open", held["streams"])
-        yield GaugeMetricFamily("ridelab_open_bodies", "Long request bodies being worked on", held["bodies"])
-
-
-def service_registry(workers: LoadedWorkers, admission: LoadedAdmission) -> CollectorRegistry:
-    """What `/metrics` of one application shows: the process's counters and the application's gauges."""
+    Args:
+        workers: Holds `busy` and `idle` processes, and tasks `waiting` for one.
+        admission: Holds `cost` not finished [s of one core], `requests`, `streams` and long `bodies` open, and the
+            expected `wait` [s].
+    """
     registry = CollectorRegistry()
     registry.register(REGISTRY)
-    registry.register(ServiceCollector(workers, admission))
+
+    def gauge(name: str, text: str, part: Loaded, amount: str) -> None:
+        Gauge(name, text, registry=registry).set_function(lambda: part.load[amount])
+
+    processes = Gauge("ridelab_workers", "Warm worker processes", ["state"], registry=registry)
+    processes.labels("busy").set_function(lambda: workers.load["busy"])
+    processes.labels("idle").set_function(lambda: workers.load["idle"])
+    gauge("ridelab_worker_queue", "Interactive tasks that wait for a worker", workers, "waiting")
+    accepted = "Estimated computing accepted and not finished, of one core"
+    gauge("ridelab_admitted_cost_seconds", accepted, admission, "cost")
+    gauge("ridelab_expected_wait_seconds", "How long a new request would wait", admission, "wait")
+    gauge("ridelab_open_requests", "Computing requests that are open", admission, "requests")
+    gauge("ridelab_open_streams", "Event streams that are open", admission, "streams")
+    gauge("ridelab_open_bodies", "Long request bodies being worked on", admission, "bodies")
     return registry

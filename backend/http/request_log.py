@@ -61,26 +61,21 @@ class RequestLogMiddleware:
         try:
             await self.app(scope, receive, named)
         finally:
-            self._tell(scope, status, time.perf_counter() - begin, first)
+            _note(scope, status, time.perf_counter() - begin, first)
 
-    def _tell(self, scope: Scope, status: int, seconds: float, first: float) -> None:
-        """One line and one observation; `first` is the time to the beginning of an event stream."""
-        method = scope["method"] if scope["method"] in METHODS else "other"
-        route = template(scope)
-        LATENCY.labels(method, route, f"{status // 100}xx").observe(first or seconds)
-        client = scope.get("client")
-        facts = {
-            "method": method,
-            "route": route,
-            "status": status,
-            "duration_ms": round(1000 * seconds, 2),
-            "client": client[0] if client else None,
-        }
-        if caller := scope.get("state", {}).get("caller"):
-            facts["token"] = caller
-        # Refusals are counted: a line for each takes of what a full service could do (tests/drill/test_load.py).
-        quiet = route in QUIET or status in (429, 503)
-        access.log(logging.DEBUG if quiet else logging.INFO, "request", extra=facts)
+
+def _note(scope: Scope, status: int, seconds: float, first: float) -> None:
+    """One line and one observation; `first` is the time to the beginning of an event stream."""
+    method = scope["method"] if scope["method"] in METHODS else "other"
+    route = template(scope)
+    LATENCY.labels(method, route, f"{status // 100}xx").observe(first or seconds)
+    facts = {"method": method, "route": route, "status": status, "duration_ms": round(1000 * seconds, 2)}
+    facts["client"] = scope["client"][0] if scope.get("client") else None
+    if caller := scope.get("state", {}).get("caller"):
+        facts["token"] = caller
+    # Refusals are counted: a line for each takes of what a full service could do (tests/drill/test_load.py).
+    quiet = route in QUIET or status in (429, 503)
+    access.log(logging.DEBUG if quiet else logging.INFO, "request", extra=facts)
 
 
 def template(scope: Scope) -> str:

@@ -242,16 +242,15 @@ def test_a_body_shorter_than_announced_computes_nothing(address: Address, servic
     assert service.client.get("/healthz").status_code == 200
 
 
-@pytest.mark.parametrize("host", ["evil.example", "localhost:1", "[::1]", "127.0.0.1:99999", '"><script>'])
-def test_no_answer_depends_on_the_host_or_repeats_it(address: Address, host: str) -> None:
-    for path in ("/", "/healthz", "/api/v1/runs/", "/api/v1/schema/", "/docs", "/nowhere"):
-        sent = f"GET {path} HTTP/1.1\r\nHost: {host}\r\nX-Forwarded-Host: {host}\r\nConnection: close\r\n\r\n"
-        answer = exchange(address, sent.encode())
-        status, headers = head(answer)
-        assert status in (200, 404, 405)
-        assert "location" not in headers
-        if "evil" in host or "script" in host:
-            assert host.encode() not in answer
+def test_no_answer_depends_on_the_host_or_repeats_it(address: Address) -> None:
+    for host in ("evil.example", "127.0.0.1:99999", '"><script>evil'):
+        for path in ("/", "/api/v1/runs/", "/api/v1/schema/", "/docs", "/nowhere"):
+            sent = f"GET {path} HTTP/1.1\r\nHost: {host}\r\nX-Forwarded-Host: {host}\r\nConnection: close\r\n\r\n"
+            answer = exchange(address, sent.encode())
+            status, headers = head(answer)
+            assert status in (200, 404, 405)
+            assert "location" not in headers
+            assert b"evil" not in answer
 
 
 def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> None:

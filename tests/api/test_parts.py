@@ -8,13 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
 from backend.memory import Memory
-from backend.settings import Settings, SettingsError
 from backend.worker import Outcome, run
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
@@ -75,21 +73,6 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
     other = math.nextafter(value, math.inf)
     if math.isfinite(other) and other != value:
         assert digest.canonical([value]) != digest.canonical([other])
-
-
-def test_settings_come_from_the_environment_and_the_command_line_wins(tmp_path: Path) -> None:
-    environment = {"RIDELAB_WORKERS": "3", "RIDELAB_DATA_DIR": "/elsewhere", "PATH": "/bin"}
-    settings = Settings.from_environment(environment, data_dir=tmp_path, database_url=None)
-    assert (settings.workers, settings.data_dir) == (3, tmp_path)
-    assert settings.store_url == f"sqlite:///{tmp_path}/ridelab.sqlite"
-    assert Settings.from_environment({"RIDELAB_SERVER": "http://h"}) == Settings(), "the command line's own variable"
-    assert Settings.from_environment({"RIDELAB_DATABASE_URL": "postgresql://h/d"}).store_url == "postgresql://h/d"
-
-
-@pytest.mark.parametrize(("name", "value"), [("WORKERS", "0"), ("RUN_TIMEOUT", "soon"), ("COLOUR", "red")])
-def test_a_bad_setting_is_named(name: str, value: str) -> None:
-    with pytest.raises(SettingsError, match=f"RIDELAB_{name}"):
-        Settings.from_environment({f"RIDELAB_{name}": value})
 
 
 def outcome(samples: int, points: int = 800) -> Outcome:
