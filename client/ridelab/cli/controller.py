@@ -82,7 +82,7 @@ def _show_fit(measured: Mapping[str, Any]) -> None:
     typer.echo(f"{part['name']}; {part['flash'] // 1024} KB flash, {part['ram'] // 1024} KB RAM")
     typer.echo(f"One step every {1000 * measured['sample_time']:g} ms; times within {100 * measured['spread']:.0f} %")
     heads = ["Np", "Nc", "limits", "iterations", "flash", "RAM", "operations", "on the part", "fits", "worst change"]
-    show_table(heads, [[_cell(row, column) for column in range(len(heads))] for row in measured["rows"]], {2})
+    show_table(heads, list(map(_fit, measured["rows"])), {2})
     for row in measured["rows"]:
         for reason in row["reasons"]:
             name = f"Np {row['prediction_horizon']}, Nc {row['control_horizon']}, {row['checked']} limits"
@@ -90,9 +90,9 @@ def _show_fit(measured: Mapping[str, Any]) -> None:
     typer.echo("Worst change: of Tables 9 and 10's eight metrics against lv simulated")
 
 
-def _cell(row: Mapping[str, Any], column: int) -> str:
+def _fit(row: Mapping[str, Any]) -> list[str]:
     operations, time = row["operations"], row["time"]
-    cells = [value for window in row["changes"].values() for value in window.values() if value is not None]
+    changes = [value for window in row["changes"].values() for value in window.values() if value is not None]
     return [
         str(row["prediction_horizon"]),
         str(row["control_horizon"]),
@@ -103,8 +103,8 @@ def _cell(row: Mapping[str, Any], column: int) -> str:
         f"{operations['least']} to {operations['most']}",
         f"{1000 * time['least']:.1f} to {1000 * time['most']:.1f} ms",
         "yes" if row["fits"] else "no",
-        f"{max(cells):+.1f} %" if cells else "none",
-    ][column]
+        f"{max(changes):+.1f} %" if changes else "none",
+    ]
 
 
 def _show_clock(report: Mapping[str, Any], names: Names) -> None:

@@ -18,6 +18,7 @@ _SPAN = re.compile(r"([^:,]+):([^:,]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
 _NUMBERS = ("number", "integer")
+_UNKNOWN = Field(unit="1", kind="string")  # the service refuses its name, and says which there are
 _WORDS = {"true": True, "false": False, "null": None}
 
 
@@ -30,7 +31,7 @@ def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Servi
     """The scenario with each `FIELD=VALUE` in its place.
 
     Raises:
-        InputError: No such field, or no value of its kind.
+        InputError: A value that is none of its field's kind.
     """
     if not changes:
         return dict(scenario)
@@ -50,9 +51,9 @@ def with_values(scenario: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
         part: Any = copy
         try:
             for step in path:
-                part = part[int(step)] if isinstance(part, list) else part[step]
+                part = part[int(step)] if isinstance(part, list) else part.setdefault(step, {})
             part[int(last) if isinstance(part, list) else last] = value
-        except (KeyError, TypeError, ValueError, IndexError):
+        except (TypeError, AttributeError, ValueError, IndexError):
             raise InputError(f"{name}: the scenario given has no such place") from None
     return copy
 
@@ -69,7 +70,7 @@ def sweep_of(
     """The sweep that a command's options describe.
 
     Raises:
-        InputError: No such field, given twice, or no values of its kind.
+        InputError: A field given twice, or values that are none of its kind.
         OSError: The file of points cannot be read.
     """
     if points is not None:
@@ -84,7 +85,7 @@ def ranges_of(specs: Sequence[str], option: str, services: Services) -> dict[str
     """Each `FIELD=LOW:HIGH`.
 
     Raises:
-        InputError: No such field, given twice, or no range.
+        InputError: A field given twice, or no range.
     """
     return _unique(specs, option, "FIELD=LOW:HIGH", _range, services)
 
@@ -107,23 +108,10 @@ def _read(text: str, option: str, form: str, read: Reader, services: Services) -
     name, _, value = (part.strip() for part in text.partition("="))
     if not value:
         raise InputError(f"{option} takes {form}, and {text or 'nothing'} is no such pair")
-    fields = services.names.fields
-    if name not in fields:
-        raise InputError(f"{name}: Unknown field; there are {', '.join(_offered(name, list(fields)))}")
     try:
-        return name, read(value, fields[name])
+        return name, read(value, services.names.fields.get(name, _UNKNOWN))
     except ValueError as error:
         raise InputError(f"{name}: {error}") from None
-
-
-def _offered(name: str, fields: Sequence[str]) -> Sequence[str]:
-    """What an unknown name may have meant: those below the deepest part that it begins with."""
-    steps = name.split(".")
-    for length in range(len(steps), 0, -1):
-        below = [each for each in fields if each.startswith(".".join(steps[:length]) + ".")]
-        if below:
-            return below
-    return fields
 
 
 def _values(text: str, field: Field) -> list[Any]:
