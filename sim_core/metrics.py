@@ -22,11 +22,11 @@ from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 from sim_core.windows import SNAP, Sections, Windows, sections_of, windows_of
 
-_ROW = {signal: row for row, signal in enumerate(RECORDED)}  # the first are METRIC_SIGNALS
+_ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
+_SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come before them
 _JUMPING = slice(2)  # the accelerations: they jump with the force and are steep lines in between
 _LOADS = slice(_ROW["front_tyre_load"], _ROW["rear_tyre_load"] + 1)
 _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
-_SPEEDS = slice(_ROW["front_deflection_speed"], _ROW["rear_deflection_speed"] + 1)
 
 
 def evaluate(
@@ -38,12 +38,13 @@ def evaluate(
 ) -> StrategyResult:
     """Everything a run reports, from its recording."""
     bump, road_input = scenario.road.bump, recording.road_input
-    report, loop, table = recording.report, recording.loop, recording.table
-    samples, commands = table.shape[1:]
+    report, loop = recording.report, recording.loop
+    speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
+    samples, commands = signals.shape[1:]
     bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
     windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, samples - 1, commands)
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
-    metrics = _by_window(table[: len(METRIC_SIGNALS)], windows, road_input, tyres)
+    metrics = _by_window(signals, windows, road_input, tyres)
 
     arrival = windows.arrival_speed
     static = scenario.real_vehicle.static_loads
@@ -51,7 +52,7 @@ def evaluate(
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
-    filtered = weighted(table[_ROW["body_acceleration"]], road_input.fine_step, len(road_input.series["time"]))
+    filtered = weighted(signals[_ROW["body_acceleration"]], road_input.fine_step, len(road_input.series["time"]))
     return StrategyResult(
         strategy=strategy.id,
         metrics=metrics,
@@ -60,10 +61,10 @@ def evaluate(
             "vibration_dose": vibration_dose(filtered, road_input.fine_step),
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-            **_power(table, windows),
+            **_power(signals[_FORCES], speeds, windows),
         },
         events={
-            **_airborne(table[_LOADS], windows, static),
+            **_airborne(signals[_LOADS], windows, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": bump_end <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
@@ -87,7 +88,7 @@ def evaluate(
         stages=stages,
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(road_input.series, dict(zip(RECORDED, table, strict=True))),
+        series=Series(road_input.series, dict(zip(METRIC_SIGNALS, signals, strict=True))),
     )
 
 
@@ -216,13 +217,15 @@ def _peaks_at_kinks(
     return np.array([[values[first:last].max(initial=0) for first, last in axle] for axle in ends]).T
 
 
-def _power(table: FloatArray, windows: Windows) -> dict[str, float]:
+def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str, float]:
     """Mean and largest |u·ḋ| summed over both axles [W]."""
-    front, rear = np.abs(table[_FORCES] * table[_SPEEDS])
-    power = np.sqrt(front + rear)[np.newaxis]
-    mean = _integrals(power, power, windows.sections).sum() / windows.sections.durations.sum()
-    peak = _peaks(power, power.max(axis=1), windows).max()
-    return {"actuator_mean_power": float(mean), "actuator_peak_power": float(peak) ** 2}
+    mean = peak = 0.0
+    if forces.any():
+        front, rear = np.abs(forces * speeds)
+        power = (front + rear)[np.newaxis]
+        mean = float(_integrals(power, np.ones_like(power), windows.sections).sum() / windows.sections.durations.sum())
+        peak = float(_peaks(power, power.max(axis=1), windows).max())
+    return {"actuator_mean_power": mean, "actuator_peak_power": peak}
 
 
 def _airborne(loads: FloatArray, windows: Windows, static: tuple[float, float]) -> dict[str, float]:

@@ -12,15 +12,16 @@ from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_LIFT = 16  # fine steps in one matrix product; more would cost more than they save
 _SPEEDS = ("front_deflection_speed", "rear_deflection_speed")
-RECORDED = (*(name for name in OUTPUTS if name not in _SPEEDS), "front_force", "rear_force", *_SPEEDS)
+RECORDED = (*_SPEEDS, *(name for name in OUTPUTS if name not in _SPEEDS), "front_force", "rear_force")
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Lift:
     """`fine` steps as one linear map of [plant state; command in N; disturbances (3 · fine)].
 
-    `outputs` (outputs · (fine + 1), n + 2 + 3 · fine): output after output, each at the start of every fine step and at
-    the end of the last. `end` (n, …): the state after all.
+    `outputs` (signals · (fine + 1), n + 2 + 3 · fine): one of RECORDED after another, each at the start of every fine
+    step and at the end of the last; without the forces of ideal actuators, as they are the commands. `end` (n, …): the
+    state after all.
     """
 
     fine: int
@@ -50,17 +51,21 @@ class Plant:
 
         A step begins with the value after its command has changed and ends with the value before the next one does.
         """
-        used, parts, state = 0, [], states.T
+        table = np.empty((len(RECORDED), disturbance.shape[1] // DISTURBANCES + 1, len(states)))
+        signals = len(self.lifts[0].outputs) // (self.lifts[0].fine + 1)
+        if signals < len(RECORDED):
+            table[signals:] = commands.T[:, np.newaxis]
+        first, state = 0, states.T
         for lift in self.lifts:
-            width = DISTURBANCES * lift.fine
-            causes = np.vstack([state, commands.T, disturbance[:, used * DISTURBANCES : used * DISTURBANCES + width].T])
-            parts.append((lift.outputs @ causes).reshape(len(RECORDED), lift.fine + 1, -1))
-            used += lift.fine
-            if len(parts) < len(self.lifts):
+            last = first + lift.fine
+            causes = np.vstack([state, commands.T, disturbance[:, DISTURBANCES * first : DISTURBANCES * last].T])
+            if len(self.lifts) == 1:
+                np.matmul(lift.outputs, causes, out=table[:signals].reshape(len(lift.outputs), -1))
+            else:
+                table[:signals, first : last + 1] = (lift.outputs @ causes).reshape(signals, lift.fine + 1, -1)
                 state = lift.end @ causes
-        if len(parts) == 1:
-            return parts[0]
-        return np.concatenate([*(part[:, :-1] for part in parts), parts[-1][:, -1:]], axis=1)
+            first = last
+        return table
 
 
 @cached
@@ -68,7 +73,8 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant
     """The plant over a control step [s] of `fine` fine steps."""
     model = half_car(vehicle)
     A, inputs = model.A, np.hstack([model.B, model.E])
-    outputs = np.hstack([model.C, model.D, model.F])
+    rows = [OUTPUTS.index(name) for name in RECORDED[:-FORCES]]
+    outputs = np.hstack([model.C, model.D, model.F])[rows]
     if actuator.bandwidth is not None:  # u̇ = 2π f (command - u): the forces become states, the command drives them
         corner = 2 * pi * actuator.bandwidth
         A = np.block([[model.A, model.B], [np.zeros((FORCES, STATES)), -corner * np.eye(FORCES)]])
@@ -76,9 +82,6 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant
         inputs = np.hstack([command, np.vstack([model.E, np.zeros((FORCES, DISTURBANCES))])])
         outputs = np.vstack([outputs, np.eye(FORCES, outputs.shape[1], k=STATES)])
         outputs = np.insert(outputs, [STATES + FORCES] * FORCES, 0.0, axis=1)  # a command is no force yet
-    else:
-        outputs = np.vstack([outputs, np.eye(FORCES, outputs.shape[1], k=STATES)])
-    outputs = outputs[[(*OUTPUTS, "front_force", "rear_force").index(name) for name in RECORDED]]
     fine_A, fine_inputs = hold(A, inputs, step / fine)
     longest = _lift(fine_A, fine_inputs, outputs, min(fine, _LONGEST_LIFT))
     lifts = [longest] * (fine // longest.fine)
