@@ -11,11 +11,13 @@ from urllib.parse import quote
 
 import httpx
 
+from ridelab.batch import Batch
 from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
 from ridelab.http import Http, split_login
-from ridelab.jobs import Batch, Job, Tuning
+from ridelab.jobs import Job
 from ridelab.results import Link, LinkedResult, RunResult
+from ridelab.tuning import Tuning
 
 if TYPE_CHECKING:
     import numpy as np

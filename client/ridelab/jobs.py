@@ -1,37 +1,17 @@
-"""Jobs on a service, batches and tunings: follow one to its end, stop it, go on with it, take what it found."""
+"""A job on a service, a batch or a tuning: follow it to its end, stop it, go on with it."""
 
-import io
-import json
-import os
-import re
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Self
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, ClassVar, Self
 
 from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
-from ridelab.files import format_of, save
 from ridelab.http import Http
-
-if TYPE_CHECKING:
-    import pandas as pd
-
-Trial = dict[str, Any]  # number, weights, values, limits, feasible, …, as the service sends it
+from ridelab.streams import Event, server_sent
 
 FINAL = ("done", "cancelled", "failed")
 SILENCE = 20.0  # a stream that says nothing for so long is asked for anew [s]; the service speaks every 15 s
 PATIENCE = 90.0  # a service may be away so long while a job is waited for: a restart, another replica [s]
 LONGEST_PAUSE = 2.0  # between two polls [s]
-_ROWS = re.compile(r'"rows"\s*:\s*\[')
-_DECODER = json.JSONDecoder()
-
-
-class Event(NamedTuple):
-    """Something that happened to a job: `state`, `progress` or `restart`, and how the job stood then."""
-
-    id: str
-    kind: str
-    data: dict[str, Any]
 
 
 class Job:
@@ -212,166 +192,3 @@ class Job:
 
     def _take_in(self, data: Mapping[str, Any]) -> None:
         self.answer |= data
-
-
-class Batch(Job):
-    """A batch of runs."""
-
-    NAME: ClassVar[str] = "batch"
-    PLACE: ClassVar[str] = "/api/v1/batches"
-
-    def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
-        """What its finished rows say as a whole: quantiles, extremes, paired margins, stability (docs/robustness.md).
-
-        Args:
-            figures: Metrics such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.
-            baseline: The strategy the others are compared with; None is LV, else the first.
-        """
-        params = {"figures": ",".join(figures), "baseline": baseline}
-        return self._http.document("GET", self._path("/summary"), params=params)
-
-    def rows(self) -> Iterator[dict[str, Any]]:
-        """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too."""
-        with self._http.stream(self._path("/results"), params={"format": "json"}) as response:
-            yield from json_rows(response.iter_text())
-
-    def frame(self) -> "pd.DataFrame":
-        """Its rows as a pandas frame: a column a swept field and a metric, `frame.attrs["units"]` the units.
-
-        Raises:
-            ImportError: pandas is not installed.
-        """
-        try:
-            import pandas as pd
-        except ImportError:
-            raise ImportError("A frame needs pandas: pip install 'ridelab[pandas]'") from None
-        frame = pd.read_csv(io.BytesIO(b"".join(self.content("csv"))))
-        heads = [head.removesuffix("]").partition(" [") for head in map(str, frame.columns)]
-        frame.columns = pd.Index([name for name, _, _ in heads])
-        frame.attrs["units"] = {name: unit or "1" for name, _, unit in heads}
-        return frame
-
-    def content(self, file_format: str) -> Iterator[bytes]:
-        """Its results as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
-        with self._http.stream(self._path("/results"), params={"format": file_format}) as response:
-            yield from response.iter_bytes()
-
-    def download(self, path: str | os.PathLike[str], file_format: str | None = None) -> Path:
-        """Its results as a file, in the format its name ends with or the one named.
-
-        Raises:
-            ValueError: There is no such format.
-            OSError: The file cannot be written.
-        """
-        return save(self.content(format_of(path, file_format)), path)
-
-
-class Tuning(Job):
-    """A tuning of weights."""
-
-    NAME: ClassVar[str] = "tuning"
-    PLACE: ClassVar[str] = "/api/v1/tunings"
-
-    @property
-    def counts(self) -> Mapping[str, Any]:
-        """Trials, by `total`, `done`, `failed` and `feasible`."""
-        trials: Mapping[str, Any] = self.answer["trials"]
-        return trials
-
-    @property
-    def feasible(self) -> int:
-        """Trials within every limit."""
-        return int(self.counts["feasible"])
-
-    @property
-    def paper(self) -> Trial | None:
-        """The paper's weights; None until the first generation is complete."""
-        return self.answer.get("paper")
-
-    @property
-    def best(self) -> list[Trial | None]:
-        """Of each objective the feasible trial with its smallest value; None while there is none."""
-        return list(self.answer["best"])
-
-    @property
-    def knee(self) -> Trial | None:
-        """Of several objectives the point of the front nearest to its ideal corner."""
-        return self.answer.get("knee")
-
-    @property
-    def front(self) -> list[Trial]:
-        """Feasible trials that no other one betters."""
-        return list(self.answer["front"])
-
-    @property
-    def comparison(self) -> dict[str, Any] | None:
-        """The paper's weights and the tuned ones over the training roads and fresh ones; None until it is done."""
-        return self.answer.get("comparison")
-
-    def resume(self, trials: int | None = None) -> Self:
-        """Go on where it stopped, perhaps with more trials in all.
-
-        Raises:
-            RidelabAPIError: There is nothing left to do (409), or a limit (422).
-        """
-        self.answer = self._http.document("POST", self._path("/resume"), params={"trials": trials})
-        return self
-
-    def trials(self) -> list[Trial]:
-        """Every trial, in order."""
-        trials: list[Trial] = self._http.document("GET", self._path("/trials"))["trials"]
-        return trials
-
-    def _take_in(self, data: Mapping[str, Any]) -> None:
-        counts = {name: data[name] for name in self.counts}
-        self.answer |= {name: data[name] for name in ("state", "step", "generation")} | {"trials": counts}
-
-
-def server_sent(lines: Iterable[str], last_id: str = "") -> Iterator[Event | None]:
-    """The events in a stream's lines (WHATWG HTML, 9.2.6), and None for each line between, which is a sign of life.
-
-    One that is cut off is not an event.
-    """
-    kind, data = "message", list[str]()
-    for line in lines:
-        name, _, value = line.partition(":")
-        value = value.removeprefix(" ")
-        if line:
-            if name == "id":
-                last_id = value
-            elif name == "event":
-                kind = value
-            elif name == "data":
-                data.append(value)
-            yield None
-            continue
-        if data:
-            yield Event(last_id, kind, json.loads("\n".join(data)))
-        kind, data = "message", []
-
-
-def json_rows(pieces: Iterable[str]) -> Iterator[dict[str, Any]]:
-    """The objects of an answer's last member, `"rows": [..]`, each as soon as it is there.
-
-    Raises:
-        RidelabConnectionError: The answer ended before its end.
-    """
-    text, begun = "", False
-    for piece in pieces:
-        text += piece
-        if not begun:
-            head = _ROWS.search(text)
-            if head is None:
-                continue
-            text, begun = text[head.end() :], True
-        while True:
-            text = text.lstrip(" \t\r\n,")
-            if text.startswith("]"):
-                return
-            try:
-                row, end = _DECODER.raw_decode(text)
-            except ValueError:  # the rest of this row is still to come
-                break
-            text = text[end:]
-            yield row
-    raise RidelabConnectionError("The answer ended before its last row")

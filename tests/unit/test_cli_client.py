@@ -25,7 +25,7 @@ from ridelab.cli.following import followed
 from ridelab.cli.service import Services
 from ridelab.files import format_of, save
 from ridelab.http import LONGEST_WAIT, Http, plain, retry_after
-from ridelab.jobs import json_rows, server_sent
+from ridelab.streams import json_rows, server_sent
 from sim_core.scenario import Bump, Road, Scenario
 
 FULL = {"type": "about:blank", "title": "Full", "status": 503, "detail": "Full.", "errors": []}

@@ -4,5 +4,7 @@
 def main() -> int:
     """Run the command line; returns the exit code (docs/cli.md)."""
     from ridelab.cli.app import run
+    from ridelab.cli.reporting import end_on_sigterm
 
+    end_on_sigterm()
     return run()

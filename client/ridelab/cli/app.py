@@ -15,7 +15,7 @@ from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
 from ridelab.cli.paper import paper
 from ridelab.cli.parsing import Command
-from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output, end_on_sigterm
+from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
 from ridelab.cli.server import backup, open_, serve
@@ -94,7 +94,6 @@ def _options(
 
 def run(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
-    end_on_sigterm()
     try:
         app(arguments, prog_name="ridelab")
     except SystemExit as end:

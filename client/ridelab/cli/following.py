@@ -21,7 +21,8 @@ from ridelab.cli.reporting import (
 )
 from ridelab.cli.service import Services
 from ridelab.errors import RidelabClientError
-from ridelab.jobs import Job, Tuning
+from ridelab.jobs import Job
+from ridelab.tuning import Tuning
 
 AnyJob = TypeVar("AnyJob", bound=Job)
 
