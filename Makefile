@@ -81,7 +81,7 @@ $(VENV)/.build: requirements-build.lock
 
 $(VENV)/.runtime: requirements.lock $(VENV)/.build
 	$(INSTALL) $<
-	$(BIN)/python -c 'import backend.app, backend.batches.cluster, httpx, typer.rich_utils'  # compiles what is used, a third of all
+	$(BIN)/python -c 'import backend.app, backend.jobs.cluster, httpx, typer.rich_utils'  # compiles what is used, a third of all
 	touch $@
 
 $(VENV)/.development: requirements-dev.lock $(VENV)/.runtime

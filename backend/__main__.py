@@ -129,7 +129,7 @@ def _application(settings: "Settings") -> "FastAPI":
 
     from backend import processes
     from backend.app import create_app
-    from backend.store.sqlite import UnusableDatabaseError
+    from backend.db.sqlite import UnusableDatabaseError
 
     processes.return_freed_memory()
     try:

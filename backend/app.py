@@ -8,8 +8,6 @@ from fastapi import FastAPI
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
-from backend.batches.driver import Driver
-from backend.batches.service import Batches
 from backend.compute import Workers
 from backend.hil.service import Controllers
 from backend.http import openapi, problems
@@ -17,6 +15,10 @@ from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
 from backend.http.tokens import TokenMiddleware, Tokens
+from backend.jobs.scheduler import Scheduler
+from backend.jobs.sweep.service import Sweeps
+from backend.jobs.tuning.service import TuningService
+from backend.jobs.tuning.steps import TuningSteps
 from backend.links.service import Links
 from backend.memory import Memory
 from backend.metrics import service_registry
@@ -26,8 +28,6 @@ from backend.routes import batches, controller, health, links, login, paper, run
 from backend.runs import Runs
 from backend.settings import Settings
 from backend.store import Store
-from backend.tuner.driver import TuningDriver
-from backend.tuner.service import Tunings
 from sim_core import __version__
 
 DESCRIPTION = """A what-if laboratory for active suspension over bumps.
@@ -41,6 +41,7 @@ ROUTERS = (
     batches.submitting,
     batches.batches,
     tunings.beginning,
+    tunings.naming,
     tunings.tunings,
     links.sharing,
     links.links,
@@ -50,6 +51,7 @@ ROUTERS = (
     login.login,
     health.health,
 )
+BACKGROUND_NICE = 5  # of 19: planning and summaries stand behind interactive runs, before batches
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
 
 
@@ -96,8 +98,9 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     store: Store = app.state.store
     workers: Workers = app.state.workers
     workers.start()
-    driver = Driver(store=store, settings=settings)
-    tuner: TuningDriver | None = None
+    background = Workers(1, timeout=settings.run_timeout, nice=BACKGROUND_NICE)  # starts with its first task
+    scheduler: Scheduler | None = None
+    steps: TuningSteps | None = None
     try:
         warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
         admission = _admission(settings)
@@ -106,30 +109,26 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
-        app.state.paper = Paper(store=store, workers=workers, results=results, admission=admission)
+        app.state.paper = Paper(store=store, results=results, admission=admission)
         app.state.controllers = Controllers(
             workers=workers, admission=admission, max_request_cost=settings.max_request_cost
         )
         app.state.links = Links(store=store, workers=workers, admission=admission)
-        app.state.batches = Batches(store=store, workers=workers, admission=admission, driver=driver, settings=settings)
-        tuner = TuningDriver(store=store, batches=app.state.batches, driver=driver)
-        app.state.tunings = Tunings(
-            store=store,
-            workers=workers,
-            admission=admission,
-            batches=app.state.batches,
-            driver=tuner,
-            settings=settings,
-        )
-        driver.start()
-        tuner.start()
+        sweeps = Sweeps(store=store, background=background, admission=admission, settings=settings)
+        app.state.sweeps = sweeps
+        app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)
+        steps = TuningSteps(store, sweeps)
+        scheduler = Scheduler(store=store, settings=settings, steppers={"tuning": steps})
+        scheduler.start()
         yield
         await warming
     finally:
-        if tuner is not None:
-            await tuner.close()
-        await driver.close()
+        if scheduler is not None:
+            await scheduler.close()
+        if steps is not None:
+            steps.close()
         await workers.close()
+        await background.close()
         store.close()
 
 

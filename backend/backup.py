@@ -11,8 +11,8 @@ from pathlib import Path
 
 from sqlalchemy import make_url
 
+from backend.db.sqlite import database_file, reason
 from backend.settings import Settings
-from backend.store.sqlite import database_file, reason
 
 LOCK_TIMEOUT = 30.0  # [s]
 RETRY_INTERVAL = 0.002  # SQLite's own retries are so rare that a busy writer would always be quicker [s]

@@ -43,6 +43,7 @@ class Workers:
         self._waiting = 0
         self._spawned: list[slots.Spawned] = []
         self._warm = asyncio.Event()
+        self._started = False
 
     def spawn(self) -> None:
         """Begin to spawn and warm every slot, and return; needs no event loop yet. `start` takes them over."""
@@ -54,6 +55,7 @@ class Workers:
 
     def start(self) -> None:
         """Begin to spawn and warm every slot, unless that has begun, and hand each out once it is warm."""
+        self._started = True
         os.environ.update(ONE_THREAD)
         for _ in range(self._count):
             self._chore(self._add_slot(self._spawned.pop() if self._spawned else None))
@@ -84,7 +86,7 @@ class Workers:
         return {"busy": max(0, len(self._slots) - idle), "idle": idle, "waiting": self._waiting}
 
     async def call(self, function: Callable[..., T], *args: Any, ends_with_caller: bool = False) -> T:
-        """Run `function(*args)` in a worker; a task whose worker dies is tried once more.
+        """Run `function(*args)` in a worker; a task whose worker dies is tried once more. The first starts the workers.
 
         A caller that is cancelled leaves the task to its end, or (`ends_with_caller`) has the worker killed at once.
 
@@ -93,6 +95,8 @@ class Workers:
             WorkerTimeoutError: It took longer than the limit.
             WorkersBusyError: None came free within a minute.
         """
+        if not self._started:
+            self.start()
         deaths = 0
         for _ in range(self._count + ATTEMPTS):
             slot = await self._free_slot()

@@ -41,6 +41,11 @@ def result_key(scenario: Scenario, strategy: str) -> str:
     return _hash({**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy)})
 
 
+def figures_key(scenario: Scenario, strategy: str) -> str:
+    """Key of the paper's figures of one strategy's run: it depends on what the result depends on."""
+    return _hash({"figures_of": result_key(scenario, strategy)})
+
+
 def derived_key(name: str, parameters: Mapping[str, Any]) -> str:
     """Key of what is derived from many runs: the program that computes them, what it is and what it was asked for."""
     return _hash({**_program(STRATEGIES), "derived": name, "parameters": dict(parameters)})

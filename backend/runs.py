@@ -18,7 +18,7 @@ from backend.reports.making import made
 from backend.reports.page import Report
 from backend.results import Results
 from backend.run_answers import default_baseline, entry_answer, run_answer
-from backend.store import Store, StoredBatch, StoredResult, StoredRun
+from backend.store import Store, StoredResult, StoredRun
 from backend.worker import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -250,7 +250,7 @@ class Runs:
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is None:
             raise NotFoundError("There is no run of this id.")
-        return replace(stored, scenario=todays(stored))
+        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
 
     async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of those strategies whose time histories are there just as they were, or can be made so.
@@ -284,14 +284,14 @@ def ordered(strategies: Iterable[str]) -> list[str]:
     return [name for name in STRATEGIES if name in asked]
 
 
-def todays(stored: StoredRun | StoredBatch) -> dict[str, Any]:
-    """The scenario of what is stored as today's schema has it.
+def upgraded_scenario(scenario: Mapping[str, Any], schema_version: int) -> dict[str, Any]:
+    """A stored scenario as today's schema has it.
 
     Raises:
         NewerSchemaError: A newer version of the service stored it.
     """
     try:
-        return restored(stored.scenario, stored.schema_version).model_dump(mode="json")
+        return restored(dict(scenario), schema_version).model_dump(mode="json")
     except NewerScenarioError as error:
         raise NewerSchemaError(f"{error.message}.") from None
 

@@ -11,8 +11,8 @@ from typing import Any
 import httpx
 import psutil
 
-from backend.batches.plan import scenario_at
-from backend.batches.sweeps import Sweep, points
+from backend.jobs.sweep.plan import scenario_at
+from backend.jobs.sweep.sweeps import Sweep, points
 from benchmarks.api_latency import TOGETHER, server, timed
 from benchmarks.timing import table
 from sim_core.scenario import Scenario

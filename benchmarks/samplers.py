@@ -14,9 +14,10 @@ from typing import Any
 
 import optuna
 
-from backend.store.tunings import StoredTrial
-from backend.tuner import front, space
-from backend.tuner.objectives import objective_value
+from backend.analysis import front
+from backend.analysis.objectives import objective_value
+from backend.jobs.tuning import space
+from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 

@@ -40,6 +40,7 @@ class Admission:
         self._max_request_cost = max_request_cost
         self._max_queued_cost = max_queued_cost
         self._queued_cost = 0.0
+        self._background_cost = 0.0
         self._computing = ConcurrencyLimit(what="computing requests", per_client=max_client_requests)
         self._streams = ConcurrencyLimit(what="event streams", per_client=max_client_streams, total=max_streams)
         self._requests = ConcurrencyLimit(
@@ -97,6 +98,23 @@ class Admission:
     def reading(self, client: str) -> AbstractContextManager[None]:
         """A request that only reads, but much."""
         return self._requests.acquired(client)
+
+    @contextmanager
+    def background(self, client: str, cost: float) -> Iterator[None]:
+        """Count what is computed for that client in the background, of that estimated cost [s of one core].
+
+        Raises:
+            TooManyRequestsError: The client has too many open.
+            BusyError: The service is full.
+        """
+        if self._background_cost and self._background_cost + cost > self._max_queued_cost:
+            raise BusyError("The service is full: too much is being planned or summarised.")
+        with self.reading(client):
+            self._background_cost += cost
+            try:
+                yield
+            finally:
+                self._background_cost = max(0.0, self._background_cost - cost)
 
     @contextmanager
     def computing(self, client: str, scenario: Scenario, strategies: Iterable[str]) -> Iterator[None]:

@@ -61,7 +61,9 @@ _LIST = (
     _kind(
         "not-ended", 409, "Not ended", "A tuning that still runs cannot get another number of trials: cancel it first."
     ),
-    _kind("done", 409, "Done", "A tuning that is done goes on with a greater number of trials only."),
+    _kind("done", 409, "Done", "Nothing is left to do; a tuning goes on with a greater number of trials."),
+    _kind("not-deletable", 409, "Not deletable", "It has not ended, or a link shows it."),
+    _kind("other-owner", 403, "Other owner", "It belongs to another token; only its owner may do this."),
     _kind(
         "other-core-version",
         410,

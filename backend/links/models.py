@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.batches.models import Batch
+from backend.jobs.sweep.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName
 from backend.roads_models import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS

@@ -7,16 +7,16 @@ from datetime import UTC, datetime
 from typing import Any
 
 from backend import digest, pins
-from backend.batches.service import batch_answer
 from backend.compute import Workers
 from backend.errors import InvalidError, NotFoundError
 from backend.http.admission import Admission
+from backend.jobs.sweep.models import Batch
 from backend.links import preview
 from backend.links.models import SLUG_PATTERN
 from backend.links.preview import Preview
 from backend.run_answers import run_answer
-from backend.runs import todays
-from backend.store import Store, StoredBatch, StoredLink, StoredRun
+from backend.runs import upgraded_scenario
+from backend.store import Store, StoredJob, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
@@ -54,11 +54,11 @@ class Links:
             InvalidError: No such batch, or a view of a field that it does not sweep.
             TooManyRequestsError: Too many new links.
         """
-        stored = await self._store.read(self._store.batches.load, batch_id)
-        if stored is None:
+        stored = await self._store.read(self._store.jobs.load, batch_id)
+        if stored is None or stored.kind != "sweep":
             raise _unknown("batch_id", "There is no batch of this id")
-        if view.get("x") not in (None, *stored.fields):
-            raise _unknown("view/x", f"This batch sweeps {', '.join(stored.fields)}")
+        if view.get("x") not in (None, *stored.request["fields"]):
+            raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
         self._admission.linking(client)
         slug = await self._save("batch", batch_id, view, {})
         return {"slug": slug, "url": url(slug), "series_pinned": False}
@@ -81,7 +81,7 @@ class Links:
             "view": link.view,
         }
         if link.kind == "batch":
-            return {**head, **_opened_batch(await self._batch(link))}
+            return {**head, **_opened_batch(await self._job(link))}
         stored = await self._run(link)
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
@@ -102,8 +102,8 @@ class Links:
         if link is None:
             return None
         if link.kind == "batch":
-            batch = await self._batch(link)
-            return preview.of_batch(batch_answer(batch), batch.finished_at or batch.created_at)
+            batch = await self._job(link)
+            return preview.of_batch(_batch_answer(batch), batch.finished_at or batch.created_at)
         run = await self._run(link)
         return preview.of_run(run_answer(run), link.view, run.created_at)
 
@@ -111,7 +111,7 @@ class Links:
         """By result key the time histories; nothing where another core version would make others."""
         if not missing or stored.core_version != CORE_VERSION:
             return {}
-        scenario = Scenario.model_validate(todays(stored))
+        scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
         with self._admission.computing(client, scenario, missing):
             made = await self._workers.call(pins.make, scenario, list(missing))
         return {missing[name]: content for name, content in made.items()}
@@ -129,13 +129,14 @@ class Links:
         stored = await self._store.read(self._store.runs.load, link.target)
         if stored is None:
             raise RuntimeError("A link's run is not there, though nothing removes runs")
-        return replace(stored, scenario=todays(stored))
+        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
 
-    async def _batch(self, link: StoredLink) -> StoredBatch:
-        stored = await self._store.read(self._store.batches.load, link.target)
+    async def _job(self, link: StoredLink) -> StoredJob:
+        stored = await self._store.read(self._store.jobs.load, link.target)
         if stored is None:
-            raise RuntimeError("A link's batch is not there, though nothing removes batches")
-        return replace(stored, scenario=todays(stored))
+            raise RuntimeError("A link's batch is not there, though nothing removes it")
+        scenario = upgraded_scenario(stored.request["scenario"], stored.schema_version)
+        return replace(stored, request={**stored.request, "scenario": scenario})
 
 
 def url(slug: str) -> str:
@@ -148,17 +149,21 @@ def _histories(stored: StoredRun) -> dict[str, str]:
     return {item.strategy: item.key for item in stored.shown}
 
 
-def _opened_batch(stored: StoredBatch) -> dict[str, Any]:
+def _opened_batch(stored: StoredJob) -> dict[str, Any]:
     return {
         "core_version": stored.core_version,
         "computed_at": stored.finished_at or stored.created_at,
         "schema_version": stored.schema_version,
-        "scenario": stored.scenario,
+        "scenario": stored.request["scenario"],
         "run": None,
-        "batch": batch_answer(stored),
+        "batch": _batch_answer(stored),
         "series_pinned": False,
     }
 
 
 def _unknown(field: str, message: str) -> InvalidError:
     return InvalidError(f"{message}.", kind="unknown", pointer=f"/{field}")
+
+
+def _batch_answer(stored: StoredJob) -> dict[str, Any]:
+    return Batch.of(stored, 0).model_dump()

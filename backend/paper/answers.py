@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from backend.paper.rows import Rows
 from sim_core import __version__ as CORE_VERSION
 from sim_core.study import paper
 from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
@@ -21,19 +22,19 @@ def reproduction(
     ours: paper.Values,
     without_preview: paper.Values,
     named: Mapping[str, paper.Values],
-    reason: str | None = None,
+    rows: Rows,
 ) -> dict[str, Any]:
     """`PaperAnswer`.
 
     Args:
         chosen: Reading -> choice, all of them.
         roads: Their seeds.
-        ours: By strategy, under these readings.
+        ours: By strategy, under these readings, of those that are complete.
         without_preview: The same without preview.
         named: The same under each named set.
-        reason: Why hardware in the loop is not available; all are then judged without it.
+        rows: What all are made of; where hardware in the loop is not available all are judged without it.
     """
-    if reason is not None:
+    if rows.reason is not None:
         ours, without_preview = _simulated(ours), _simulated(without_preview)
         named = {name: _simulated(values) for name, values in named.items()}
     judged, blind = paper.judge(ours), paper.judge(without_preview)
@@ -55,10 +56,12 @@ def reproduction(
             }
             for item in INTERPRETATIONS.values()
         ],
-        "unavailable": unavailable(reason),
+        "unavailable": unavailable(rows.reason),
+        "complete": rows.complete,
+        "progress": {"done": len(rows.by_key), "total": rows.total},
         "without_preview": {"reached": blind_counts["reached"], "counts": blind_counts},
         "scenario": paper.scenario_for(chosen, 1).model_dump(mode="json"),
-        "cells": [_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours) for cell in cells()],
+        "cells": [_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows) for cell in cells()],
         "readings": [
             {
                 "id": reading.id,
@@ -98,7 +101,7 @@ def unavailable(reason: str | None) -> dict[str, Any] | None:
 
 
 def _simulated(values: paper.Values) -> paper.Values:
-    return {name: values[name] for name in paper.SIMULATED}
+    return {name: values[name] for name in paper.SIMULATED if name in values}
 
 
 def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> dict[str, Any]:
@@ -195,8 +198,8 @@ def _of_variant(name: str, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> d
     return found | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
 
 
-def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: paper.Values) -> dict[str, Any]:
-    base = ours[cell.against][cell.window, cell.statistic, cell.signal]
+def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: paper.Values, rows: Rows) -> dict[str, Any]:
+    base = ours.get(cell.against, {}).get((cell.window, cell.statistic, cell.signal))
     looks_ahead = {cell.strategy, cell.against} & set(paper.PREVIEWED)
     return {
         "table": cell.table,
@@ -210,15 +213,16 @@ def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: pape
         "paper_change": cell.printed,
         "misprint": None if cell.follows is None else {"printed": cell.printed, "follows": cell.follows},
         "our_value": None if item is None else item.value,
-        "our_base": sum(base) / len(base),
-        **_judgement(item),
-        "without_preview": _judgement(blind) if looks_ahead else None,
+        "our_base": None if base is None else sum(base) / len(base),
+        **_judgement(item, rows),
+        "without_preview": _judgement(blind, rows) if looks_ahead else None,
     }
 
 
-def _judgement(item: Judged | None) -> dict[str, Any]:
+def _judgement(item: Judged | None, rows: Rows) -> dict[str, Any]:
     if item is None:
-        return {"our_change": None, "ci": None, "verdict": "unavailable", "certain": None}
+        verdict = "unavailable" if rows.complete else "pending"
+        return {"our_change": None, "ci": None, "verdict": verdict, "certain": None}
     return {
         "our_change": item.change.value,
         "ci": [item.change.low, item.change.high],

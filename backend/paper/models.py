@@ -10,7 +10,7 @@ from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
 from sim_core.study.paper import AGREEMENT, HIL_TOLERANCE, SEEDS
 from sim_core.study.readings import READINGS
 
-Verdict = Literal["reached", "smaller", "contradicts", "unavailable"]
+Verdict = Literal["reached", "smaller", "contradicts", "unavailable", "pending"]
 Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
 Seeds = Annotated[int, Field(ge=20, le=100, description="How many roads every strategy drives")]
 FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road's seed; the others follow it")]
@@ -87,7 +87,7 @@ class Cell(Judgement):
     paper_change: float = Field(description="As printed [%]")
     misprint: Misprint | None = Field(description="The verdict is then taken against `follows`")
     our_value: float | None = Field(description="Null where the cell is unavailable")
-    our_base: float
+    our_base: float | None = Field(description="Null while pending")
     without_preview: Judgement | None = Field(description="Where a controller that looks ahead takes part")
 
 
@@ -150,6 +150,13 @@ class Interpretation(Counted):
     changes: dict[str, Any] = Field(description="The scenario's fields it changes, by dotted name")
 
 
+class Progress(Answer):
+    """How much of what the cells are made of is there."""
+
+    done: int
+    total: int
+
+
 class PaperAnswer(Counted):
     """The reproduction."""
 
@@ -159,6 +166,8 @@ class PaperAnswer(Counted):
     interpretation: str | None = Field(description="The named set whose readings these are; null where none has them")
     interpretations: list[Interpretation] = Field(description="The named sets")
     unavailable: Unavailable | None
+    complete: bool = Field(description="False in a partial answer whose other cells are being computed: ask again")
+    progress: Progress
     without_preview: WithoutPreview
     scenario: Scenario
     cells: list[Cell]
@@ -307,6 +316,10 @@ class _Query(RoadsQuery):
         }
 
 
+class _PartialQuery(_Query):
+    partial: bool = Field(False, description="Answer at once with the cells that are there; the others are `pending`")
+
+
 _CHOICES: dict[str, Any] = {
     reading.id: (
         Literal[tuple(choice.id for choice in reading.choices)] | None,
@@ -314,4 +327,4 @@ _CHOICES: dict[str, Any] = {
     )
     for reading in READINGS.values()
 }
-PaperQuery = create_model("PaperQuery", __base__=_Query, **_CHOICES)
+PaperQuery = create_model("PaperQuery", __base__=_PartialQuery, **_CHOICES)

@@ -7,6 +7,7 @@ from typing import Annotated, Any, TypeVar
 import orjson
 from fastapi import Depends, Request, Response
 from fastapi.responses import HTMLResponse
+from pydantic import BaseModel
 from starlette.requests import ClientDisconnect
 
 from backend.http.routing import client_address
@@ -35,11 +36,15 @@ async def _client(request: Request) -> str:
 
 RunsService = Annotated[Runs, Depends(_runs)]
 LinksService = Annotated[Links, Depends(_links)]
+
+
 Client = Annotated[str, Depends(_client)]
 
 
 def json_answer(content: Any, headers: dict[str, str] | None = None) -> Response:
     """JSON as orjson writes it; its shape is the route's `response_model`."""
+    if isinstance(content, BaseModel):
+        content = content.model_dump(by_alias=True)
     return Response(orjson.dumps(content), headers=headers, media_type="application/json")
 
 

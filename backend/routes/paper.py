@@ -26,7 +26,8 @@ Roads = Annotated[models.RoadsQuery, Query()]
 @paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
 async def get_paper(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
     """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly."""
-    return json_answer(await cancel_on_disconnect(request, service.reproduction(query.chosen(), query.roads, client)))
+    answering = service.reproduction(query.chosen(), query.roads, client, partial=query.partial)
+    return json_answer(await cancel_on_disconnect(request, answering))
 
 
 @paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)

@@ -3,13 +3,14 @@
 Methods are synchronous and short; services run them through `Store.read` and `Store.write`.
 """
 
-from backend.store.batches import BatchStore, StoredBatch
-from backend.store.database import Database
+from backend.db.database import Database
+from backend.store.job_runs import JobRunStore
+from backend.store.jobs import JobStore, StoredJob
 from backend.store.links import LinkStore, StoredLink
 from backend.store.runs import RunStore, StoredResult, StoredRun
-from backend.store.tunings import StoredTuning, TuningStore
+from backend.store.trials import TrialStore
 
-__all__ = ["Store", "StoredBatch", "StoredLink", "StoredResult", "StoredRun", "StoredTuning"]
+__all__ = ["Store", "StoredJob", "StoredLink", "StoredResult", "StoredRun"]
 
 
 class Store(Database):
@@ -18,6 +19,7 @@ class Store(Database):
     def __init__(self, url: str) -> None:
         super().__init__(url)
         self.runs = RunStore(self)
-        self.batches = BatchStore(self)
+        self.jobs = JobStore(self)
+        self.job_runs = JobRunStore(self)
+        self.trials = TrialStore(self)
         self.links = LinkStore(self)
-        self.tunings = TuningStore(self)

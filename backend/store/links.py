@@ -5,11 +5,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any, Literal
 
-import orjson
 from sqlalchemy import select
 
-from backend.store.database import Database, insert_new, utc
-from backend.store.tables import links, pinned_series
+from backend.db.database import Database, insert_new
+from backend.db.tables import links, pinned_series
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,8 +34,8 @@ class LinkStore:
             "slug": link.slug,
             "kind": link.kind,
             "run_id": link.target if link.kind == "run" else None,
-            "batch_id": link.target if link.kind == "batch" else None,
-            "view": orjson.dumps(link.view).decode(),
+            "job_id": link.target if link.kind == "batch" else None,
+            "view": link.view,
             "created_at": link.created_at,
         }
         contents = [
@@ -56,9 +55,9 @@ class LinkStore:
         return StoredLink(
             slug=row.slug,
             kind=row.kind,
-            target=row.run_id or row.batch_id,
-            view=orjson.loads(row.view),
-            created_at=utc(row.created_at),
+            target=row.run_id or row.job_id,
+            view=row.view,
+            created_at=row.created_at,
         )
 
     def pinned(self, keys: Iterable[str]) -> set[str]:

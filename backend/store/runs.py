@@ -8,8 +8,8 @@ from typing import Any
 import orjson
 from sqlalchemy import Connection, Row, select
 
-from backend.store.database import Database, insert_new, utc
-from backend.store.tables import results, run_results, runs
+from backend.db.database import Database, insert_new
+from backend.db.tables import results, run_results, runs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,7 +112,7 @@ class RunStore:
                         "id": run_id,
                         "core_version": core_version,
                         "schema_version": schema_version,
-                        "scenario": orjson.dumps(scenario).decode(),
+                        "scenario": dict(scenario),
                         "created_at": now,
                         "roads": roads,
                         "baseline": baseline,
@@ -144,9 +144,9 @@ def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
         id=head.id,
         core_version=head.core_version,
         schema_version=head.schema_version,
-        scenario=orjson.loads(head.scenario),
+        scenario=head.scenario,
         results=tuple(_result(row) for row in members),
-        created_at=utc(head.created_at),
+        created_at=head.created_at,
         roads=head.roads,
         baseline=head.baseline,
     )

@@ -2,7 +2,7 @@
 
 A field that is new with a default under which nothing computes otherwise needs no step. Everything else does (a field
 renamed, moved, dropped, in another unit, with tighter limits or another default): raise `SCHEMA_VERSION`, add the step
-here and leave a fixture of the old version in tests/data/links.
+here and leave a database of the old version as a fixture (tests/data/release.py).
 """
 
 import copy

@@ -163,13 +163,3 @@ def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, l
             for (window, _, signal), value in zip(FIGURES, own, strict=True)
         ]
     return figures
-
-
-def gathered(
-    runs: Sequence[Mapping[str, Mapping[str, Sequence[float]]]], window: str
-) -> dict[str, dict[tuple[str, str, str], list[float]]]:
-    """`figures_by_window` by strategy, seed by seed, as `judge` takes them under one choice of that reading."""
-    return {
-        name: {figure: [run[name][window][index] for run in runs] for index, figure in enumerate(FIGURES)}
-        for name in runs[0]
-    }

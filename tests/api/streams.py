@@ -8,7 +8,11 @@ import httpx
 
 def told(client: httpx.Client, path: str, **options: Any) -> list[dict[str, Any]]:
     """Each event: `id`, `event` and what its data holds."""
-    text = client.get(path, timeout=120, **options).text
+    return events_of(client.get(path, timeout=120, **options).text)
+
+
+def events_of(text: str) -> list[dict[str, Any]]:
+    """The events of a whole stream."""
     found = []
     for block in text.split("\n\n"):
         fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))

@@ -10,18 +10,18 @@ import httpx
 import pytest
 
 from backend.hil.build import NO_COMPILER, NO_CROSS_COMPILER
-from backend.paper import models, work
-from backend.paper.service import stored_rows
+from backend.paper import models
+from backend.paper.work import requests_under
 from backend.settings import Settings
-from sim_core import __version__ as CORE_VERSION
 from sim_core.study.interpretations import DEFAULT
+from sim_core.study.paper import SIMULATED
 from sim_core.study.readings import READINGS
 from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
 from tests.api.streams import told
 from tests.html import check, read
 from tests.servers.compilers import Bare
-from tests.servers.reproduction import ROADS, readings, rows, store_in
+from tests.servers.reproduction import ROADS, in_order, rows, store_as, store_in
 
 SMALL = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
@@ -114,12 +114,13 @@ def simulated(bare: Service) -> None:
     """What the paper page's five simulated strategies give is stored; each switch as if it changed nothing."""
     store = bare.app.state.store
     store_in(store, ecu=False)
-    as_default = rows()[0].summary["rows"]
+    simulated = {f"paper.{name}" for name in SIMULATED}
+    default = [row for row in in_order(requests_under(DEFAULT.choices, ROADS)) if row.strategy in simulated]
     for reading in READINGS.values():  # the reading `window` changes no run
         for choice in reading.choices[1:]:
-            given = (readings(**{reading.id: choice.id}),)
-            item = stored_rows(work.simulated_values, given, ROADS, as_default, 1.0)
-            store.runs.save_result(item, CORE_VERSION)
+            chosen = DEFAULT.choices | {reading.id: choice.id}
+            switched = [row for row in in_order(requests_under(chosen, ROADS)) if row.strategy in simulated]
+            store_as(store, switched, [rows()[row.key] for row in default])
 
 
 def paper(service: Service, path: str = "", **query: str) -> httpx.Response:

@@ -9,13 +9,12 @@ import httpx
 import pytest
 
 from backend.paper import models
-from backend.paper.service import stored_rows
-from backend.paper.work import SPEEDS_KMH
+from backend.paper.work import SPEEDS, SPEEDS_KMH, requests_of_study
 from sim_core.study.interpretations import DEFAULT
 from sim_core.study.paper import FIGURES
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
-from tests.servers.reproduction import PARTS, rows
+from tests.servers.reproduction import ROADS, computed, requests, rows
 
 PAPER = "/api/v1/paper"
 FEW = 2  # roads that are driven anew
@@ -49,18 +48,16 @@ def anew(service: Service) -> dict[str, Any]:
     return service.inside(service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
 
 
-def test_what_is_computed_now_is_what_was_kept(
-    service: Service, anew: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The roads driven now are the first of those in the reproduction that all other tests read."""
-    monkeypatch.setattr("backend.paper.service.AT_ONCE", 1)  # several tasks of the workers, put together again
+def test_what_is_computed_now_is_what_was_cached(service: Service, anew: dict[str, Any]) -> None:
+    """A worker of the service and this process compute the same."""
+    rows_now = service.app.state.store.runs.load_results([row.key for row in requests(range(1, FEW + 1))])
     service.inside(service.app.state.paper.attribution(range(1, FEW + 1), "192.0.2.1"))
-    service.inside(service.app.state.paper.figures(range(1, FEW + 1), "192.0.2.1"))
-    for (function, given), kept in zip(PARTS, rows(), strict=True):
-        key = stored_rows(function, given, range(1, FEW + 1), [], 0).key
-        found = service.app.state.store.runs.load_results([key])[key].summary["rows"]
-        # Another process, the same arithmetic: only the blocks a law is computed in may differ in their last bits.
-        assert list(numbers(found)) == pytest.approx(list(numbers(kept.summary["rows"][:FEW])), rel=1e-9), function
+    assert anew["complete"]
+    for row in requests(range(1, FEW + 1)):
+        if row.key in rows_now:
+            # Another process, the same arithmetic: only the blocks a law is computed in may differ in their last bits.
+            again = list(numbers(computed(row)))
+            assert list(numbers(rows_now[row.key].summary)) == pytest.approx(again, rel=1e-9), row
 
 
 def numbers(value: Any) -> Iterator[float]:
@@ -147,9 +144,9 @@ def test_fresh_roads_are_asked_for_by_their_first_seed(service: Service, monkeyp
     paper, asked = service.app.state.paper, []
     reproduction = paper.reproduction
 
-    def of_few(choices: Mapping[str, str], roads: range, client: str) -> Awaitable[dict[str, Any]]:
+    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Awaitable[dict[str, Any]]:
         asked.append(roads)
-        return reproduction(choices, roads[:FEW], client)
+        return reproduction(choices, roads[:FEW], client, **more)
 
     monkeypatch.setattr(paper, "reproduction", of_few)
     found = service.client.get(PAPER, params={"first_seed": 21, "seeds": 30}).json()
@@ -165,12 +162,23 @@ def test_fresh_roads_are_asked_for_by_their_first_seed(service: Service, monkeyp
     assert base == pytest.approx(statistics.fmean(peaks), rel=1e-9)
 
 
-def test_what_was_computed_once_is_answered_from_the_store(
-    service: Service, answer: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(service.app.state.paper, "_workers", None)  # nobody there to compute
-    assert service.client.get(PAPER).json() == answer
-    assert service.client.get(PAPER, params={"preview": "none"}).status_code == 200
+def test_what_was_computed_once_is_answered_from_the_store(client: httpx.Client, answer: dict[str, Any]) -> None:
+    assert client.get(PAPER, params={"partial": True}).json() == answer, "at once"
+    assert client.get(PAPER, params={"preview": "none", "partial": True}).json()["complete"]
+
+
+def test_cells_appear_as_they_come(service: Service) -> None:
+    """A partial answer comes at once, and asked again it has more until it is complete."""
+    seen: list[dict[str, Any]] = []
+    while not seen or not seen[-1]["complete"]:
+        roads = range(501, 501 + FEW)
+        seen.append(service.inside(service.app.state.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)))
+    first, last = seen[0], seen[-1]
+    models.PaperAnswer.model_validate(first)
+    assert {cell["verdict"] for cell in first["cells"]} == {"pending"}
+    assert first["progress"]["done"] < first["progress"]["total"] == last["progress"]["done"]
+    assert last["total"] == 48
+    assert service.client.get("/api/v1/batches", params={"limit": 500, "state": "running"}).json()["batches"] == []
 
 
 @pytest.mark.parametrize(
@@ -205,7 +213,7 @@ def test_what_each_part_contributes(client: httpx.Client) -> None:
 
 def test_peaks_over_speed_are_those_of_the_tables_where_both_are(answer: dict[str, Any]) -> None:
     """Figures 3-6 at 50 km/h and Table 5's passive car drive the same roads; the road ends later there."""
-    (peaks,) = (item.summary["rows"] for item in rows() if item.strategy == "paper.peaks_over_speed")
+    peaks = [rows()[each.key]["row"] for each in requests_of_study(SPEEDS, ROADS)]
     at_50 = [run["rough"][SPEEDS_KMH.index(50)] for run in peaks]
     bases = [cell["our_base"] for cell in answer["cells"] if (cell["table"], cell["strategy"]) == (5, "speed_only")]
     assert [statistics.fmean(column) for column in zip(*at_50, strict=True)] == pytest.approx(bases, rel=1e-9)
@@ -221,17 +229,25 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
         assert all(len(trace["y"]["bdata"]) > 50 for trace in item["figure"]["data"])
 
 
-def test_what_nobody_waits_for_any_more_is_called_off(service: Service) -> None:
+def test_what_nobody_waits_for_any_more_is_called_off(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     """A visitor who leaves takes the work along: 100 roads would keep a worker busy for a minute."""
-    paper = service.app.state.paper
+    monkeypatch.setattr("backend.paper.rows.LINGER", 0.3)
+
     with socket.create_connection((service.client.base_url.host, service.client.base_url.port)) as connection:
         connection.sendall(f"GET {PAPER}?seeds=100&force_limit=10 HTTP/1.1\r\nHost: x\r\n\r\n".encode())
-        wait_until(lambda: paper._under_way, "it is under way", 10)
-    wait_until(lambda: not paper._under_way, "it is called off", 10)
+        wait_until(lambda: reproductions(service) > 0, "it is under way", 10)
+    wait_until(lambda: reproductions(service) == 0, "it is called off", 10)
+
+
+def reproductions(service: Service) -> int:
+    """Jobs of the paper page that are stored: none is left when it has ended."""
+    return sum(
+        count for (kind, _), (count, _) in service.app.state.store.jobs.counts().items() if kind == "reproduction"
+    )
 
 
 def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("backend.paper.service.MOST_UNDER_WAY", 0)
-    response = service.client.get(PAPER, params={"seeds": "21"})
+    monkeypatch.setattr("backend.paper.rows.MAX_JOBS", 0)
+    response = service.client.get(PAPER, params={"first_seed": "9000"})
     assert (response.status_code, response.json()["type"]) == (503, "urn:problem-type:ridelab:full")
     assert response.headers["retry-after"]

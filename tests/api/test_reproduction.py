@@ -14,10 +14,10 @@ from tests.servers.reproduction import SOURCES, digest, files, packages
 COMPUTE = """
 import sys
 from backend.paper import work
-work.simulated_values({}, [1])
-work.ecu_values({}, [1])
-work.combinations([1])
-work.peaks_over_speed([1])
+from sim_core.scenario import Scenario
+from sim_core.study.paper import STRATEGIES
+for name in (*STRATEGIES, "attribution", "speeds"):
+    work.compute(f"paper.{name}", Scenario())
 print(*(module.__file__ for name, module in sys.modules.items() if name.partition(".")[0] in ("sim_core", "backend")))
 """
 

@@ -17,8 +17,9 @@ from typing import Any
 
 import pytest
 
-from backend.store import Store, database, sqlite
-from backend.store.sqlite import DatabaseLockedError, DatabaseReplacedError, UnusableDatabaseError
+from backend.db import database, sqlite
+from backend.db.sqlite import DatabaseLockedError, DatabaseReplacedError, UnusableDatabaseError
+from backend.store import Store
 from tests.api.test_store import save
 from tests.servers import loops
 from tests.servers.process import ROOT
@@ -143,7 +144,8 @@ READ_ONLY = """
 import os, sys
 from pathlib import Path
 from sqlalchemy.exc import SQLAlchemyError
-from backend.store import Store, database, sqlite
+from backend.db import database, sqlite
+from backend.store import Store
 
 path = Path(sys.argv[1])
 store = Store(f"sqlite:///{path}")
@@ -190,7 +192,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
-        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0005)"),
+        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0006)"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
         (lambda path: (path.unlink(), path.symlink_to("/dev/null/ridelab.sqlite")), "Not a directory"),

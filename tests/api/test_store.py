@@ -1,6 +1,7 @@
 """The store on both databases it knows: SQLite, and a real PostgreSQL."""
 
 import contextlib
+import json
 import shutil
 import sqlite3
 import threading
@@ -15,13 +16,14 @@ import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
-from sqlalchemy import func, inspect, select
+from sqlalchemy import func, select
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
-import backend.migrations
+import backend.db.migrations
+from backend.db.sqlite import wal_is_safe
+from backend.db.tables import metadata, results
 from backend.store import Store, StoredLink, StoredResult, StoredRun
-from backend.store.sqlite import wal_is_safe
-from backend.store.tables import metadata, results, run_results, runs
+from tests.data import release
 from tests.servers.postgres import Postgres
 
 OpenStore = Callable[[], Store]
@@ -92,39 +94,54 @@ def test_the_migrations_make_the_tables_the_code_uses(open_store: OpenStore) -> 
         assert compare_metadata(context, metadata) == []
 
 
-def test_migrations_are_one_line_from_the_first_version() -> None:
-    script = ScriptDirectory(str(Path(backend.migrations.__file__).parent))
+def test_migrations_are_one_line_from_release_0_2_0() -> None:
+    script = ScriptDirectory(str(Path(backend.db.migrations.__file__).parent))
     steps = [step.revision for step in reversed(list(script.walk_revisions()))]
-    assert steps == [f"{number:04}" for number in range(1, len(steps) + 1)]
+    assert steps == [f"{number:04}" for number in range(4, len(steps) + 4)]
 
 
-def test_a_database_of_the_first_version_keeps_its_rows(open_store: OpenStore, open_at: Callable[[str], Store]) -> None:
-    first = open_at("0001")
-    head = {"core_version": "1", "created_at": datetime(2026, 1, 2, tzinfo=UTC)}
-    row = {"strategy": "lv", "status": "ok", "summary": '{"a":[1.5]}', "compute_ms": 2.0}
-    with first.engine.begin() as connection:  # its own columns, which are fewer than the code's
-        for key in "ba":
-            connection.execute(results.insert(), {"key": key, **row, **head})
-        connection.execute(runs.insert(), {"id": "old", "schema_version": 1, "scenario": "{}", **head})
-        for position, key in enumerate("ba"):
-            connection.execute(run_results.insert(), {"run_id": "old", "position": position, "result_key": key})
-    now = open_store()
-    now.migrate()
-    assert now.runs.load("old") == StoredRun(
-        id="old",
-        core_version="1",
-        schema_version=1,
-        scenario={},
-        results=tuple(outcomes("b", "a")),
-        created_at=datetime(2026, 1, 2, tzinfo=UTC),
-        roads=1,
-        baseline=None,
-    )
-    assert set(metadata.tables) <= set(inspect(now.engine).get_table_names())
+# What held a row in release 0.2.0, and what holds it now.
+MOVED = {
+    "batches": "jobs",
+    "batch_runs": "job_runs",
+    "batch_events": "job_events",
+    "tunings": "jobs",
+    "tuning_trials": "trials",
+    "tuning_events": "job_events",
+    "batch_id": "job_id",
+    "tuning_id": "job_id",
+    "comparison": "answer",
+}
+
+
+def test_a_database_of_release_0_2_0_keeps_every_row(open_store: OpenStore) -> None:
+    store = open_store()
+    release.restore(store)
+    store.migrate()
+    with store.reading() as connection:
+        now = release.dump(connection)
+    assert now.keys() == metadata.tables.keys() | {"alembic_version"}
+    old = release.content()["tables"]
+    for table, rows in old.items():
+        there = now[MOVED.get(table, table)]
+        for row in rows:
+            kept = {MOVED.get(name, name): value for name, value in row.items()}
+            same = {name: value for name, value in kept.items() if name in there[0]}
+            assert any(same.items() <= each.items() for each in there), (table, row)
+    jobs = {job.id: job for row in now["jobs"] if (job := store.jobs.load(row["id"]))}
+    for row in old["batches"]:
+        job = jobs[row["id"]]
+        assert job.request == {name: json.loads(row[name]) for name in ("scenario", "strategies", "fields")}
+        key = row["idempotency_key"] or ""
+        assert (job.kind, job.parent_id) == ("sweep", key.split()[1] if " " in key else None)
+    for row in old["tunings"]:
+        job, counted = jobs[row["id"]], ("step", "attempt", "generation", "feasible")
+        assert job.progress == {name: row[name] for name in counted} | {"batch": row["batch_id"]}
+        assert (job.kind, job.parent_id) == ("tuning", None)
 
 
 def test_each_step_goes_up_alone_and_the_last_is_what_the_code_uses(open_at: Callable[[str], Store]) -> None:
-    script = ScriptDirectory(str(Path(backend.migrations.__file__).parent))
+    script = ScriptDirectory(str(Path(backend.db.migrations.__file__).parent))
     for step in reversed(list(script.walk_revisions())):
         store = open_at(step.revision)
     with store.engine.connect() as connection:

@@ -10,10 +10,11 @@ from pydantic import TypeAdapter
 from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
+from backend.analysis.measure import Failure
+from backend.db.tables import jobs
 from backend.errors import BusyError, CostLimitError, WorkersBusyError
-from backend.store.tables import tunings
-from backend.tuner import batching, driver, models
-from backend.tuner.measure import Failure
+from backend.jobs import scheduler
+from backend.jobs.tuning import models, steps
 from tests.api.tuning import REQUEST, SCENARIO, begin, events, get, trials, wait_for
 
 HARD = {
@@ -100,7 +101,7 @@ def test_a_smooth_road_has_no_share_of_the_passive_cars(client: httpx.Client) ->
 
 def failing(monkeypatch: pytest.MonkeyPatch, *positions: int) -> None:
     """These runs of every batch count as failed, as runs that the core refuses or that lose their process do."""
-    measure = batching._measure
+    measure = steps._measure
 
     def measured(rows: Any, *more: Any) -> Any:
         lost = Failure(reason="The computation ended unexpectedly, twice")
@@ -108,7 +109,7 @@ def failing(monkeypatch: pytest.MonkeyPatch, *positions: int) -> None:
             lost if row.position in positions else each for row, each in zip(rows, measure(rows, *more), strict=True)
         ]
 
-    monkeypatch.setattr(batching, "_measure", measured)
+    monkeypatch.setattr(steps, "_measure", measured)
 
 
 def test_failed_trials_say_why_and_the_others_count(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -145,19 +146,19 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
         OperationalError("INSERT", {}, Exception("disk full")),
         WorkersBusyError(),
     ]
-    create = service.app.state.batches.create
+    create = service.app.state.sweeps.create
 
-    async def unreliable(*args: Any) -> Any:
+    async def unreliable(*args: Any, **names: Any) -> Any:
         if errors:
             raise errors.pop(0)
-        return await create(*args)
+        return await create(*args, **names)
 
-    monkeypatch.setattr(driver, "PAUSE", 0.01)
-    monkeypatch.setattr(service.app.state.batches, "create", unreliable)
+    monkeypatch.setattr(scheduler, "PAUSE", 0.01)
+    monkeypatch.setattr(service.app.state.sweeps, "create", unreliable)
     assert wait_for(client, begin(client, trials=8)["id"])["state"] == "done"
     errors.append(ValueError("a bug"))
     failed = wait_for(client, begin(client, trials=8)["id"])
-    assert (failed["state"], failed["reason"]) == ("failed", driver.UNFORESEEN)
+    assert (failed["state"], failed["reason"]) == ("failed", scheduler.UNFORESEEN)
     errors.append(CostLimitError("It is too big now."))
     client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
     assert wait_for(client, failed["id"])["reason"] == "It is too big now."
@@ -168,7 +169,7 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
 def test_another_core_version_begins_anew(service: Any, client: httpx.Client, tuning: dict[str, Any]) -> None:
     again = wait_for(client, begin(client, trials=16)["id"])
     with service.app.state.store.writing() as connection:
-        connection.execute(update(tunings).where(tunings.c.id == again["id"]).values(core_version="0.0.1"))
+        connection.execute(update(jobs).where(jobs.c.id == again["id"]).values(core_version="0.0.1"))
     client.post(f"/api/v1/tunings/{again['id']}/resume", params={"trials": 24}).raise_for_status()
     found = wait_for(client, again["id"])
     assert (found["core_version"], found["trials"]["done"], len(found["history"])) == (tuning["core_version"], 24, 3)

@@ -10,7 +10,7 @@ import pytest
 from pydantic import TypeAdapter
 from scipy import stats
 
-from backend.tuner import models
+from backend.jobs.tuning import models
 from tests.api.tuning import FRESH, SCENARIO, SEEDS, begin, events, get, trials, wait_for
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")

@@ -16,7 +16,7 @@ import httpx
 import psutil
 import pytest
 
-from backend.batches.leadership import LOCK_ID
+from backend.jobs.leadership import LOCK_ID
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
 from tests.servers.process import Program, request, wait_until
@@ -42,7 +42,7 @@ def topology(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> It
 def check_stored_and_logged(topology: Topology) -> None:
     """Whatever was killed: every result was stored once, and nothing failed unforeseen."""
     (counts,) = topology.ask_database(
-        "SELECT count(*), count(DISTINCT result_key), count(key) FROM batch_runs LEFT JOIN results ON key = result_key"
+        "SELECT count(*), count(DISTINCT result_key), count(key) FROM job_runs LEFT JOIN results ON key = result_key"
     )
     assert len(set(counts)) == 1, counts
     for line in "\n".join(replica.log for replica in topology.replicas).splitlines():

@@ -15,7 +15,7 @@ import psutil
 import pytest
 from sqlalchemy import func, select
 
-from backend.store.tables import results
+from backend.db.tables import results
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api
 from tests.servers.compose import Topology

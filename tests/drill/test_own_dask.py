@@ -12,8 +12,8 @@ import psutil
 import pytest
 from distributed import Client
 
-from backend.batches.cluster import Cluster
-from backend.chunk import Answer, Chunk, WaitingRun
+from backend.jobs.chunk import Answer, Chunk, WaitingRun
+from backend.jobs.cluster import Cluster
 from backend.settings import Settings
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION, Scenario

@@ -1,7 +1,6 @@
 """The service as its users start it: `python -m backend` in a process of its own."""
 
 import contextlib
-import json
 import os
 import re
 import subprocess
@@ -15,11 +14,10 @@ import psutil
 import pytest
 
 from backend.store import Store
-from tests.data.links import dump
+from tests.data import release
 from tests.servers.process import ROOT, wait_until
 
 PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
-OLD = [json.loads(path.read_text()) for path in sorted(Path(dump.__file__).parent.glob("schema-*.json"))]
 
 
 @dataclass
@@ -90,6 +88,11 @@ class Process:
             return self.client.get("/readyz").status_code == 200
         return False
 
+    def is_idle(self) -> bool:
+        """Whether no job waits or runs."""
+        lists = [(kind, state) for kind in ("batches", "tunings") for state in ("queued", "running")]
+        return not any(self.client.get(f"/api/v1/{kind}?state={state}").json()[kind] for kind, state in lists)
+
     def end(self) -> None:
         """Kill it and all it started, whatever became of it."""
         self.client.close()
@@ -149,13 +152,11 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture(scope="session")
 def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What a database held when an older schema version was today's, put into a database of its time, one by one."""
+    """What core 0.2.0 left when it was killed in the middle of a batch and a tuning."""
     folder = tmp_path_factory.mktemp("shared") / "data"
     folder.mkdir()
     store = Store(f"sqlite:///{folder}/ridelab.sqlite")
-    for content in OLD:
-        store.migrate(content["revision"])
-        dump.load(store, content)
+    release.restore(store)
     store.close()
     return folder / "ridelab.sqlite"
 
@@ -170,4 +171,6 @@ def start_beside(database: Path) -> Iterator[Start]:
 def service(start_beside: Start, built: str) -> Process:
     """One service for every test it can outlive: workers killed, batches cancelled, no room on the disk."""
     workers = {"RIDELAB_WORKERS": "2", "RIDELAB_BATCH_WORKERS": "1"}
-    return start_beside(**workers, RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)
+    started = start_beside(**workers, RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)
+    wait_until(started.is_idle, "it finishes what it found unfinished", 90)
+    return started

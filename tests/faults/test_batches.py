@@ -5,7 +5,7 @@ from typing import Any
 
 import psutil
 
-from backend.batches.cluster import NICE
+from backend.jobs.cluster import NICE
 from tests.faults.conftest import Process
 from tests.servers.process import wait_until
 

@@ -10,7 +10,7 @@ from typing import Any
 import httpx
 import psutil
 
-from backend.batches.cluster import NICE
+from backend.jobs.cluster import NICE
 from tests.faults.conftest import Process
 from tests.faults.test_batches import finished, state, submit
 from tests.servers.process import wait_until

@@ -15,7 +15,7 @@ import httpx
 import psutil
 import pytest
 
-from backend.batches.cluster import NICE
+from backend.jobs.cluster import NICE
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api, ask
 from tests.servers.process import request, wait_until

@@ -5,7 +5,7 @@ from typing import Any
 
 from sqlalchemy import Engine, create_engine, func, select, text
 
-from backend.store.tables import batch_runs, results
+from backend.db.tables import job_runs, results
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.servers.api import ask
@@ -43,7 +43,7 @@ class Accepted:
 
     def waiting(self) -> int:
         """Runs that are not computed yet."""
-        chosen = select(func.count()).where(batch_runs.c.batch_id.in_(self.batches), batch_runs.c.status == "waiting")
+        chosen = select(func.count()).where(job_runs.c.job_id.in_(self.batches), job_runs.c.status == "waiting")
         with self.engine.connect() as connection:
             return int(connection.execute(chosen).scalar_one())
 
@@ -68,7 +68,7 @@ class Accepted:
         for batch_id in self.batches:
             self._finish_one(batch_id)
         self.check_stored()
-        keys = select(batch_runs.c.result_key).where(batch_runs.c.batch_id.in_(self.batches))
+        keys = select(job_runs.c.result_key).where(job_runs.c.job_id.in_(self.batches))
         with self.engine.connect() as connection:
             assert set(connection.execute(keys).scalars()) <= set(self.stored), "a result of every run"
             if self.engine.dialect.name == "sqlite":

@@ -1,4 +1,4 @@
-"""The paper's reproduction, computed once and kept: what every test of the paper page would else compute anew.
+"""The paper's reproduction, computed once and cached: what every test of the paper page would else compute anew.
 
 `rows()` is what a service stores for the page by its default readings, without preview and by the favourable ones, on
 20 roads. It lies in `.cache/` under a digest of everything its numbers depend on, so it is computed again after any
@@ -13,55 +13,59 @@ Tests ask for the fixture `reproduction` (tests/servers/fixtures.py), which give
 import hashlib
 import platform
 import sys
-import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import orjson
 from filelock import FileLock
 
+from backend.db.database import insert_new
+from backend.db.tables import results
+from backend.jobs.sweep.plan import scenario_at
 from backend.paper import work
-from backend.paper.service import stored_rows
-from backend.store import Store, StoredResult
+from backend.paper.work import RowRequest
+from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
 from sim_core.study import paper
-from sim_core.study.interpretations import DEFAULT, FAVOURABLE, Interpretation
+from sim_core.study.interpretations import DEFAULT, FAVOURABLE
 from tests.servers.process import ROOT
 
 FOLDER = ROOT / ".cache"
 SOURCES = (
     "sim_core",
     "backend/__init__.py",
+    "backend/digest.py",
+    "backend/errors.py",
     "backend/hil",
     "backend/paper/__init__.py",
     "backend/paper/work.py",
     "tests/servers/reproduction.py",
 )
 WAIT = 240.0  # for another test process that computes it [s]
-
+IN_ECU = f"{work.PREFIX}{paper.IN_ECU}"
 ROADS = range(1, paper.SEEDS + 1)
 
 
-def readings(interpretation: Interpretation = DEFAULT, **single: str) -> dict[str, str]:
-    """What the runs under these readings are computed from: where their RMS are taken changes no run."""
-    return {name: choice for name, choice in (interpretation.choices | single).items() if name != paper.WINDOW}
+def requests(roads: range = ROADS) -> list[RowRequest]:
+    """What the page needs at first, in one order whatever the roads."""
+    sets = (DEFAULT.choices, {**DEFAULT.choices, "preview": "none"}, FAVOURABLE.choices)
+    under = [row for choices in sets for row in in_order(work.requests_under(choices, roads))]
+    studies = [row for study in (work.ATTRIBUTION, work.SPEEDS) for row in work.requests_of_study(study, roads)]
+    return [*under, *studies]
 
 
-PARTS: tuple[tuple[Callable[..., list[Any]], tuple[Any, ...]], ...] = (
-    (work.simulated_values, (readings(),)),
-    (work.simulated_values, (readings(preview="none"),)),
-    (work.simulated_values, (readings(FAVOURABLE),)),
-    (work.ecu_values, (readings(),)),
-    (work.ecu_values, (readings(preview="none"),)),
-    (work.ecu_values, (readings(FAVOURABLE),)),
-    (work.combinations, ()),
-    (work.peaks_over_speed, ()),
-)
+def in_order(by_strategy: Mapping[str, Sequence[RowRequest]]) -> list[RowRequest]:
+    """Every row, strategy by strategy."""
+    return [row for rows in by_strategy.values() for row in rows]
 
 
-def rows() -> list[StoredResult]:
-    """What a service stores for the page; computed where no test process of this checkout has done so yet."""
+@cache
+def rows() -> dict[str, Any]:
+    """By key what a service stores for the page; computed where no test process of this checkout has done so yet."""
     path = FOLDER / f"reproduction-{digest()}.json"
     FOLDER.mkdir(exist_ok=True)
     with FileLock(FOLDER / "reproduction.lock", timeout=WAIT):
@@ -69,23 +73,17 @@ def rows() -> list[StoredResult]:
             for old in FOLDER.glob("reproduction-*"):
                 old.unlink()
             beside = path.with_suffix(".part")
-            beside.write_bytes(orjson.dumps(computed(), option=orjson.OPT_SERIALIZE_NUMPY))
+            beside.write_bytes(orjson.dumps({row.key: computed(row) for row in requests()}))
             beside.replace(path)
-    kept = orjson.loads(path.read_bytes())
-    return [
-        stored_rows(function, given, ROADS, part["rows"], part["compute_ms"])
-        for (function, given), part in zip(PARTS, kept, strict=True)
-    ]
+    cached: dict[str, Any] = orjson.loads(path.read_bytes())
+    return cached
 
 
-def computed() -> list[dict[str, Any]]:
-    """Each part's rows, and how long they took [ms]."""
-    parts = []
-    for function, given in PARTS:
-        begin = time.perf_counter()
-        found = function(*given, ROADS)
-        parts.append({"rows": found, "compute_ms": 1000 * (time.perf_counter() - begin)})
-    return parts
+def computed(row: RowRequest) -> Any:
+    """As a worker computes it."""
+    scenario = scenario_at(Scenario().model_dump(mode="json"), orjson.loads(row.changes))
+    summary = work.compute(row.strategy, scenario)
+    return orjson.loads(orjson.dumps(summary, option=orjson.OPT_SERIALIZE_NUMPY))
 
 
 def store_in(store: Store, *, ecu: bool = True) -> None:
@@ -95,9 +93,19 @@ def store_in(store: Store, *, ecu: bool = True) -> None:
         store: Of the service.
         ecu: With hardware in the loop, which a service without a C compiler has never computed.
     """
-    for item in rows():
-        if ecu or item.strategy != "paper.ecu_values":
-            store.runs.save_result(item, CORE_VERSION)
+    wanted = [row for row in requests() if ecu or row.strategy != IN_ECU]
+    store_as(store, wanted, [rows()[row.key] for row in wanted])
+
+
+def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any]) -> None:
+    """Store these summaries as those rows."""
+    same = {"core_version": CORE_VERSION, "status": "ok", "compute_ms": 1.0, "created_at": datetime.now(UTC)}
+    items = [
+        {"key": row.key, "strategy": row.strategy, "summary": orjson.dumps(summary).decode(), **same}
+        for row, summary in zip(wanted, summaries, strict=True)
+    ]
+    with store.writing() as connection:
+        insert_new(connection, results, items)
 
 
 def store_in_database(url: str, *, ecu: bool = True) -> None:

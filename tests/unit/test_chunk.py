@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from backend.batches import work
-from backend.batches.plan import plan
-from backend.batches.sweeps import Sweep, SweepError, points
-from backend.chunk import WaitingRun
+from backend.jobs.chunk import WaitingRun
+from backend.jobs.sweep.plan import plan
+from backend.jobs.sweep.sweeps import Sweep, SweepError, points
 from sim_core.errors import TooExpensiveError, UnstableVehicleError
 from sim_core.scenario import Scenario
 

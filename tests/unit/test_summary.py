@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.batches.summary import QUANTILES, Study, summarise
+from backend.analysis.summary import QUANTILES, Study, summarise
 
 FIGURE = "bump.body_acceleration.peak"
 

@@ -13,16 +13,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.batches.driver import Progress
-from backend.store.batches import BatchRow
-from backend.store.tunings import StoredTrial
-from backend.tuner import comparison, front, space
-from backend.tuner.measure import Aims, Failure
-from backend.tuner.models import TuningRequest
-from backend.tuner.objectives import UndefinedObjectiveError, objective_value
-from backend.tuner.search import Search, ask
+from backend.analysis import comparison, front
+from backend.analysis.measure import Aims, Failure
+from backend.analysis.objectives import UndefinedObjectiveError, objective_value
+from backend.jobs.handout import HandOut
+from backend.jobs.tuning import space
+from backend.jobs.tuning.models import TuningRequest
+from backend.jobs.tuning.search import Search, ask
+from backend.store.job_runs import JobRow
+from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario
-from tests.api.test_batch_store import BATCH
+from tests.api.test_job_store import BATCH
 
 PAPER = Scenario().model_dump(mode="json")
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
@@ -63,9 +64,9 @@ def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> 
         limits=[{"figure": "events.airborne_ms", "at_most": 8}],
     )
 
-    def row(position: int, travel_time: float, airborne: float) -> BatchRow:
+    def row(position: int, travel_time: float, airborne: float) -> JobRow:
         found = {**summary((1, 1, 1, 1)), "travel_time": travel_time, "events": {"airborne_ms": airborne}}
-        return BatchRow(
+        return JobRow(
             position=position,
             changes="{}",
             strategy="lv",
@@ -197,19 +198,19 @@ def test_what_is_asked_next_lies_in_range_and_where_trials_were_good() -> None:
 
 
 def test_optuna_is_imported_for_a_tuning_only() -> None:
-    code = "import backend.app, backend.worker, backend.batches.work, sys; sys.exit('optuna' in sys.modules)"
+    code = "import backend.app, backend.worker, backend.jobs.work, sys; sys.exit('optuna' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
 def test_points_worth_comparing_are_named_once() -> None:
     trials = [trial(0, 3, 3), trial(1, 1, 3), trial(2, 2, 2), trial(3, 3, 1)]
-    assert comparison.chosen(trials, 2, own=True) == {
+    assert comparison.roles(trials, 2, own=True) == {
         0: ["paper"],
         1: ["scenario", "best.0"],
         3: ["best.1"],
         2: ["knee"],
     }
-    assert comparison.chosen([trial(0, 1), trial(1, 2)], 1, own=False) == {0: ["paper", "best.0"]}
+    assert comparison.roles([trial(0, 1), trial(1, 2)], 1, own=False) == {0: ["paper", "best.0"]}
 
 
 def roads(values: dict[int, float]) -> dict[int, Any]:
@@ -274,10 +275,10 @@ def test_what_cannot_be_tuned_is_refused_at_its_place(body: dict[str, Any], plac
 
 
 def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
-    progress = Progress(batch=replace(BATCH, total=64), position=31)
-    progress.note(32, 0.64)
-    assert progress.size(places=4) == 8, "32 are left"
-    progress.position = 55
-    assert progress.size(places=4) == 5, "no shorter than a tenth of a second"
-    long = Progress(batch=replace(BATCH, total=10_000), pace=0.02)
+    handed_out = HandOut(job=replace(BATCH, total=64), position=31)
+    handed_out.learn(32, 0.64)
+    assert handed_out.size(places=4) == 8, "32 are left"
+    handed_out.position = 55
+    assert handed_out.size(places=4) == 5, "no shorter than a tenth of a second"
+    long = HandOut(job=replace(BATCH, total=10_000), run_seconds=0.02)
     assert long.size(places=4) == 50, "about a second while there is enough"

@@ -1,0 +1,233 @@
+"""What a batch says as a whole: distributions, margins against a baseline, which field matters, stability.
+
+Runs in a worker: no web here. Everything is read from the batch's own rows; nothing is fitted, nothing random.
+"""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import orjson
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from backend.hil.drive import simulate
+from backend.jobs.sweep.plan import scenario_at
+from sim_core.arrays import FloatArray
+from sim_core.errors import RidelabError
+from sim_core.study.stability import least_damping
+
+QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance
+MOST_GROUPS = 10  # of a field's values, for the share of a figure's variance it explains
+LEAST_POINTS = 20  # fewer say nothing of which field matters
+MOST_REASONS = 5
+# What no loop's modes depend on: preview, the road, and limits that do not bind near rest.
+NOT_FED_BACK = ("mismatch.preview_", "road.", "actuator.saturation", "actuator.rate_limit", "mpc.force_limit")
+
+Numbers = dict[str, FloatArray]  # swept field -> its value at each point
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Study:
+    """A batch's rows by point and strategy.
+
+    Attributes:
+        strategies: Their ids, in the order of the columns below.
+        status: (points, strategies) of each run.
+        reasons: Why runs failed, with how many.
+        figures: Key -> values (points, strategies); NaN where a run has none.
+        fields: Swept field -> its value at each point.
+        read: Strategy -> the swept fields that can change its result.
+        damping: Least damping ratio of each loop (points, strategies); NaN where it is not known.
+        nominal: Strategy -> figure -> value of the batch's own scenario.
+        nominal_damping: Strategy -> least damping of the batch's own scenario.
+    """
+
+    strategies: Sequence[str]
+    status: NDArray[np.str_]
+    reasons: Mapping[str, Mapping[str, int]]
+    figures: Mapping[str, FloatArray]
+    fields: Mapping[str, Sequence[Any]]
+    read: Mapping[str, Sequence[str]]
+    damping: FloatArray
+    nominal: Mapping[str, Mapping[str, float | None]]
+    nominal_damping: Mapping[str, float | None]
+
+
+def dampings(
+    base: Mapping[str, Any], schema_version: int, changes: Sequence[str], strategies: Sequence[str]
+) -> FloatArray:
+    """Least damping of each strategy's loop at each of those points (`changes` is JSON text); NaN: not known."""
+    found = np.full((len(changes), len(strategies)), np.nan)
+    for point, text in enumerate(changes):
+        try:
+            scenario = scenario_at(base, orjson.loads(text), schema_version)
+        except (ValidationError, RidelabError):  # another version ran it
+            continue
+        for index, name in enumerate(strategies):
+            ratio = _damping(scenario, name)
+            found[point, index] = np.nan if ratio is None else ratio
+    return found
+
+
+def nominal(
+    base: Mapping[str, Any], schema_version: int, strategies: Sequence[str]
+) -> tuple[dict[str, dict[str, Any]], dict[str, float | None]]:
+    """The batch's own scenario, nothing swept: each strategy's summary ({} where it fails) and least damping."""
+    scenario = scenario_at(base, {}, schema_version)
+    summaries: dict[str, dict[str, Any]] = {}
+    for name in strategies:
+        try:
+            summaries[name] = simulate(scenario, name).summary()
+        except RidelabError:
+            summaries[name] = {}
+    return summaries, {name: _damping(scenario, name) for name in strategies}
+
+
+def summarise(study: Study, baseline: str) -> dict[str, Any]:
+    """Strategy -> how many runs, stability, and each figure's distribution and margin; as `StrategySummary`."""
+    against = study.strategies.index(baseline)
+    numbers = _numbers(study.fields)
+    return {name: _strategy(study, index, against, numbers) for index, name in enumerate(study.strategies)}
+
+
+def _strategy(study: Study, index: int, against: int, every: Numbers) -> dict[str, Any]:
+    name = study.strategies[index]
+    numbers = {field: values for field, values in every.items() if field in study.read[name]}
+    both = {**numbers, **{field: every[field] for field in study.read[study.strategies[against]] if field in every}}
+    status = Counter(study.status[:, index].tolist())
+    figures: dict[str, Any] = {}
+    for key, values in study.figures.items():
+        own, reference = values[:, index], study.nominal.get(name, {}).get(key)
+        of_baseline = study.nominal.get(study.strategies[against], {}).get(key)
+        margin = None
+        if index != against:
+            margin = _margin(study, index, own, values[:, against], both)
+            margin["nominal"] = _change(reference, of_baseline)
+        figures[key] = {
+            "nominal": reference,
+            **_distribution(study, index, own),
+            "above_zero": int((own > 0).sum()),
+            "sensitivity": _sensitivity(own, numbers),
+            "margin": margin,
+        }
+    damping = study.damping[:, index]
+    return {
+        "ok": status["ok"],
+        "failed": status["failed"],
+        "unfinished": len(study.status) - status["ok"] - status["failed"],
+        "reasons": dict(Counter(study.reasons.get(name, {})).most_common(MOST_REASONS)),
+        "stability": {
+            "known": int(np.isfinite(damping).sum()),
+            "unstable": int((damping < 0).sum()),
+            "nominal": study.nominal_damping.get(name),
+            **_distribution(study, index, damping),
+            "sensitivity": _sensitivity(
+                damping, {key: numbers[key] for key in numbers if not key.startswith(NOT_FED_BACK)}
+            ),
+        },
+        "figures": figures,
+    }
+
+
+def _margin(study: Study, index: int, own: FloatArray, base: FloatArray, numbers: Numbers) -> dict[str, Any]:
+    """How a strategy differs from the baseline at the points where both have the figure."""
+    paired = np.isfinite(own) & np.isfinite(base)
+    pairs = int(paired.sum())
+    comparable = paired & (base != 0)
+    change = np.full(len(own), np.nan)
+    change[comparable] = 100 * (own[comparable] / base[comparable] - 1)
+    return {
+        "pairs": pairs,
+        "better": _share(paired & (own < base), pairs),
+        "worse": _share(paired & (own > base), pairs),
+        **_distribution(study, index, change),
+        "sensitivity": _sensitivity(change, numbers),
+    }
+
+
+def _distribution(study: Study, index: int, values: FloatArray) -> dict[str, Any]:
+    """Of what is finite: how many, mean, quantiles, and where the extremes are."""
+    there = np.flatnonzero(np.isfinite(values))
+    if not len(there):
+        return {"n": 0, "mean": None, "quantiles": None, "lowest": None, "highest": None}
+    known = values[there]
+    return {
+        "n": len(there),
+        "mean": float(known.mean()),
+        "quantiles": np.percentile(known, QUANTILES, method="linear").tolist(),
+        "lowest": _place(study, index, values, int(there[known.argmin()])),
+        "highest": _place(study, index, values, int(there[known.argmax()])),
+    }
+
+
+def _place(study: Study, index: int, values: FloatArray, point: int) -> dict[str, Any]:
+    return {
+        "run": point * len(study.strategies) + index,
+        "value": float(values[point]),
+        "at": {name: column[point] for name, column in study.fields.items()},
+    }
+
+
+def _share(chosen: NDArray[np.bool_], pairs: int) -> float | None:
+    return float(chosen.sum() / pairs) if pairs else None
+
+
+def _change(value: float | None, base: float | None) -> float | None:
+    return None if value is None or not base else 100 * (value / base - 1)
+
+
+def _numbers(fields: Mapping[str, Sequence[Any]]) -> Numbers:
+    """The swept fields that have an order: numbers (none is NaN), but no seeds."""
+    found: Numbers = {}
+    for name, column in fields.items():
+        plain = all(value is None or (isinstance(value, float | int)) for value in column)
+        if plain and not name.endswith("seed"):
+            found[name] = np.array([np.nan if value is None else value for value in column], dtype=np.float64)
+    return found
+
+
+def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
+    """Which fields a figure follows, the one that explains most first; empty where it is constant or has few points.
+
+    `spearman` is the rank correlation (direction, monotone effects; scipy.stats.spearmanr). `effect` is the share of
+    the ranks' variance that the field alone explains, of any shape: Kruskal-Wallis' H over up to ten groups of the
+    field's values, (H - k + 1)/(n - k), Tomczak and Tomczak 2014. `p_value` is the smaller of both tests', doubled.
+    """
+    from scipy.stats import spearmanr  # takes half a second to import: a service starts without it
+
+    found = []
+    for name, column in numbers.items():
+        there = np.isfinite(values) & np.isfinite(column)
+        x, y = column[there], values[there]
+        if len(x) < LEAST_POINTS or np.ptp(x) == 0 or np.ptp(y) == 0:
+            continue
+        rho, (effect, chance) = spearmanr(x, y), _effect(x, y)
+        p_value = min(1.0, 2 * min(float(rho.pvalue), chance))
+        found.append({"field": name, "spearman": float(rho.statistic), "p_value": p_value, "effect": effect})
+    return sorted(found, key=lambda row: (-row["effect"], -abs(row["spearman"])))
+
+
+def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
+    """Share explained, and the probability of as much without any effect."""
+    from scipy.stats import kruskal
+
+    values = np.unique(x)
+    if len(values) <= MOST_GROUPS:
+        groups = [y[x == value] for value in values]
+    else:
+        groups = np.array_split(y[np.argsort(x, kind="stable")], min(MOST_GROUPS, len(x) // 10))
+    n, k = len(y), len(groups)
+    if n == k:  # every group is one value: nothing to compare within
+        return 0.0, 1.0
+    test = kruskal(*groups)
+    return max(0.0, float((test.statistic - k + 1) / (n - k))), float(test.pvalue)
+
+
+def _damping(scenario: Any, name: str) -> float | None:
+    try:
+        return least_damping(scenario, name)
+    except RidelabError:
+        return None

@@ -1,1 +1,0 @@
-"""Batches: sweeps are planned, accepted, driven over Dask and read as tables."""

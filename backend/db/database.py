@@ -1,0 +1,230 @@
+"""The database: SQLAlchemy Core over SQLite (default) or PostgreSQL, its connections, threads and migrations."""
+
+import asyncio
+import contextlib
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from typing import Any, ParamSpec, TypeVar
+
+from alembic import command
+from alembic.config import Config
+from alembic.migration import MigrationContext
+from alembic.script import ScriptDirectory
+from sqlalchemy import URL, Connection, Engine, Table, create_engine, event, inspect, make_url, select
+from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
+
+from backend.db.changes import Changes
+from backend.db.sqlite import (
+    COMMIT_TIMEOUT,
+    LOCK_TIMEOUT,
+    DatabaseLockedError,
+    UnusableDatabaseError,
+    database_file,
+    is_locked,
+    reason,
+    sqlite_engine,
+    try_writing,
+)
+from backend.db.tables import runs
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+READERS = 4  # threads
+SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
+START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
+CONNECT_TIMEOUT = 5  # to a PostgreSQL server [s]
+# A server that hears nothing from a client for so long frees what that client held, its advisory locks too.
+KEEPALIVES = {"tcp_keepalives_idle": 8, "tcp_keepalives_interval": 3, "tcp_keepalives_count": 3}
+
+
+class ReadOnlyError(SQLAlchemyError):
+    """The PostgreSQL server is a standby, or set to be read only."""
+
+
+class Database:
+    """Connections and transactions; safe for several threads, and several processes may share what is behind it.
+
+    Reads and writes have threads of their own, so that no read waits behind writes. SQLite takes one write at a time:
+    writes of this process queue for their one thread, and those of other processes for the file's lock.
+    """
+
+    def __init__(self, url: str) -> None:
+        parsed = make_url(url)
+        self._file = database_file(parsed)
+        self._is_sqlite = parsed.get_backend_name() == "sqlite"
+        self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else _server_engine(parsed)
+        self._reads = _RetryingThreads("read", READERS)
+        self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
+        self._open_writes = 0
+        self.changes = Changes()
+
+    def changed(self) -> None:
+        """A store has committed something that others wait for."""
+        self.changes.notify()
+
+    async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Run a method that reads in a thread: it waits for the disk, the event loop must not.
+
+        Raises:
+            DatabaseLockedError: Another program keeps SQLite from being read.
+        """
+        return await self._reads.run(partial(method, *args, **kwargs), self._is_locked_by_us)
+
+    async def write(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+        """Run a method that writes, in one transaction, in a thread of its own; called again if that was rolled back.
+
+        Raises:
+            DatabaseLockedError: Another program keeps SQLite from being written.
+        """
+        return await self._writes.run(partial(method, *args, **kwargs), lambda: False)
+
+    @contextlib.contextmanager
+    def reading(self) -> Iterator[Connection]:
+        """A short transaction that reads. Rows are processed after its end, for which SQLite's writers wait."""
+        if self._file is not None:
+            self._file.check()
+        with self.engine.connect() as connection:
+            yield connection
+
+    @contextlib.contextmanager
+    def writing(self) -> Iterator[Connection]:
+        """A transaction that commits at the end of its block."""
+        if self._file is not None:
+            self._file.check()
+        with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT) as connection:
+            transaction = connection.begin()
+            self._open_writes += 1
+            try:
+                with transaction:
+                    yield connection
+            finally:
+                self._open_writes -= 1
+
+    def migrate(self, revision: str = "head") -> None:
+        """Bring the database up to the newest schema, or that step; safe when several processes start at once.
+
+        Raises:
+            UnusableDatabaseError: It cannot be opened, is damaged, is another program's or a newer version's.
+        """
+        if self._file is not None:
+            self._file.create()
+        end = time.monotonic() + START_TIMEOUT
+        while True:
+            try:
+                return self._migrate(revision)
+            except DBAPIError as error:
+                if not is_locked(error) or time.monotonic() > end:
+                    raise UnusableDatabaseError(f"{self._name}: {reason(error)}") from error
+
+    def close(self) -> None:
+        """Let the threads end and give every connection back."""
+        self._reads.close()
+        self._writes.close()
+        self.engine.dispose()
+
+    def ping(self) -> None:
+        """Read something, and see that something can be written; raises SQLAlchemyError where that is not so."""
+        with self.reading() as connection:
+            connection.execute(select(runs.c.id).limit(1)).all()
+            if not self._is_sqlite and connection.exec_driver_sql("SHOW transaction_read_only").scalar_one() == "on":
+                raise ReadOnlyError
+        if self._is_sqlite:
+            try_writing(self.engine)
+
+    def _is_locked_by_us(self) -> bool:
+        """Whether a lock that keeps us from reading SQLite is our own: while we write, no other can be held."""
+        return self._is_sqlite and self._open_writes > 0
+
+    @property
+    def _name(self) -> str:
+        """The database as messages name it, without a password."""
+        return "The database" if self._file is None else str(self._file.path)
+
+    def _migrate(self, revision: str) -> None:
+        config = Config()
+        config.set_main_option("script_location", "backend.db:migrations")
+        with self.writing() as connection:
+            if not self._is_sqlite:
+                connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
+            self._check_origin(connection, ScriptDirectory.from_config(config))
+            config.attributes["connection"] = connection
+            command.upgrade(config, revision)
+
+    def _check_origin(self, connection: Connection, script: ScriptDirectory) -> None:
+        known = {step.revision for step in script.walk_revisions()}
+        stored = MigrationContext.configure(connection).get_current_revision()
+        if stored is None and self._is_sqlite and inspect(connection).get_table_names():
+            raise UnusableDatabaseError(f"{self._name} is another program's database")
+        if stored is not None and stored not in known:
+            raise UnusableDatabaseError(
+                f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {max(known)}): "
+                "upgrade, or put the backup from before in its place"
+            )
+
+
+class _RetryingThreads:
+    """Threads for one kind of transaction, which try again while SQLite is locked."""
+
+    def __init__(self, name: str, threads: int) -> None:
+        self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
+        self._timed_out_at = 0.0
+
+    async def run(self, method: Callable[[], T], locked_by_us: Callable[[], bool]) -> T:
+        """Call the method, again and again while SQLite is locked.
+
+        Args:
+            method: One transaction, which is rolled back where it fails.
+            locked_by_us: Whether the lock is our own, which is waited for without a time limit.
+
+        Raises:
+            DatabaseLockedError: Another program has held a lock for longer than `LOCK_TIMEOUT`.
+        """
+        submitted = time.monotonic()
+        return await asyncio.get_running_loop().run_in_executor(
+            self._threads, self._call, method, locked_by_us, submitted
+        )
+
+    def close(self) -> None:
+        """Let the threads end."""
+        self._threads.shutdown()
+
+    def _call(self, method: Callable[[], T], locked_by_us: Callable[[], bool], submitted: float) -> T:
+        end = time.monotonic() + LOCK_TIMEOUT
+        while submitted > self._timed_out_at:  # else it queued behind one that timed out at the same lock
+            try:
+                return method()
+            except OperationalError as error:
+                if not is_locked(error):
+                    raise
+                if time.monotonic() > end and not locked_by_us():
+                    self._timed_out_at = time.monotonic()
+            time.sleep(COMMIT_TIMEOUT / 2)  # readers may begin
+        raise DatabaseLockedError
+
+
+def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, Any]]) -> None:
+    """Insert the rows whose key is not there yet.
+
+    In the key's order, whoever inserts: PostgreSQL locks row by row, and two orders would wait for each other.
+    """
+    key = [column.name for column in table.primary_key]
+    ordered = sorted(rows, key=lambda row: [row[name] for name in key])
+    insert = postgresql.insert if connection.dialect.name == "postgresql" else sqlite.insert
+    connection.execute(insert(table).on_conflict_do_nothing(), ordered)
+
+
+def _server_engine(url: URL) -> Engine:
+    engine = create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": CONNECT_TIMEOUT})
+    event.listen(engine, "connect", _set_up_server)
+    return engine
+
+
+def _set_up_server(connection: Any, _: object) -> None:
+    with connection.cursor() as cursor:
+        for name, value in KEEPALIVES.items():
+            cursor.execute(f"SET {name} = {value}")
+    connection.commit()

@@ -1,0 +1,147 @@
+"""The tables; the migrations in backend/db/migrations make them, and a test holds the two together."""
+
+from sqlalchemy import (
+    Boolean,
+    Column,
+    Float,
+    ForeignKey,
+    Index,
+    Integer,
+    LargeBinary,
+    MetaData,
+    String,
+    Table,
+    Text,
+    UniqueConstraint,
+)
+
+from backend.db.types import Json, Utc
+
+metadata = MetaData(
+    naming_convention={
+        "pk": "pk_%(table_name)s",
+        "fk": "fk_%(table_name)s_%(column_0_name)s",
+        "ix": "ix_%(column_0_label)s",
+        "uq": "uq_%(table_name)s_%(column_0_name)s",
+    }
+)
+
+results = Table(
+    "results",
+    metadata,
+    Column("key", String(43), primary_key=True),
+    Column("strategy", String(64), nullable=False),
+    Column("core_version", String(32), nullable=False),
+    Column("status", String(16), nullable=False),
+    Column("summary", Text, nullable=False),
+    Column("compute_ms", Float, nullable=False),
+    Column("created_at", Utc, nullable=False),
+)
+
+runs = Table(
+    "runs",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("core_version", String(32), nullable=False),
+    Column("schema_version", Integer, nullable=False),
+    Column("scenario", Json, nullable=False),
+    Column("created_at", Utc, nullable=False),
+    Column("roads", Integer, nullable=False, server_default="1"),
+    Column("baseline", String(64), nullable=True),
+)
+
+# Road after road, on each the strategies in the order they are shown.
+run_results = Table(
+    "run_results",
+    metadata,
+    Column("run_id", String(22), ForeignKey("runs.id"), primary_key=True),
+    Column("position", Integer, primary_key=True),
+    Column("result_key", String(43), ForeignKey("results.key"), nullable=False, index=True),
+)
+
+# Every kind of job: a sweep (the batches of the API), a tuning, a reproduction of the paper. A tuning is the parent of
+# its sweeps. `sweep` is read only where it is needed: it may have 100,000 points.
+jobs = Table(
+    "jobs",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("kind", String(16), nullable=False),
+    Column("parent_id", String(22), ForeignKey("jobs.id"), nullable=True, index=True),
+    Column("label", String(200), nullable=True),
+    Column("owner", String(64), nullable=True),
+    Column("state", String(16), nullable=False, index=True),
+    Column("reason", Text, nullable=True),
+    Column("core_version", String(32), nullable=False),
+    Column("schema_version", Integer, nullable=False),
+    Column("request", Json, nullable=False),
+    Column("sweep", Json, nullable=True),
+    Column("progress", Json, nullable=False),
+    Column("answer", Json, nullable=True),
+    Column("estimated_cost", Float, nullable=False),
+    Column("total", Integer, nullable=False),
+    Column("done", Integer, nullable=False),
+    Column("failed", Integer, nullable=False),
+    Column("idempotency_key", String(255), nullable=True),
+    Column("request_hash", String(43), nullable=False),
+    Column("created_at", Utc, nullable=False, index=True),
+    Column("started_at", Utc, nullable=True),
+    Column("finished_at", Utc, nullable=True),
+    UniqueConstraint("kind", "idempotency_key"),
+)
+
+# One row a run: a point of the sweep under one strategy. `changes` are the values of the job's `fields` there.
+job_runs = Table(
+    "job_runs",
+    metadata,
+    Column("job_id", String(22), ForeignKey("jobs.id"), primary_key=True),
+    Column("position", Integer, primary_key=True),
+    Column("changes", Text, nullable=False),
+    Column("strategy", String(64), nullable=False),
+    Column("status", String(16), nullable=False),
+    Column("result_key", String(43), nullable=True),
+    Column("reason", Text, nullable=True),
+    Index("ix_job_runs_job_id_result_key", "job_id", "result_key"),
+)
+
+job_events = Table(
+    "job_events",
+    metadata,
+    Column("job_id", String(22), ForeignKey("jobs.id"), primary_key=True),
+    Column("number", Integer, primary_key=True),
+    Column("kind", String(16), nullable=False),
+    Column("data", Text, nullable=False),
+)
+
+# A tuning's, of complete generations only: what a crash interrupts is asked for and run again, to the same trials.
+trials = Table(
+    "trials",
+    metadata,
+    Column("job_id", String(22), ForeignKey("jobs.id"), primary_key=True),
+    Column("number", Integer, primary_key=True),
+    Column("generation", Integer, nullable=False),
+    Column("weights", Json, nullable=False),
+    Column("status", String(16), nullable=False),
+    Column("reason", Text, nullable=True),
+    Column("feasible", Boolean, nullable=False),
+    Column("objectives", Json, nullable=True),
+    Column("limits", Json, nullable=True),
+)
+
+links = Table(
+    "links",
+    metadata,
+    Column("slug", String(22), primary_key=True),
+    Column("kind", String(8), nullable=False),
+    Column("run_id", String(22), ForeignKey("runs.id"), nullable=True),
+    Column("job_id", String(22), ForeignKey("jobs.id"), nullable=True),
+    Column("view", Json, nullable=False),
+    Column("created_at", Utc, nullable=False),
+)
+
+pinned_series = Table(
+    "pinned_series",
+    metadata,
+    Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
+    Column("content", LargeBinary, nullable=False),
+    Column("created_at", Utc, nullable=False),
+)

@@ -1,0 +1,74 @@
+"""A job's runs in pieces: a run that waits, a chunk of them, a computed one. What travels, so nothing is imported."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WaitingRun:
+    """One run without a result; `changes` is JSON text: field -> value."""
+
+    position: int
+    changes: str
+    strategy: str
+    key: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ComputedRun:
+    """A run's result, its summary as JSON text as it will be stored; a failure that is not `cacheable` is no result."""
+
+    key: str
+    strategy: str
+    status: str
+    summary: str
+    compute_ms: float
+    cacheable: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Chunk:
+    """Runs of one job that go to one process together.
+
+    Attributes:
+        group: Chunks of one group are stopped together; a job that is resumed gets another one.
+        core_version: Of the service that asks; results of another would be stored under a wrong key.
+        schema_version: Of the base.
+        base: The job's plain scenario.
+        runs: What to compute.
+        budget: After so long no further run of it is begun [s].
+        timeout: The whole chunk may take so long [s].
+    """
+
+    group: str
+    core_version: str
+    schema_version: int
+    base: Mapping[str, Any]
+    runs: Sequence[WaitingRun]
+    budget: float
+    timeout: float
+
+
+Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]
+
+
+class ClusterLostError(Exception):
+    """The chunk was not computed because the cluster, or a part of it, went away; it may be handed out again."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ChunkOutcome:
+    """What became of a chunk.
+
+    Attributes:
+        computed: Its results, perhaps of a part only; None where it got none.
+        trouble: Why: its process died, and the one that tried again (`lost`); no process came up (`busy`); it took
+            too long (`timeout`); the worker cannot serve, and `detail` says why (`misfit`); an unforeseen exception
+            (`bug`).
+        detail: More, for the log.
+    """
+
+    computed: list[ComputedRun] | None = None
+    trouble: Trouble | None = None
+    detail: str = ""

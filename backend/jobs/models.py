@@ -1,0 +1,15 @@
+"""What requests about jobs of every kind have in common."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from backend.models import RequestModel
+
+Label = Annotated[str | None, Field(min_length=1, max_length=200, description="A name for it, to find it again")]
+
+
+class LabelRequest(RequestModel):
+    """What to call a job."""
+
+    label: Label = Field(description="null takes its name away")

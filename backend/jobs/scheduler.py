@@ -1,0 +1,364 @@
+"""Drives every job: runs of sweeps go to the cluster in chunks, jobs of other kinds take a step after the other.
+
+The database is the truth. This keeps no state that a crash could lose: what is unfinished is a query, and a chunk that
+was on its way when a process died is waiting still. Of several services on one database one drives (`leadership`).
+"""
+
+import asyncio
+import contextlib
+import itertools
+import logging
+import time
+from collections.abc import Coroutine, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, get_args
+
+import orjson
+from sqlalchemy.exc import SQLAlchemyError
+
+from backend import metrics
+from backend.errors import CHEAPER_RUN, TemporaryError, WorkerTimeoutError
+from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
+from backend.jobs.handout import HandOut
+from backend.jobs.leadership import Leadership, LeadershipLostError
+from backend.jobs.sweep.plan import rekeyed
+from backend.settings import Settings
+from backend.store import Store, StoredJob
+from backend.store.jobs import UNFINISHED, Kind, State
+from sim_core import __version__ as CORE_VERSION
+
+if TYPE_CHECKING:
+    from backend.jobs.cluster import Cluster
+
+logger = logging.getLogger(__name__)
+
+CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
+AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
+MAX_STEPPED = 4  # jobs of other kinds driven side by side; the others wait in the order they were accepted
+LOOK = 1.0  # between two looks at what other services accepted or cancelled [s]
+PAUSE = 2.0  # after the database or the cluster failed [s]
+PARTING = 10.0  # chunks under way when the lead is lost may take so long to come back [s]
+PAGE = 500  # runs given new keys in one transaction
+REPORT = 5.0  # between two updates of the metrics [s]
+STATES: tuple[State, ...] = get_args(State)
+KINDS: tuple[Kind, ...] = get_args(Kind)
+TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, WorkerTimeoutError)
+UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
+REASONS: dict[Trouble, str] = {
+    "lost": "The computation ended unexpectedly, twice",
+    "timeout": f"The computation took longer than the limit and was ended; {CHEAPER_RUN}",
+    "bug": "The computation failed with an unforeseen error; it is in the service's log",
+}
+
+
+class JobFailedError(Exception):
+    """The job cannot go on; the message says why, to whoever submitted it."""
+
+
+class Stepper(Protocol):
+    """Takes the steps of one kind of job."""
+
+    async def step(self, job: StoredJob) -> None:
+        """The next step, to its end; which one follows from what is stored.
+
+        Raises:
+            JobFailedError: The job cannot go on.
+            TemporaryError: It can be tried again later.
+        """
+
+
+class Scheduler:
+    """One for each service; its methods belong to the event loop.
+
+    Args:
+        store: The database.
+        settings: Of the service.
+        steppers: By kind, of the kinds that are not computed run by run.
+    """
+
+    def __init__(self, *, store: Store, settings: Settings, steppers: Mapping[Kind, Stepper]) -> None:
+        self._store = store
+        self._settings = settings
+        self._steppers = steppers
+        self._task: asyncio.Task[None] | None = None
+        self._cluster: Cluster | None = None
+        self._handed_out: dict[str, HandOut] = {}
+        self._stepped: dict[str, asyncio.Task[None]] = {}
+        self._chunks: set[asyncio.Task[None]] = set()
+        self._commits: set[asyncio.Task[None]] = set()
+        self._turns = itertools.count(1)
+        self._reported = -REPORT
+        self._returned = asyncio.Event()  # a chunk came back
+
+    def start(self) -> None:
+        """Begin, in the background."""
+        self._task = asyncio.create_task(self._run())
+
+    async def close(self) -> None:
+        """Stop driving; what is unfinished waits for the next service or start."""
+        for task in (self._task, *self._commits):
+            if task is not None:
+                task.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await task
+
+    async def _run(self) -> None:
+        """Be the one who drives, for as long as possible, again and again."""
+        while True:
+            try:
+                async with Leadership(self._store).held() as leadership:
+                    if self._commits:  # of what was computed before the lead was lost
+                        await asyncio.wait(self._commits)
+                    await self._lead(leadership)
+            except LeadershipLostError:
+                logger.warning("Another service drives the jobs now")
+                await self._wait_for_chunks()
+            except (SQLAlchemyError, OSError) as error:
+                logger.warning("The jobs rest: %s", type(error).__name__)
+            except Exception:  # whatever it was, jobs must not rest for ever
+                logger.exception("Driving the jobs failed")
+            finally:
+                await self._leave()
+            await asyncio.sleep(PAUSE)
+
+    async def _lead(self, leadership: Leadership) -> None:
+        while True:
+            await leadership.confirm()
+            changes = self._store.changes.count
+            self._returned.clear()
+            try:
+                await self._look()
+                await self._hand_out()
+                await self._report()
+            except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
+                logger.warning("The jobs rest: %s", type(error).__name__)
+                await asyncio.sleep(PAUSE)
+            except (ClusterLostError, OSError, TimeoutError) as error:
+                logger.warning("The Dask scheduler does not answer: %s", error)
+                await self._end_cluster()
+                await asyncio.sleep(PAUSE)
+            await self._rest(changes)
+
+    async def _rest(self, changes: int) -> None:
+        """Until a chunk comes back, a job changes, or it is time for a look."""
+        waits = [
+            asyncio.create_task(wait)
+            for wait in (self._store.changes.wait_beyond(changes, LOOK), self._returned.wait())
+        ]
+        try:
+            await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for wait in waits:
+                wait.cancel()
+
+    async def _look(self) -> None:
+        """Begin what was accepted, end what was cancelled, here or by another service."""
+        unfinished = {job.id: job for job in await self._store.read(self._store.jobs.unfinished)}
+        if self._cluster is not None and not self._cluster.connected:
+            logger.warning("The Dask scheduler is gone; its chunks are handed out again")
+            await self._end_cluster()
+        for job_id in self._handed_out.keys() - unfinished.keys():
+            stopped = self._handed_out.pop(job_id)
+            if stopped.on_their_way and self._cluster is not None:
+                await self._cluster.stop(stopped.group)
+        for job in unfinished.values():
+            if job.kind in self._steppers:
+                if len(self._stepped) < MAX_STEPPED and job.id not in self._stepped:
+                    self._stepped[job.id] = asyncio.create_task(self._drive(job))
+            elif job.id not in self._handed_out:
+                await self._begin(job)
+
+    async def _begin(self, job: StoredJob) -> None:
+        if self._cluster is None:
+            from backend.jobs.cluster import Cluster  # Dask takes half a second to import: not before there is a job
+
+            self._cluster = Cluster(self._settings)
+            await self._cluster.start()
+        if job.core_version != CORE_VERSION and job.kind == "reproduction":
+            await self._store.write(self._store.jobs.cancel, job.id)  # this version's page asks for rows of its own
+            return
+        if job.core_version != CORE_VERSION:
+            await self._rekey(job)
+        await self._store.write(self._store.jobs.start, job.id)
+        self._handed_out[job.id] = HandOut(job=job)
+
+    async def _hand_out(self) -> None:
+        """Keep every process busy; the next place is for the job with the fewest chunks on their way."""
+        cluster = self._cluster
+        if cluster is None or not self._handed_out:
+            return
+        places = AHEAD * max(1, await cluster.slots())
+        looked_at: set[str] = set()
+        while len(self._chunks) < places and cluster.connected:
+            waiting = [each for each in self._handed_out.values() if each.job.id not in looked_at]
+            if not waiting:
+                return
+            handed_out = min(waiting, key=lambda each: (each.on_their_way, each.turn))
+            runs = await handed_out.next_chunk(self._store, places)
+            if runs:
+                handed_out.turn = next(self._turns)
+                handed_out.on_their_way += 1
+                self._keep(self._chunks, self._compute(cluster, handed_out, runs))
+            else:
+                looked_at.add(handed_out.job.id)
+                if not handed_out.on_their_way and not handed_out.returned:  # one may have come back meanwhile
+                    await self._finish(handed_out)
+
+    async def _finish(self, handed_out: HandOut) -> None:
+        job_id = handed_out.job.id
+        if await self._store.write(self._store.jobs.finish, job_id):
+            self._handed_out.pop(job_id, None)
+            if handed_out.job.kind == "reproduction":
+                await self._forget(job_id)
+        else:  # something waits after all: from the start
+            handed_out.position, handed_out.exhausted = -1, False
+
+    async def _forget(self, job_id: str) -> None:
+        """Nobody looks at a reproduction that is done: its rows are results. One with failures stays and says why."""
+        job = await self._store.read(self._store.jobs.load, job_id)
+        if job is not None and not job.failed:
+            await self._store.write(self._store.jobs.delete, job_id)
+
+    async def _compute(self, cluster: "Cluster", handed_out: HandOut, runs: list[WaitingRun]) -> None:
+        """A chunk's way to the cluster and back."""
+        chunk = Chunk(
+            group=handed_out.group,
+            core_version=CORE_VERSION,
+            schema_version=handed_out.job.schema_version,
+            base=handed_out.job.request["scenario"],
+            runs=runs,
+            budget=CHUNK_BUDGET,
+            timeout=self._settings.run_timeout,
+        )
+        try:
+            outcome = await cluster.compute(chunk)
+        except ClusterLostError as error:
+            logger.warning("A chunk is handed out again: %s", error)
+            handed_out.take_back(runs)
+        else:
+            stored = await self._settle(handed_out, runs, outcome)
+            if stored is not None:
+                self._keep(self._commits, self._commit(handed_out, *stored))
+                return
+        handed_out.on_their_way -= 1
+        self._returned.set()
+
+    async def _settle(
+        self, handed_out: HandOut, runs: list[WaitingRun], outcome: ChunkOutcome
+    ) -> tuple[list[ComputedRun], dict[int, str]] | None:
+        """What of a chunk to store: results, and the reasons of runs without one; the rest is handed out again.
+
+        A chunk that could not be computed is halved until the run to blame is alone, and that one fails.
+        """
+        if outcome.computed is not None:
+            uncacheable = {
+                run.key: str(orjson.loads(run.summary)["reason"]) for run in outcome.computed if not run.cacheable
+            }
+            failures = {run.position: uncacheable[run.key] for run in runs if run.key in uncacheable}
+            done = {run.key for run in outcome.computed}
+            left = [run for run in runs if run.key not in done]
+            handed_out.learn(len(runs) - len(left), sum(run.compute_ms for run in outcome.computed) / 1000)
+            handed_out.take_back(left)
+            return [run for run in outcome.computed if run.cacheable], failures
+        logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
+        if outcome.trouble not in REASONS:  # not the chunk's fault
+            handed_out.take_back(runs)
+            await asyncio.sleep(PAUSE)
+            return None
+        if handed_out.halve(runs) or (outcome.trouble == "lost" and handed_out.try_again(runs)):
+            return None
+        return [], dict.fromkeys((run.position for run in runs), REASONS[outcome.trouble])
+
+    async def _commit(self, handed_out: HandOut, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
+        """Store what a chunk gave, however long the database is away: it was computed and is not thrown away."""
+        save = self._store.job_runs.save
+        while True:
+            try:
+                await self._store.write(save, handed_out.job.id, computed, CORE_VERSION, failures)
+            except SQLAlchemyError as error:
+                logger.warning("A chunk waits for the database: %s", type(error).__name__)
+                await asyncio.sleep(PAUSE)
+            else:
+                break
+        for run in computed:
+            metrics.count_run("batch", run.status, orjson.loads(run.summary))
+        for _ in failures:
+            metrics.count_run("batch", "failed", {})
+        handed_out.on_their_way -= 1
+        self._returned.set()
+
+    async def _rekey(self, job: StoredJob) -> None:
+        """Another core version accepted the job: what it left uncomputed is computed by this one, under new keys."""
+        logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
+        position = -1
+        while True:
+            last, runs = await self._store.write(self._store.job_runs.waiting, job.id, position, PAGE)
+            if last is None:
+                return
+            position = last
+            keys = await asyncio.to_thread(rekeyed, job.request["scenario"], job.schema_version, runs)
+            await self._store.write(self._store.job_runs.rekey, job.id, keys)
+
+    async def _drive(self, job: StoredJob) -> None:
+        """Step by step to its end, or until something transient is in the way: a later look begins again."""
+        try:
+            await self._drive_to_end(job.id, self._steppers[job.kind])
+        except TRANSIENT as error:
+            logger.warning("Job %s rests: %s", job.id, type(error).__name__)
+            await asyncio.sleep(PAUSE)
+        except Exception:  # not even its failure could be noted: it is tried again
+            logger.exception("Job %s rests", job.id)
+            await asyncio.sleep(PAUSE)
+        finally:
+            del self._stepped[job.id]
+            self._returned.set()
+
+    async def _drive_to_end(self, job_id: str, stepper: Stepper) -> None:
+        while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
+            try:
+                await stepper.step(job)
+            except TRANSIENT:
+                raise
+            except JobFailedError as error:
+                await self._store.write(self._store.jobs.fail, job, str(error))
+            except Exception:  # a bug of ours: this job fails and says so, the others go on
+                logger.exception("Job %s failed", job.id)
+                await self._store.write(self._store.jobs.fail, job, UNFORESEEN)
+
+    async def _report(self) -> None:
+        """Tell the metrics how many jobs and runs there are, every few seconds."""
+        now = time.monotonic()
+        if now - self._reported < REPORT:
+            return
+        self._reported = now
+        counts = await self._store.read(self._store.jobs.counts)
+        for state in STATES:
+            sweeps, runs = counts.get(("sweep", state), (0, 0))
+            metrics.BATCHES.labels(state=state).set(sweeps)
+            if state in UNFINISHED:
+                metrics.BATCH_QUEUE.labels(state=state).set(runs)
+
+    async def _wait_for_chunks(self) -> None:
+        """What is being computed comes back and waits to be stored; results do not depend on who drives."""
+        if self._chunks:
+            await asyncio.wait(self._chunks, timeout=PARTING)
+
+    async def _leave(self) -> None:
+        """End everything but what waits to be stored."""
+        for task in self._stepped.values():
+            task.cancel()
+        await self._end_cluster()
+
+    async def _end_cluster(self) -> None:
+        for chunk in self._chunks:
+            chunk.cancel()
+        await asyncio.gather(*self._chunks, return_exceptions=True)
+        self._handed_out.clear()
+        if self._cluster is not None:
+            cluster, self._cluster = self._cluster, None
+            await cluster.close()
+
+    def _keep(self, tasks: set[asyncio.Task[None]], work: Coroutine[Any, Any, None]) -> None:
+        """Run it beside; the set keeps it alive."""
+        task = asyncio.create_task(work)
+        tasks.add(task)
+        task.add_done_callback(tasks.discard)

@@ -1,0 +1,178 @@
+"""What every kind of job has in common: accepted once, listed, followed, named, cancelled, deleted."""
+
+import hashlib
+from collections.abc import AsyncIterator, Mapping, Sequence
+from datetime import datetime
+from typing import Any
+
+from backend import digest
+from backend.errors import BusyError, ConflictError, ForbiddenError, InvalidError, NotFoundError
+from backend.http.admission import Admission
+from backend.jobs.events import server_sent
+from backend.settings import Settings
+from backend.store import Store, StoredJob
+from backend.store.jobs import UNFINISHED, Kind, State
+
+RETRY_AFTER = 30
+WORDS: Mapping[Kind, str] = {"sweep": "batch", "tuning": "tuning", "reproduction": "reproduction"}  # users' words
+PLURALS: Mapping[Kind, str] = {"sweep": "batches", "tuning": "tunings", "reproduction": "reproductions"}
+
+
+class Jobs:
+    """The service of one kind of job; its methods belong to the event loop."""
+
+    def __init__(self, kind: Kind, *, store: Store, admission: Admission, settings: Settings) -> None:
+        self._kind = kind
+        self._store = store
+        self._admission = admission
+        self._max_unfinished = settings.max_unfinished_batches
+
+    async def existing(self, key: str | None, request_hash: str) -> StoredJob | None:
+        """The job that was accepted with that idempotency key.
+
+        Raises:
+            ConflictError: The key had another request.
+        """
+        if key is None:
+            return None
+        job = await self._store.read(self._store.jobs.by_idempotency_key, self._kind, key)
+        return None if job is None else _same(job, request_hash)
+
+    async def check_room(self) -> None:
+        """See that not too many jobs of this kind wait.
+
+        Raises:
+            BusyError: There are.
+        """
+        counts = await self._store.read(self._store.jobs.counts)
+        waiting = sum(
+            count for (kind, state), (count, _) in counts.items() if kind == self._kind and state in UNFINISHED
+        )
+        if waiting >= self._max_unfinished:
+            plural = PLURALS[self._kind]
+            raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
+
+    async def accept(self, job: StoredJob, runs: Sequence[Mapping[str, Any]], key: str | None) -> StoredJob:
+        """Commit it with its runs; where a job was accepted with that key meanwhile, that one.
+
+        Raises:
+            ConflictError: The key had another request.
+        """
+        stored, new = await self._store.write(self._store.jobs.create, job, runs, key)
+        return stored if new else _same(stored, job.request_hash)
+
+    async def get(self, job_id: str) -> StoredJob:
+        """The job as it stands.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        job = await self._store.read(self._store.jobs.load, job_id)
+        if job is None or job.kind != self._kind:
+            raise NotFoundError(f"There is no {WORDS[self._kind]} of this id.")
+        return job
+
+    async def page(
+        self, *, limit: int, cursor: str | None, state: State | None, label: str | None
+    ) -> tuple[list[StoredJob], str | None]:
+        """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one).
+
+        Raises:
+            InvalidError: The cursor is none that was given out.
+        """
+        before = None if cursor is None else _place(cursor)
+        found = await self._store.read(
+            self._store.jobs.page, self._kind, limit + 1, before=before, state=state, label=label
+        )
+        more, shown = len(found) > limit, found[:limit]
+        return shown, f"{shown[-1].created_at.isoformat()}_{shown[-1].id}" if more else None
+
+    async def position(self, job: StoredJob) -> int:
+        """How many runs of jobs that were accepted before it wait; 0 for one that has ended."""
+        return (await self.positions([job]))[job.id]
+
+    async def positions(self, jobs: Sequence[StoredJob]) -> dict[str, int]:
+        """The same of several, by id."""
+        unfinished = []
+        if any(job.state in UNFINISHED for job in jobs):
+            unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
+        return {
+            job.id: sum(
+                other.open_runs
+                for other in unfinished
+                if job.state in UNFINISHED and (other.created_at, other.id) < (job.created_at, job.id)
+            )
+            for job in jobs
+        }
+
+    async def cancel(self, job_id: str) -> StoredJob:
+        """Cancel what waits and what runs; what is finished stays. One that has ended is answered as it is.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        await self.get(job_id)
+        await self._store.write(self._store.jobs.cancel, job_id)
+        return await self.get(job_id)
+
+    async def resume(self, job_id: str, **values: Any) -> StoredJob:
+        """Let one that has ended go on, with these columns changed."""
+        await self.check_room()
+        await self._store.write(self._store.jobs.resume, job_id, **values)
+        return await self.get(job_id)
+
+    async def set_label(self, job_id: str, label: str | None) -> StoredJob:
+        """Name it, or (None) take its name away.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        await self.get(job_id)
+        await self._store.write(self._store.jobs.set_label, job_id, label)
+        return await self.get(job_id)
+
+    async def delete(self, job_id: str, owner: str | None) -> None:
+        """Remove it; results that runs and other jobs share stay.
+
+        Raises:
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token than `owner`.
+            ConflictError: It has not ended, or a link shows it.
+        """
+        job = await self.get(job_id)
+        if job.owner != owner:
+            raise ForbiddenError("This belongs to another token; only its owner deletes it.")
+        if not await self._store.write(self._store.jobs.delete, job_id):
+            raise ConflictError(
+                "It has not ended, or a link shows it: cancel it first; what a link shows stays.", kind="not-deletable"
+            )
+
+    async def events(self, job_id: str, after: int, client: str) -> AsyncIterator[bytes]:
+        """Server-sent events behind number `after`, as they happen, until the job has ended.
+
+        Raises:
+            NotFoundError: There is none.
+            TooManyRequestsError: The client has too many streams open.
+            BusyError: The service has.
+        """
+        await self.get(job_id)
+        return await server_sent(self._store, job_id, after, self._admission, client)
+
+
+def request_hash(request: Any) -> str:
+    """What two equal requests have in common."""
+    return hashlib.sha256(digest.canonical(request)).hexdigest()[:43]
+
+
+def _same(job: StoredJob, hashed: str) -> StoredJob:
+    if job.request_hash != hashed:
+        raise ConflictError("This Idempotency-Key came with another request before.", kind="idempotency-key-reused")
+    return job
+
+
+def _place(cursor: str) -> tuple[datetime, str]:
+    time, _, job_id = cursor.partition("_")
+    try:
+        return datetime.fromisoformat(time), job_id
+    except ValueError:
+        raise InvalidError("This cursor was not given out by this service", parameter="cursor") from None

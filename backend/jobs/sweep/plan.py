@@ -1,0 +1,120 @@
+"""What a batch will run: each point's scenario, each run's key and cost. Runs in a worker: no web here."""
+
+import statistics
+import time
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import orjson
+from pydantic import ValidationError
+
+from backend import digest
+from backend.hil.drive import simulate
+from backend.jobs.chunk import WaitingRun
+from backend.jobs.sweep.sweeps import Sweep, points
+from sim_core.errors import RidelabError
+from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
+from sim_core.scenario.versions import restored
+from sim_core.workload import estimate
+
+PILOTS = 5  # runs tried to tell how long a batch takes
+PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """A batch before it is stored.
+
+    Attributes:
+        fields: Dotted names of the fields that change.
+        runs: Rows of the table of runs, a point's strategies side by side; one whose fields contradict each other
+            has failed already and says why.
+        cost: Estimated cost of all [s of one core].
+        max_run_cost: The greatest of one run [s of one core].
+    """
+
+    fields: list[str]
+    runs: list[dict[str, Any]]
+    cost: float
+    max_run_cost: float
+
+
+def scenario_at(base: Mapping[str, Any], changes: Mapping[str, Any], schema_version: int = SCHEMA_VERSION) -> Scenario:
+    """The scenario of one point; fields have the names they had under that schema version.
+
+    Raises:
+        NewerScenarioError: A newer version of Ridelab stored it.
+        ValidationError: Its fields contradict each other.
+    """
+    changed = dotted.with_changes(base, changes)
+    return Scenario.model_validate(changed) if schema_version == SCHEMA_VERSION else restored(changed, schema_version)
+
+
+def rekeyed(
+    base: Mapping[str, Any], schema_version: int, runs: Iterable[WaitingRun]
+) -> dict[int, tuple[str | None, str | None]]:
+    """By position this core version's key of each run, or the reason why it has none."""
+    keys: dict[int, tuple[str | None, str | None]] = {}
+    for run in runs:
+        try:
+            scenario = scenario_at(base, orjson.loads(run.changes), schema_version)
+            keys[run.position] = (digest.result_key(scenario, run.strategy), None)
+        except ValidationError as error:
+            keys[run.position] = (None, contradiction(error))
+        except RidelabError as error:
+            keys[run.position] = (None, error.message)
+    return keys
+
+
+def plan(base: Mapping[str, Any], strategies: Sequence[str], sweep: Sweep) -> Plan:
+    """Plan every point under every strategy.
+
+    Raises:
+        SweepError: The sweep has fields or values that cannot be used.
+    """
+    fields, changes_by_point = points(sweep, base)
+    runs: list[dict[str, Any]] = []
+    cost = max_run_cost = 0.0
+    for changes in changes_by_point:
+        text = orjson.dumps(changes).decode()
+        try:
+            scenario = scenario_at(base, changes)
+        except ValidationError as error:
+            verdict = {"status": "failed", "result_key": None, "reason": contradiction(error)}
+            runs += [{"changes": text, "strategy": name, **verdict} for name in strategies]
+            continue
+        for name in strategies:
+            each = estimate(scenario, name)
+            cost, max_run_cost = cost + each, max(max_run_cost, each)
+            key = digest.result_key(scenario, name)
+            runs.append({"changes": text, "strategy": name, "status": "waiting", "result_key": key, "reason": None})
+    for position, run in enumerate(runs):
+        run["position"] = position
+    return Plan(fields=fields, runs=runs, cost=cost, max_run_cost=max_run_cost)
+
+
+def contradiction(error: ValidationError) -> str:
+    """What is wrong with a point, for its row."""
+    first = error.errors(include_input=False, include_url=False)[0]
+    field = first.get("ctx", {}).get("field") or ".".join(map(str, first["loc"]))
+    return f"{field}: {first['msg']}" if field else str(first["msg"])
+
+
+def pilot(base: Mapping[str, Any], strategies: Sequence[str], sweep: Sweep) -> float | None:
+    """Time of one point under all strategies [s], the median of some tried ones; None where trying takes too long."""
+    _, every_point = points(sweep, base)
+    times = []
+    step = max(1, len(every_point) // PILOTS)
+    for changes in every_point[step // 2 :: step][:PILOTS]:
+        try:
+            scenario = scenario_at(base, changes)
+            if max(estimate(scenario, name) for name in strategies) > PILOT_LIMIT:
+                return None
+            begin = time.perf_counter()
+            for name in strategies:
+                simulate(scenario, name).summary()
+            times.append(time.perf_counter() - begin)
+        except (ValidationError, RidelabError):
+            continue
+    return statistics.median(times) if times else None

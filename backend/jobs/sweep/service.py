@@ -1,0 +1,260 @@
+"""Batches: accepted whole or refused, then read while the scheduler has them computed."""
+
+import asyncio
+import time
+from collections.abc import AsyncIterator, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from cachetools import LRUCache
+
+from backend.analysis import reading, robustness
+from backend.compute import Workers
+from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
+from backend.http.admission import Admission
+from backend.jobs.service import Jobs, request_hash
+from backend.jobs.sweep import plan, table
+from backend.jobs.sweep.models import Batch, Batches, BatchItem, Estimate
+from backend.jobs.sweep.sweeps import Sweep, SweepError, size
+from backend.jobs.sweep.table import Format
+from backend.runs import ordered
+from backend.settings import Settings
+from backend.store import Store, StoredJob
+from backend.store.job_runs import JobRow
+from backend.store.jobs import FINAL, UNFINISHED, State
+from sim_core.scenario import Scenario
+
+PAGE = 250  # rows read in one transaction
+SUMMARIES = 16  # kept: a page that is opened again asks for the same
+REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
+SUMMARY_COST = 0.002  # of one run, its loop's stability included [s of one core]
+PLAN_COST = 0.0002  # of one run [s of one core]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Summary:
+    """A summary that was made.
+
+    Attributes:
+        answer: `BatchSummary`.
+        ended: How many runs had come to an end.
+        reusable_until: On the clock of the event loop, where runs have ended since [s].
+    """
+
+    answer: dict[str, Any]
+    ended: int
+    reusable_until: float
+
+
+class Sweeps:
+    """The service of batches; its methods belong to the event loop.
+
+    Args:
+        store: The database.
+        background: Processes for planning and summaries, so that they delay no interactive run.
+        admission: What is accepted at once.
+        settings: Of the service.
+    """
+
+    def __init__(self, *, store: Store, background: Workers, admission: Admission, settings: Settings) -> None:
+        self.jobs = Jobs("sweep", store=store, admission=admission, settings=settings)
+        self._store = store
+        self._background = background
+        self._admission = admission
+        self._settings = settings
+        self._summaries: LRUCache[tuple[str, ...], _Summary] = LRUCache(SUMMARIES)
+
+    async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
+        """What that batch would be.
+
+        Raises:
+            ServiceError: As `create`.
+        """
+        names, base = ordered(strategies), scenario.model_dump(mode="json")
+        planned = await self._planned(base, names, sweep, client)
+        with self._admission.computing(client, scenario, names):
+            seconds = await self._background.call(plan.pilot, base, names, sweep, ends_with_caller=True)
+        points = len(planned.runs) // len(names)
+        if seconds is not None:
+            seconds *= points / self._settings.batch_workers
+            seconds *= 1 + await self._queued_cost(planned.cost) / planned.cost if planned.cost else 1
+        return Estimate(
+            points=points,
+            total=len(planned.runs),
+            contradictory=sum(run["result_key"] is None for run in planned.runs),
+            estimated_cost=planned.cost,
+            estimated_seconds=seconds,
+        )
+
+    async def create(
+        self,
+        scenario: Scenario,
+        strategies: Iterable[str],
+        sweep: Sweep,
+        *,
+        client: str,
+        key: str | None = None,
+        label: str | None = None,
+        owner: str | None = None,
+        parent_id: str | None = None,
+    ) -> StoredJob:
+        """Accept a batch: when this returns, it is committed.
+
+        Args:
+            scenario: Whose fields the sweep changes.
+            strategies: Ids.
+            sweep: The points.
+            client: Who asks.
+            key: The same key and request again give the same batch.
+            label: A name for it.
+            owner: The token's name.
+            parent_id: The job that submits it.
+
+        Raises:
+            ConflictError: The key had another request.
+            InvalidError: Fields or values cannot be used.
+            CostLimitError: It is over a limit.
+            TemporaryError: Too much is waiting.
+        """
+        names, base = ordered(strategies), scenario.model_dump(mode="json")
+        sent = sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
+        hashed = request_hash({"scenario": base, "strategies": names, "sweep": sent})
+        existing = await self.jobs.existing(key, hashed)
+        if existing is not None:
+            return existing
+        self._check_size(sweep, names)
+        await self.jobs.check_room()
+        planned = await self._planned(base, names, sweep, client)
+        job = StoredJob(
+            kind="sweep",
+            parent_id=parent_id,
+            label=label,
+            owner=owner,
+            request={"scenario": base, "strategies": names, "fields": planned.fields},
+            sweep=sent,
+            estimated_cost=planned.cost,
+            total=len(planned.runs),
+            failed=sum(run["result_key"] is None for run in planned.runs),
+            request_hash=hashed,
+        )
+        return await self.jobs.accept(job, planned.runs, key)
+
+    async def answer(self, job: StoredJob) -> Batch:
+        """The batch as it is answered."""
+        return Batch.of(job, await self.jobs.position(job))
+
+    async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Batches:
+        """The newest batches, without their sweeps.
+
+        Raises:
+            InvalidError: The cursor is none that was given out.
+        """
+        jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
+        positions = await self.jobs.positions(jobs)
+        return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
+
+    async def resume(self, job_id: str) -> StoredJob:
+        """Let a cancelled batch go on where it stopped; one that has not ended is answered as it is.
+
+        Raises:
+            NotFoundError: There is none.
+            ConflictError: It is done.
+        """
+        job = await self.jobs.get(job_id)
+        if job.state in UNFINISHED:
+            return job
+        if job.state == "done":
+            raise ConflictError("It is done: nothing is left to run.", kind="done")
+        return await self.jobs.resume(job_id)
+
+    async def table(self, job_id: str, figures: Sequence[str]) -> dict[str, Any]:
+        """Every row column by column, with those figures, as `BatchTable`; a large one would take long to validate.
+
+        Raises:
+            NotFoundError: There is no such batch.
+        """
+        job = await self.jobs.get(job_id)
+        fields = job.request["fields"]
+        whole: dict[str, list[Any]] = table.columns([], fields, figures)
+        async for rows in self.rows(job.id):
+            page = await asyncio.to_thread(table.columns, rows, fields, figures)
+            for name, values in page.items():
+                whole[name] += values
+        units = {name: unit for name, unit in table.units(job).items() if name in whole}
+        return {"batch": job.id, "state": job.state, "units": units, "columns": whole}
+
+    async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> dict[str, Any]:
+        """What its finished rows say as a whole, as `BatchSummary`.
+
+        Raises:
+            NotFoundError: There is no such batch.
+            InvalidError: It does not have that baseline.
+            TemporaryError: Too much is being read.
+        """
+        job = await self.jobs.get(job_id)
+        names = job.request["strategies"]
+        against = baseline or (robustness.BASELINE if robustness.BASELINE in names else names[0])
+        if against not in names:
+            raise InvalidError(f"The batch has no such strategy; it has {', '.join(names)}", parameter="baseline")
+        asked, ended = (job.id, against, *figures), job.done + job.failed
+        clock = asyncio.get_running_loop().time
+        made = self._summaries.get(asked)
+        if made is not None and (made.ended == ended or clock() < made.reusable_until):
+            return {**made.answer, "state": job.state}
+        begin = time.perf_counter()
+        with self._admission.background(client, SUMMARY_COST * ended):
+            answer = await reading.summarised(job, self.rows(job.id), self._background, figures, against)
+        reusable = 0.0 if job.state in FINAL else clock() + REUSE * (time.perf_counter() - begin)
+        self._summaries[asked] = _Summary(answer=answer, ended=ended, reusable_until=reusable)
+        return answer
+
+    async def results(self, job_id: str, file_format: Format) -> tuple[StoredJob, AsyncIterator[bytes]]:
+        """The batch and its rows in that format, piece by piece.
+
+        Raises:
+            NotFoundError: There is no such batch.
+        """
+        job = await self.jobs.get(job_id)
+        return job, table.RENDERERS[file_format](job, self.rows(job.id))
+
+    async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
+        """Its rows in order, page by page."""
+        last = -1
+        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, PAGE):
+            yield rows
+            last = rows[-1].position
+
+    async def _planned(self, base: Mapping[str, Any], names: Sequence[str], sweep: Sweep, client: str) -> plan.Plan:
+        self._check_size(sweep, names)
+        try:
+            with self._admission.background(client, PLAN_COST * size(sweep) * len(names)):
+                planned = await self._background.call(plan.plan, base, names, sweep, ends_with_caller=True)
+        except SweepError as error:
+            raise InvalidError(
+                "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
+            ) from None
+        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
+        if planned.cost > limit:
+            raise _too_big(
+                f"The estimated cost of {planned.cost:.3g} s of computing is over the limit of {limit:g} s a batch"
+            )
+        if planned.max_run_cost > each:
+            raise _too_big(
+                f"One run's estimated cost of {planned.max_run_cost:.3g} s of computing is over the limit of "
+                f"{each:g} s; {CHEAPER_RUN}"
+            )
+        return planned
+
+    def _check_size(self, sweep: Sweep, names: Sequence[str]) -> None:
+        total, limit = size(sweep) * len(names), self._settings.max_batch_runs
+        if total > limit:
+            raise _too_big(f"{total:.6g} runs are over the limit of {limit} runs a batch")
+
+    async def _queued_cost(self, own: float) -> float:
+        """What is computed of other jobs before a new one of that cost ends, all taking turns [s of one core]."""
+        unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
+        return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
+
+
+def _too_big(message: str) -> CostLimitError:
+    return CostLimitError(message, pointer="/sweep")

@@ -1,0 +1,208 @@
+"""Sweeps: which points of the scenario's space a batch visits.
+
+A sweep as it is sent names fields by their dotted names (`sim_core.scenario.dotted`); `points` checks each name and
+value and makes the list of points, each a mapping of those fields to values.
+"""
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Annotated, Any, Self
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, model_validator
+from pydantic_core import PydanticCustomError
+
+from backend.unknown_names import pointer, shown_path, unknown_name
+from sim_core.errors import RidelabError
+from sim_core.scenario import dotted
+
+Changes = dict[str, Any]
+# Checked against its field, not against a type: the error then says what that field takes.
+Value = Annotated[
+    Any,
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"type": "number"},
+                {"type": "string"},
+                {"type": "null"},
+                {"type": "array", "items": {"type": "number"}},
+            ],
+            "description": "What the field takes: a number, a choice's name, or three weights",
+        }
+    ),
+]
+MOST_ERRORS = 50
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, hide_input_in_errors=True)
+
+
+def _by_field(description: str) -> Any:
+    return Field(
+        min_length=1,
+        max_length=32,
+        description=description,
+        json_schema_extra={"propertyNames": {"enum": list(dotted.fields())}},
+    )
+
+
+class LatinHypercube(_Model):
+    """Evenly spread random points (scipy.stats.qmc.LatinHypercube); whole-number fields get whole numbers."""
+
+    ranges: dict[str, list[float]] = _by_field("Field -> [lowest, highest]")
+    samples: int = Field(ge=1, le=1_000_000)
+    seed: int = Field(0, ge=0, le=2**32 - 1, description="Same seed, same points")
+
+
+class Sweep(_Model):
+    """Exactly one of its three forms."""
+
+    grid: dict[str, Annotated[list[Value], Field(min_length=1)]] | None = Field(
+        None,
+        min_length=1,
+        max_length=32,
+        description="Field -> values; every combination, the last field changing fastest",
+        json_schema_extra={"propertyNames": {"enum": list(dotted.fields())}},
+    )
+    latin_hypercube: LatinHypercube | None = None
+    points: Annotated[list[dict[str, Value]], Field(min_length=1)] | None = Field(
+        None, alias="list", description="Field -> value, point by point; a field a point does not name keeps its value"
+    )
+
+    @model_validator(mode="after")
+    def _one_form(self) -> Self:
+        if sum(form is not None for form in (self.grid, self.latin_hypercube, self.points)) != 1:
+            raise PydanticCustomError("one_form", "Exactly one of grid, latin_hypercube and list has to be there")
+        return self
+
+
+class SweepError(Exception):
+    """Names or values a sweep cannot use; `errors` has a path and a message for each."""
+
+    def __init__(self, errors: Sequence[tuple[list[str | int], str]]) -> None:
+        super().__init__(errors)  # as it is: it travels from a worker process
+        self.errors = errors
+
+    def problems(self) -> list[dict[str, str]]:
+        """The same as they are answered: where in the request, and what is wrong."""
+        return [{"pointer": pointer(["sweep", *shown_path(path)]), "message": message} for path, message in self.errors]
+
+
+def size(sweep: Sweep) -> int:
+    """How many points it has."""
+    if sweep.grid is not None:
+        return math.prod(len(values) for values in sweep.grid.values())
+    if sweep.latin_hypercube is not None:
+        return sweep.latin_hypercube.samples
+    return len(sweep.points or [])
+
+
+def points(sweep: Sweep, base: Mapping[str, Any]) -> tuple[list[str], list[Changes]]:
+    """The fields it changes, and every point; `base` is the plain scenario they start from.
+
+    Raises:
+        SweepError: Fields that do not exist, and values a field does not take.
+    """
+    errors: list[tuple[list[str | int], str]] = []
+    if sweep.grid is not None:
+        names, found = list(sweep.grid), _grid(sweep.grid, errors)
+    elif sweep.latin_hypercube is not None:
+        names, found = list(sweep.latin_hypercube.ranges), _latin_hypercube(sweep.latin_hypercube, errors)
+    else:
+        listed = sweep.points or []
+        names = list(dict.fromkeys(itertools.chain(*listed)))
+        found = _list(listed, names, base, errors)
+    _no_overlap(names, errors)
+    if errors:
+        raise SweepError(errors[:MOST_ERRORS])
+    return names, list(found())
+
+
+Errors = list[tuple[list[str | int], str]]
+Points = Callable[[], Iterator[Changes]]
+
+
+def _grid(grid: Mapping[str, Sequence[Any]], errors: Errors) -> Points:
+    checked = {
+        name: [_checked(name, value, ["grid", name, index], errors) for index, value in enumerate(values)]
+        for name, values in grid.items()
+    }
+    return lambda: (dict(zip(checked, values, strict=True)) for values in itertools.product(*checked.values()))
+
+
+def _list(listed: Sequence[Mapping[str, Any]], names: Sequence[str], base: Mapping[str, Any], errors: Errors) -> Points:
+    named = [
+        {name: _checked(name, value, ["list", index, name], errors) for name, value in point.items()}
+        for index, point in enumerate(listed)
+    ]
+    if errors:
+        return lambda: iter(())
+    unchanged = {name: dotted.value(base, name) for name in names}
+    return lambda: ({name: point.get(name, unchanged[name]) for name in names} for point in named)
+
+
+def _latin_hypercube(wanted: LatinHypercube, errors: Errors) -> Points:
+    for name, ends in wanted.ranges.items():
+        path: list[str | int] = ["latin_hypercube", "ranges", name]
+        if len(ends) != 2 or not ends[0] < ends[1]:
+            errors.append((path, "A range is [lowest, highest], the first smaller than the second"))
+            continue
+        known = _known(name, path, errors)
+        if known is not None and known.kind not in ("number", "integer"):
+            errors.append((path, "A range needs a field that takes a number"))
+        elif known is not None:
+            for index, end in enumerate(ends):
+                _checked(name, _whole(end) if known.kind == "integer" else end, [*path, index], errors)
+
+    def draw() -> Iterator[Changes]:
+        from scipy.stats import qmc  # takes half a second: most processes never draw
+
+        names = list(wanted.ranges)
+        unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(wanted.seed)).random(wanted.samples)
+        for row in unit:
+            values = zip(names, row, strict=True)
+            yield {name: _scaled(name, float(value), wanted.ranges[name]) for name, value in values}
+
+    return draw
+
+
+def _scaled(name: str, fraction: float, ends: Sequence[float]) -> float | int:
+    low, high = ends
+    if dotted.field(name).kind == "integer":
+        return min(int(low + fraction * (high - low + 1)), int(high))
+    return min(low + fraction * (high - low), high)
+
+
+def _whole(value: float) -> float | int:
+    return int(value) if float(value).is_integer() else value
+
+
+def _known(name: str, path: list[str | int], errors: Errors) -> dotted.DottedField | None:
+    try:
+        return dotted.field(name)
+    except RidelabError:
+        same_field = bool(errors) and errors[-1][0] == path  # as for each of its values
+        if len(errors) < MOST_ERRORS and not same_field:
+            errors.append((path, unknown_name("field", name, dotted.offered(name))))
+        return None
+
+
+def _checked(name: str, value: Any, path: list[str | int], errors: Errors) -> Any:
+    known = _known(name, path if path[0] == "list" else path[:-1], errors)
+    if known is None:
+        return None
+    try:
+        return known.checked(_whole(value) if known.kind == "integer" and isinstance(value, float) else value)
+    except RidelabError as error:
+        errors.append((path, error.message))
+        return None
+
+
+def _no_overlap(names: Sequence[str], errors: Errors) -> None:
+    """A field and one of its own members in one sweep would fight over the value."""
+    for name in names:
+        if name in dotted.fields() and any(other.startswith(name + ".") for other in names):
+            errors.append(([], f"A sweep changes {name} either whole or in parts"))

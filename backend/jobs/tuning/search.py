@@ -1,0 +1,72 @@
+"""Which weights to try next, asked of Optuna. Slow to import: only where a tuning is driven, and in a thread.
+
+A study is made anew from the stored trials for each generation, its sampler seeded by the tuning's seed and the
+generation's number: the same trials lead to the same next ones, whoever asks and however often.
+"""
+
+import logging
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from backend.jobs.tuning.space import point_of
+from backend.store.trials import StoredTrial
+
+Point = dict[str, float]  # of the searched space: field -> value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Search:
+    """What is searched for.
+
+    Attributes:
+        ranges: Field -> lowest and highest value.
+        scenario: Plain; what is not searched has its values.
+        objectives: How many there are.
+        limits: What each limited figure may be at most.
+        seed: Same seed, same points.
+    """
+
+    ranges: Mapping[str, Sequence[float]]
+    scenario: Mapping[str, Any]
+    objectives: int
+    limits: Sequence[float]
+    seed: int
+
+
+def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count: int) -> list[Point]:
+    """The generation's points, by the trials of those before it."""
+    optuna = _optuna()
+    space = {
+        name: optuna.distributions.FloatDistribution(low, high, log=True) for name, (low, high) in search.ranges.items()
+    }
+    state = np.random.SeedSequence([search.seed, generation]).generate_state(1)
+    sampler = optuna.samplers.TPESampler(seed=int(state[0]))  # docs/decisions/0009-tuning-by-generations.md
+    study = optuna.create_study(directions=["minimize"] * search.objectives, sampler=sampler)
+    for trial in trials:
+        point = point_of(trial.weights, search.ranges, search.scenario)
+        if point is not None:
+            study.add_trial(_known(optuna, trial, point, space, search.limits))
+    return [dict(study.ask(space).params) for _ in range(count)]
+
+
+def _known(optuna: Any, trial: StoredTrial, point: Point, space: Mapping[str, Any], limits: Sequence[float]) -> Any:
+    """A trial as Optuna knows it; it may do what its constraints' values, at most 0, allow."""
+    placed = {"params": point, "distributions": space}
+    if trial.values is None or trial.limits is None:
+        return optuna.trial.create_trial(state=optuna.trial.TrialState.FAIL, **placed)
+    over = {str(index): value - most for index, (value, most) in enumerate(zip(trial.limits, limits, strict=True))}
+    return optuna.trial.create_trial(values=trial.values, constraints=over, **placed)
+
+
+@cache
+def _optuna() -> ModuleType:
+    import optuna
+
+    optuna.logging.disable_default_handler()
+    optuna.logging.set_verbosity(logging.ERROR)
+    return optuna

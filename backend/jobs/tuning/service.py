@@ -1,0 +1,163 @@
+"""Tunings: accepted whole or refused, then resumed and read while the scheduler goes on with them."""
+
+import asyncio
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from backend.analysis.measure import Aims
+from backend.compute import Workers
+from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
+from backend.http.admission import Admission
+from backend.jobs.service import Jobs, request_hash
+from backend.jobs.sweep import plan
+from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.tuning.models import Trial, Trials, Tuning, TuningEstimate, TuningItem, TuningRequest, Tunings
+from backend.jobs.tuning.space import first_weights
+from backend.jobs.tuning.steps import first_progress
+from backend.settings import Settings
+from backend.store import Store, StoredJob
+from backend.store.jobs import UNFINISHED, State
+from sim_core.scenario import Scenario
+from sim_core.workload import estimate
+
+
+class TuningService:
+    """The service of tunings; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, background: Workers, admission: Admission, settings: Settings) -> None:
+        self.jobs = Jobs("tuning", store=store, admission=admission, settings=settings)
+        self._store = store
+        self._background = background
+        self._admission = admission
+        self._settings = settings
+
+    async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
+        """What that tuning would be.
+
+        Raises:
+            ServiceError: As `create`.
+        """
+        stored = request.stored()
+        runs, cost = self._workload(stored, request.trials)
+        first = first_weights(stored["scenario"], request.strategy, stored["search"])
+        points = [{**weights, "road.seed": seed} for weights in first for seed in request.seeds]
+        sweep = Sweep.model_validate({"list": points})
+        with self._admission.computing(client, request.scenario, [request.strategy]):
+            each = await self._background.call(
+                plan.pilot, stored["scenario"], [request.strategy], sweep, ends_with_caller=True
+            )
+        return TuningEstimate(
+            runs=runs,
+            generations=math.ceil(request.trials / request.population),
+            estimated_cost=cost,
+            estimated_seconds=None if each is None else each * runs / self._settings.batch_workers,
+        )
+
+    async def create(self, request: TuningRequest, key: str | None, owner: str | None) -> StoredJob:
+        """Accept a tuning: when this returns, it is committed.
+
+        Raises:
+            ConflictError: The key had another request.
+            CostLimitError: It is over a limit.
+            BusyError: Too many are waiting.
+        """
+        stored = request.stored()
+        hashed = request_hash({**stored, "trials": request.trials})
+        existing = await self.jobs.existing(key, hashed)
+        if existing is not None:
+            return existing
+        _, cost = self._workload(stored, request.trials)
+        await self.jobs.check_room()
+        job = StoredJob(
+            kind="tuning",
+            label=request.label,
+            owner=owner,
+            request=stored,
+            progress=first_progress(attempt=1),
+            estimated_cost=cost,
+            total=request.trials,
+            request_hash=hashed,
+        )
+        return await self.jobs.accept(job, [], key)
+
+    async def answer(self, job: StoredJob) -> Tuning:
+        """The tuning as it is answered: all its trials make the front, the events of its generations the history."""
+        trials = await self._store.read(self._store.trials.of, job.id)
+        history = await self._store.read(self._store.jobs.history, job.id)
+        return await asyncio.to_thread(Tuning.whole, job, trials, history)
+
+    async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Tunings:
+        """The newest tunings.
+
+        Raises:
+            InvalidError: The cursor is none that was given out.
+        """
+        jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
+        return Tunings(tunings=[TuningItem.of(job) for job in jobs], next=after)
+
+    async def trials(self, job_id: str) -> Trials:
+        """Every trial.
+
+        Raises:
+            NotFoundError: There is no such tuning.
+        """
+        job = await self.jobs.get(job_id)
+        trials = await self._store.read(self._store.trials.of, job.id)
+        return Trials(tuning=job.id, trials=[Trial.of(each) for each in trials])
+
+    async def resume(self, job_id: str, trials: int | None) -> StoredJob:
+        """Go on where it stopped, up to so many trials; one that has not ended is answered as it is.
+
+        Raises:
+            NotFoundError: There is none.
+            ConflictError: It has not ended and other trials are asked for, or there is nothing left to do.
+            InvalidError: It has more trials already.
+            CostLimitError: It would be over a limit.
+            BusyError: Too many are waiting.
+        """
+        job = await self.jobs.get(job_id)
+        total = job.total if trials is None else trials
+        if job.state in UNFINISHED and total == job.total:
+            return job
+        if job.state in UNFINISHED:
+            raise ConflictError("It has not ended: cancel it to change its number of trials.", kind="not-ended")
+        if total < job.done + job.failed:
+            raise InvalidError(f"It has {job.done + job.failed} trials already", parameter="trials")
+        if job.state == "done" and total == job.total:
+            raise ConflictError("It is done: name a greater number of trials to go on.", kind="done")
+        _, cost = self._workload(job.request, total)
+        progress = job.progress | {"step": "search", "attempt": job.progress["attempt"] + 1}
+        return await self.jobs.resume(job_id, total=total, estimated_cost=cost, answer=None, progress=progress)
+
+    def _workload(self, request: Mapping[str, Any], trials: int) -> tuple[int, float]:
+        """Runs at most, and their estimated cost [s of one core].
+
+        Raises:
+            CostLimitError: It is over the limits of a batch.
+        """
+        scenario = Scenario.model_validate(request["scenario"])
+        aims = Aims(objectives=request["objectives"], limits=request["limits"])
+        training, validation = len(request["seeds"]), len(request["fresh_seeds"])
+        points = len(aims.objectives) + 3  # of the comparison at most: the paper's, the own, each best, the knee
+        passive = training + validation if aims.needs_passive else 0
+        runs = trials * training + points * validation + passive
+        each = estimate(scenario, request["strategy"])
+        cost = (runs - passive) * each + passive * estimate(scenario, "passive")
+        settings = self._settings
+        if runs > settings.max_batch_runs:
+            raise _too_big(f"{runs} runs are over the limit of {settings.max_batch_runs} runs a tuning")
+        if cost > settings.max_batch_cost:
+            limit = f"the limit of {settings.max_batch_cost:g} s a tuning"
+            raise _too_big(f"The estimated cost of {cost:.3g} s of computing is over {limit}")
+        if each > settings.max_request_cost:
+            raise CostLimitError(
+                f"One run's estimated cost of {each:.3g} s of computing is over the limit of "
+                f"{settings.max_request_cost:g} s; {CHEAPER_RUN}",
+                pointer="/scenario",
+            )
+        return runs, cost
+
+
+def _too_big(message: str) -> CostLimitError:
+    return CostLimitError(message, pointer="/trials")

@@ -1,0 +1,277 @@
+"""The steps of a tuning: a generation is asked for, computed and committed; in the end the comparison.
+
+The database is the truth. The next step follows from what is committed: the trials of complete generations, and sweeps
+that are found again by their keys. So whoever takes a step, and however often it is begun, it is the same step, and
+what a crash interrupts goes on where its sweep stands.
+"""
+
+import asyncio
+import logging
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from datetime import UTC, datetime
+from functools import partial
+from typing import Any, Literal
+
+import orjson
+
+from backend.analysis import comparison, front
+from backend.analysis.measure import Aims, Failure, Measured, Roads
+from backend.analysis.objectives import Summary, UndefinedObjectiveError
+from backend.errors import ServiceError, TemporaryError
+from backend.jobs.scheduler import JobFailedError
+from backend.jobs.sweep.service import Sweeps
+from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of
+from backend.store import Store, StoredJob
+from backend.store.job_runs import JobRow
+from backend.store.jobs import FINAL
+from backend.store.trials import StoredTrial
+from sim_core import __version__ as CORE_VERSION
+from sim_core.errors import RidelabError
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.versions import restored
+
+logger = logging.getLogger(__name__)
+
+LOOK = 1.0  # between two looks at a sweep, where nothing tells that one has ended [s]
+ROAD = "road.seed"
+CLIENT = "tuning"  # whose computing it counts as
+Step = Literal["search", "comparison"]
+
+
+class TuningSteps:
+    """Takes steps; its methods belong to the event loop, Optuna to a thread of its own."""
+
+    def __init__(self, store: Store, sweeps: Sweeps) -> None:
+        self._store = store
+        self._sweeps = sweeps
+        self._asking = ThreadPoolExecutor(1, thread_name_prefix="tuner")
+
+    def close(self) -> None:
+        """Nothing more is asked."""
+        self._asking.shutdown(wait=False, cancel_futures=True)
+
+    async def step(self, job: StoredJob) -> None:
+        """The next step, to its end.
+
+        Raises:
+            JobFailedError: It cannot go on.
+            TemporaryError: The service is full.
+        """
+        try:
+            if job.core_version != CORE_VERSION:
+                await self._begin_anew(job)
+                return
+            trials = await self._store.read(self._store.trials.of, job.id)
+            aims = Aims(objectives=job.request["objectives"], limits=job.request["limits"])
+            if len(trials) < job.total:
+                await self._generation(job, trials, aims)
+            else:
+                await self._compare(job, trials, aims)
+        except UndefinedObjectiveError as error:
+            raise JobFailedError(str(error)) from error
+        except TemporaryError:
+            raise
+        except ServiceError as error:
+            raise JobFailedError(error.message) from error
+
+    async def _begin_anew(self, job: StoredJob) -> None:
+        """Another core version's numbers are not mixed with this one's: from the beginning, which is repeatable."""
+        logger.warning("Tuning %s begins again with core %s", job.id, CORE_VERSION)
+        try:
+            scenario = restored(job.request["scenario"], job.schema_version).model_dump(mode="json")
+        except (RidelabError, ValueError) as error:
+            raise JobFailedError(f"Core {CORE_VERSION} cannot read its scenario") from error
+        await self._advance(
+            job,
+            event="restart",
+            drop_trials=True,
+            request={**job.request, "scenario": scenario},
+            core_version=CORE_VERSION,
+            schema_version=SCHEMA_VERSION,
+            progress=first_progress(job.progress["attempt"] + 1),
+            done=0,
+            failed=0,
+            answer=None,
+        )
+
+    async def _generation(self, job: StoredJob, trials: list[StoredTrial], aims: Aims) -> None:
+        seeds, generation = job.request["seeds"], job.progress["generation"]
+        sweep = await self._existing(job, str(generation))
+        if sweep is None:
+            sets = await self._next_weights(job, trials, aims)
+            sweep = await self._submit(job, str(generation), job.request["strategy"], sets, seeds)
+        measured = await self._measured(job, "search", sweep, aims, seeds)
+        if measured is None:
+            return
+        new = [
+            aims.trial(len(trials) + index, generation, weights, runs)
+            for index, (weights, runs) in enumerate(zip(_sets_of(sweep, seeds), measured, strict=True))
+        ]
+        if not trials and all(trial.values is None for trial in new):
+            raise JobFailedError(f"No set of weights could be run. {new[0].reason}")
+        succeeded = sum(trial.status == "ok" for trial in new)
+        feasible = job.progress["feasible"] + sum(trial.feasible for trial in new)
+        await self._advance(
+            job,
+            event="progress",
+            told=await asyncio.to_thread(_quality, [*trials, *new], len(aims.objectives)),
+            new_trials=[trial.row() for trial in new],
+            progress=_waiting_for(job, "search", sweep) | {"generation": generation + 1, "feasible": feasible},
+            done=job.done + succeeded,
+            failed=job.failed + len(new) - succeeded,
+        )
+
+    async def _next_weights(self, job: StoredJob, trials: list[StoredTrial], aims: Aims) -> list[Weights]:
+        """The generation's sets of weights: first the paper's and the scenario's own, then what Optuna proposes."""
+        from backend.jobs.tuning.search import Search, ask  # Optuna and all: not before there is a tuning
+
+        request = job.request
+        scenario, strategy, ranges = request["scenario"], request["strategy"], request["search"]
+        count = min(request["population"], job.total - len(trials))
+        first = first_weights(scenario, strategy, ranges)[len(trials) : len(trials) + count]
+        search = Search(
+            ranges=ranges,
+            scenario=scenario,
+            objectives=len(aims.objectives),
+            limits=aims.most,
+            seed=request["seed"],
+        )
+        asked = partial(ask, search, trials, generation=job.progress["generation"], count=count - len(first))
+        points = await asyncio.get_running_loop().run_in_executor(self._asking, asked)
+        own = weights_at(scenario, strategy, ranges)
+        return [*first, *(weights_of(point, ranges, own) for point in points)]
+
+    async def _compare(self, job: StoredJob, trials: list[StoredTrial], aims: Aims) -> None:
+        request, objectives = job.request, len(aims.objectives)
+        own = len(first_weights(request["scenario"], request["strategy"], request["search"])) > 1 < len(trials)
+        roles = await asyncio.to_thread(comparison.roles, trials, objectives, own=own)
+        sweep = await self._existing(job, "comparison")
+        if sweep is None:
+            sets = [trials[number].weights for number in roles]
+            sweep = await self._submit(job, "comparison", request["strategy"], sets, _roads(job))
+        measured = await self._measured(job, "comparison", sweep, aims, _roads(job))
+        if measured is None:
+            return
+        by_number = dict(zip(roles, measured, strict=True))
+        points = comparison.compared(trials, roles, by_number, request["seeds"], request["fresh_seeds"], objectives)
+        await self._advance(
+            job,
+            event="state",
+            state="done",
+            finished_at=datetime.now(UTC),
+            progress=_waiting_for(job, "comparison", sweep),
+            answer={"batch": sweep.id, "figures": aims.figures, "points": points},
+        )
+
+    async def _measured(
+        self, job: StoredJob, step: Step, sweep: StoredJob, aims: Aims, seeds: Sequence[int]
+    ) -> list[Roads] | None:
+        """What each set of weights of the sweep gave on each road; None where the tuning has ended meanwhile."""
+        progress = _waiting_for(job, step, sweep)
+        event = "state" if job.state != "running" or job.progress["step"] != step else None
+        started = job.started_at or datetime.now(UTC)
+        if not await self._advance(job, event=event, state="running", started_at=started, progress=progress):
+            await self._store.write(self._store.jobs.cancel, sweep.id)
+            return None
+        passive: dict[int, Summary] = {}
+        if aims.needs_passive:
+            passive = await self._passive(job)
+        await self._wait_for(sweep)
+        measured: list[Roads] = []
+        async for rows in self._sweeps.rows(sweep.id):
+            values = await asyncio.to_thread(_measure, rows, aims, seeds, passive)
+            for row, value in zip(rows, values, strict=True):
+                index, road = divmod(row.position, len(seeds))
+                if index == len(measured):
+                    measured.append({})
+                measured[index][seeds[road]] = value
+        return measured
+
+    async def _passive(self, job: StoredJob) -> dict[int, Summary]:
+        """The passive car's runs by road, on every road of the tuning."""
+        seeds = _roads(job)
+        sweep = await self._existing(job, "passive") or await self._submit(job, "passive", "passive", [{}], seeds)
+        await self._wait_for(sweep)
+        found: dict[int, Summary] = {}
+        async for rows in self._sweeps.rows(sweep.id):
+            for row in rows:
+                summary = orjson.loads(row.summary or "{}")
+                if row.status != "ok":
+                    raise JobFailedError(f"The passive car failed. {row.reason or summary.get('reason')}")
+                found[seeds[row.position]] = summary
+        return found
+
+    async def _existing(self, job: StoredJob, name: str) -> StoredJob | None:
+        return await self._store.read(self._store.jobs.by_idempotency_key, "sweep", _key(job, name))
+
+    async def _submit(
+        self, job: StoredJob, name: str, strategy: str, sets: Sequence[Weights], seeds: Sequence[int]
+    ) -> StoredJob:
+        """Submit each set of weights on each road, a set's roads side by side."""
+        sweep = Sweep.model_validate({"list": [{**weights, ROAD: seed} for weights in sets for seed in seeds]})
+        scenario = Scenario.model_validate(job.request["scenario"])
+        return await self._sweeps.create(
+            scenario, [strategy], sweep, client=CLIENT, key=_key(job, name), parent_id=job.id, owner=job.owner
+        )
+
+    async def _wait_for(self, sweep: StoredJob) -> None:
+        """Until it is done.
+
+        Raises:
+            JobFailedError: It was cancelled, or failed as a whole.
+        """
+        while True:
+            changes = self._store.changes.count
+            now = await self._store.read(self._store.jobs.load, sweep.id)
+            if now is None or now.state in FINAL:
+                break
+            await self._store.changes.wait_beyond(changes, LOOK)
+        if now is None or now.state == "cancelled":
+            raise JobFailedError("One of its batches was cancelled")
+        if now.state == "failed":
+            raise JobFailedError(f"One of its batches failed. {now.reason}")
+
+    async def _advance(self, job: StoredJob, **changes: Any) -> bool:
+        return await self._store.write(self._store.jobs.advance, job, **changes)
+
+
+def first_progress(attempt: int) -> dict[str, Any]:
+    """Of a tuning that has no trial: how often it was begun, the step, complete generations, trials within limits."""
+    return {"step": "search", "attempt": attempt, "generation": 0, "feasible": 0, "batch": None}
+
+
+def _waiting_for(job: StoredJob, step: Step, sweep: StoredJob) -> dict[str, Any]:
+    return job.progress | {"step": step, "batch": sweep.id}
+
+
+def _key(job: StoredJob, name: str) -> str:
+    """The sweep's idempotency key; with spaces, which no request can send, so that nobody else's key is ever this."""
+    return f"tuning {job.id} {job.progress['attempt']} {name}"
+
+
+def _roads(job: StoredJob) -> list[int]:
+    """Every road of the tuning: those trained on, then the validation roads."""
+    return [*job.request["seeds"], *job.request["fresh_seeds"]]
+
+
+def _sets_of(sweep: StoredJob, seeds: Sequence[int]) -> list[Weights]:
+    """The sets of weights that a sweep was submitted with."""
+    points = (sweep.sweep or {})["list"][:: len(seeds)]
+    return [{name: value for name, value in point.items() if name != ROAD} for point in points]
+
+
+def _measure(
+    rows: Sequence[JobRow], aims: Aims, seeds: Sequence[int], passive: dict[int, Summary]
+) -> list[Measured | Failure]:
+    return [aims.measured(row, passive.get(seeds[row.position % len(seeds)], {})) for row in rows]
+
+
+def _quality(trials: Sequence[StoredTrial], objectives: int) -> Mapping[str, Any]:
+    """What a generation's event tells beside the counts: how good the best are by now."""
+    best = [front.best(trials, index) for index in range(objectives)]
+    return {
+        "best": [None if trial is None or trial.values is None else trial.values[i] for i, trial in enumerate(best)],
+        "hypervolume": front.dominated_share(front.front(trials), trials[0].values),
+    }

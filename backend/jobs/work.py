@@ -1,0 +1,58 @@
+"""What a worker process does with a chunk of a job; no web here."""
+
+import time
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import orjson
+
+from backend.errors import EcuUnavailableError
+from backend.hil.drive import simulate
+from backend.jobs.chunk import ComputedRun, WaitingRun
+from backend.jobs.sweep.plan import scenario_at
+from backend.paper import work as paper
+from backend.worker import elapsed_ms, refusal, summary_json
+from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario
+
+
+def run_chunk(
+    base: Mapping[str, Any], schema_version: int, runs: Sequence[WaitingRun], budget: float
+) -> list[ComputedRun]:
+    """Simulate them in order, the first in any case, and begin no further one after `budget` [s].
+
+    Runs of one point lie side by side and share its scenario, equal ones their result.
+    """
+    end = time.perf_counter() + budget
+    computed: dict[str, ComputedRun] = {}
+    changes, scenario = None, None
+    for run in runs:
+        if run.key in computed:
+            continue
+        if computed and time.perf_counter() > end:
+            break
+        if scenario is None or run.changes != changes:
+            changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version)
+        begin, cacheable = time.perf_counter(), True
+        try:
+            status, summary = "ok", _summary(scenario, run.strategy)
+        except RidelabError as error:
+            status, summary = "failed", orjson.dumps(refusal(error)).decode()
+            cacheable = not isinstance(error, EcuUnavailableError)
+        elapsed = elapsed_ms(begin)
+        computed[run.key] = ComputedRun(
+            key=run.key,
+            strategy=run.strategy,
+            status=status,
+            summary=summary,
+            compute_ms=elapsed,
+            cacheable=cacheable,
+        )
+    return list(computed.values())
+
+
+def _summary(scenario: Scenario, strategy: str) -> str:
+    """What is stored of a run, as JSON."""
+    if strategy.startswith(paper.PREFIX):
+        return orjson.dumps(paper.compute(strategy, scenario), option=orjson.OPT_SERIALIZE_NUMPY).decode()
+    return summary_json(simulate(scenario, strategy)).decode()

@@ -1,0 +1,145 @@
+"""The runs of a sweep: a run points at its result by key, and the result is stored once, whoever computed it."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any
+
+from sqlalchemy import Connection, Select, Update, select, update
+
+from backend.db.database import Database, insert_new
+from backend.db.tables import job_runs, jobs, results
+from backend.jobs.chunk import ComputedRun, WaitingRun
+from backend.store.jobs import lock, tell
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobRow:
+    """A run of a sweep with what is stored of its result (`summary` is JSON text)."""
+
+    position: int
+    changes: str
+    strategy: str
+    status: str
+    reason: str | None
+    core_version: str | None
+    summary: str | None
+    compute_ms: float | None
+
+
+class JobRunStore:
+    """Reads and writes the runs of jobs; every method is one short transaction."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def waiting(self, job_id: str, after: int, limit: int) -> tuple[int | None, list[WaitingRun]]:
+        """The next runs without a result behind position `after`, and the last position looked at (None: no more).
+
+        Those whose result is stored already are settled instead.
+        """
+        query = _waiting_runs(job_id).where(job_runs.c.position > after).limit(limit)
+        with self._database.reading() as connection:
+            runs = [
+                WaitingRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
+                for row in connection.execute(query).all()
+            ]
+            keys = [run.key for run in runs]
+            there = set(connection.execute(select(results.c.key).where(results.c.key.in_(keys))).scalars())
+        if there:
+            with self._database.writing() as connection:
+                lock(connection, job_id)
+                _settle(connection, job_id, sorted(there))
+            self._database.changed()
+        return (runs[-1].position if runs else None), [run for run in runs if run.key not in there]
+
+    def save(
+        self,
+        job_id: str,
+        computed: Sequence[ComputedRun],
+        core_version: str,
+        failures: Mapping[int, str] | None = None,
+    ) -> None:
+        """Commit results of a job, and runs (by position) that got none with the reason why."""
+        now = datetime.now(UTC)
+        rows = [
+            {
+                "key": item.key,
+                "strategy": item.strategy,
+                "core_version": core_version,
+                "status": item.status,
+                "summary": item.summary,
+                "compute_ms": item.compute_ms,
+                "created_at": now,
+            }
+            for item in computed
+        ]
+        with self._database.writing() as connection:
+            lock(connection, job_id)
+            if rows:
+                insert_new(connection, results, rows)
+            failed = 0
+            for position, reason in (failures or {}).items():
+                at = _update_waiting(job_id).where(job_runs.c.position == position)
+                failed += connection.execute(at.values(status="failed", reason=reason)).rowcount
+            _count(connection, job_id, done=0, failed=failed)
+            _settle(connection, job_id, [item.key for item in computed])
+        self._database.changed()
+
+    def rekey(self, job_id: str, keys: Mapping[int, tuple[str | None, str | None]]) -> None:
+        """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
+        with self._database.writing() as connection:
+            lock(connection, job_id)
+            failed = 0
+            for position, (key, reason) in keys.items():
+                change = {"result_key": key} if key is not None else {"status": "failed", "reason": reason}
+                at = _update_waiting(job_id).where(job_runs.c.position == position)
+                changed = connection.execute(at.values(**change)).rowcount
+                failed += changed if key is None else 0
+            _count(connection, job_id, done=0, failed=failed)
+        self._database.changed()
+
+    def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
+        """The next runs behind position `after`, each with its result once it is settled."""
+        settled = (job_runs.c.result_key == results.c.key) & job_runs.c.status.in_(("ok", "failed"))
+        run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.status, job_runs.c.reason)
+        query = (
+            select(*run, results.c.core_version, results.c.summary, results.c.compute_ms)
+            .join_from(job_runs, results, settled, isouter=True)
+            .where(job_runs.c.job_id == job_id, job_runs.c.position > after)
+            .order_by(job_runs.c.position)
+            .limit(limit)
+        )
+        with self._database.reading() as connection:
+            return [JobRow(**row._asdict()) for row in connection.execute(query).all()]
+
+
+def _waiting_runs(job_id: str) -> Select[Any]:
+    return (
+        select(job_runs)
+        .where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
+        .order_by(job_runs.c.position)
+    )
+
+
+def _update_waiting(job_id: str) -> Update:
+    return update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
+
+
+def _settle(connection: Connection, job_id: str, keys: Sequence[str]) -> None:
+    """Waiting runs take the status of their result, which is stored."""
+    counts = {}
+    for status in ("ok", "failed"):
+        of_status = select(results.c.key).where(results.c.key.in_(keys), results.c.status == status)
+        matching = _update_waiting(job_id).where(job_runs.c.result_key.in_(of_status))
+        counts[status] = connection.execute(matching.values(status=status)).rowcount
+    _count(connection, job_id, done=counts["ok"], failed=counts["failed"])
+
+
+def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> None:
+    """So many more runs have come to an end; an event tells."""
+    if not done and not failed:
+        return
+    changed = {"done": jobs.c.done + done, "failed": jobs.c.failed + failed}
+    connection.execute(update(jobs).where(jobs.c.id == job_id).values(**changed))
+    tell(connection, job_id, "progress")

@@ -1,0 +1,46 @@
+"""Trials of tunings. They are added with their generation's step (`JobStore.advance`), so that none is there twice."""
+
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+from sqlalchemy import select
+
+from backend.db.database import Database
+from backend.db.tables import trials
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoredTrial:
+    """A set of weights; `values` and `limits` are None where it failed."""
+
+    number: int
+    generation: int
+    weights: dict[str, Any]
+    status: Literal["ok", "failed"]
+    reason: str | None
+    feasible: bool
+    values: list[float] | None
+    limits: list[float] | None
+
+    def row(self) -> dict[str, Any]:
+        """As its table has it."""
+        row = asdict(self)
+        return {**row, "objectives": row.pop("values")}
+
+
+class TrialStore:
+    """Reads trials."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def of(self, job_id: str) -> list[StoredTrial]:
+        """Every trial of a tuning, in order."""
+        query = select(trials).where(trials.c.job_id == job_id).order_by(trials.c.number)
+        with self._database.reading() as connection:
+            rows = [row._asdict() for row in connection.execute(query).all()]
+        return [StoredTrial(values=row.pop("objectives"), **_without_job(row)) for row in rows]
+
+
+def _without_job(row: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in row.items() if name != "job_id"}

@@ -1,0 +1,337 @@
+"""Sweeps in the store, on both databases: what is counted is what is there, whoever writes, in whatever order."""
+
+import contextlib
+import sqlite3
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from functools import cache
+from typing import Any
+
+import orjson
+import pytest
+from hypothesis import HealthCheck, settings
+from hypothesis import strategies as st
+from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
+
+from backend.db.tables import links
+from backend.jobs.chunk import ComputedRun
+from backend.store import Store, StoredJob, StoredLink
+
+RUNS = 12
+BATCH = StoredJob(
+    id="b" * 22,
+    kind="sweep",
+    core_version="1",
+    schema_version=1,
+    request={"scenario": {"road": {"seed": 1}}, "strategies": ["lv", "passive"], "fields": ["road.seed"]},
+    sweep={"grid": {"road.seed": [1, 2, 3, 4, 5, 6]}},
+    estimated_cost=1.5,
+    total=RUNS,
+    request_hash="hash",
+    created_at=datetime(2026, 11, 21, 12, tzinfo=UTC),
+)
+
+
+def rows(prefix: str = "key", shared: int = 0) -> list[dict[str, Any]]:
+    """The batch's runs; the last `shared` have the key of the first."""
+    keys = [f"{prefix}-{number if number < RUNS - shared else 0}" for number in range(RUNS)]
+    return [
+        {
+            "position": number,
+            "changes": orjson.dumps({"road.seed": number // 2}).decode(),
+            "strategy": ("lv", "passive")[number % 2],
+            "status": "waiting",
+            "result_key": key,
+            "reason": None,
+        }
+        for number, key in enumerate(keys)
+    ]
+
+
+def computed(*keys: str, status: str = "ok") -> list[ComputedRun]:
+    summary = {"metrics": {}} if status == "ok" else {"reason": "too steep"}
+    text = orjson.dumps(summary).decode()
+    return [ComputedRun(key=key, strategy="lv", status=status, summary=text, compute_ms=1.0) for key in keys]
+
+
+@pytest.fixture
+def store(migrated_url: str) -> Iterator[Store]:
+    store = Store(migrated_url)
+    yield store
+    store.close()
+
+
+@pytest.fixture
+def batch(store: Store) -> StoredJob:
+    return store.jobs.create(BATCH, rows(shared=2), "once")[0]
+
+
+def test_what_is_created_is_loaded_again(store: Store, batch: StoredJob) -> None:
+    assert batch == BATCH
+    assert store.jobs.load(BATCH.id) == BATCH
+    assert store.jobs.unfinished() == [replace(BATCH, sweep=None)]
+    assert store.jobs.load("x") is None
+
+
+def test_an_idempotency_key_has_one_batch_however_many_ask_at_once(store: Store) -> None:
+    def create(number: int) -> tuple[StoredJob, bool]:
+        return store.jobs.create(replace(BATCH, id=str(number)), rows(), "once")
+
+    with ThreadPoolExecutor(6) as threads:
+        answers = list(threads.map(create, range(6)))
+    assert len({batch.id for batch, _ in answers}) == 1
+    assert [new for _, new in answers].count(True) == 1
+    known = store.jobs.by_idempotency_key("sweep", "once")
+    assert known is not None
+    assert known.id == answers[0][0].id
+    assert len(store.jobs.page("sweep", 10)) == 1
+    assert store.job_runs.rows(known.id, -1, 100), "with its runs"
+    # Batches without a key never meet.
+    assert all(store.jobs.create(replace(BATCH, id=name), rows(), None)[1] for name in "xyz")
+
+
+def test_runs_wait_page_by_page_until_their_result_is_there(store: Store, batch: StoredJob) -> None:
+    last, first = store.job_runs.waiting(batch.id, -1, 5)
+    assert (last, [run.position for run in first]) == (4, [0, 1, 2, 3, 4])
+    assert first[3].changes == '{"road.seed":1}'
+    store.job_runs.save(batch.id, computed("key-0", "key-2"), "1")
+    last, second = store.job_runs.waiting(batch.id, -1, 100)
+    assert (last, [run.position for run in second]) == (9, [1, 3, 4, 5, 6, 7, 8, 9]), "two runs shared key-0"
+    assert store.job_runs.waiting(batch.id, 9, 100) == (None, [])
+    now = store.jobs.load(batch.id)
+    assert now is not None
+    assert (now.done, now.failed) == (4, 0)
+
+
+def test_a_result_of_another_batch_settles_a_run_without_computing(store: Store, batch: StoredJob) -> None:
+    other, _ = store.jobs.create(replace(BATCH, id="other"), rows(), None)
+    store.job_runs.save(other.id, computed("key-1", "key-5"), "1")
+    last, waiting = store.job_runs.waiting(batch.id, -1, 4)
+    assert (last, [run.position for run in waiting]) == (3, [0, 2, 3])
+    now = store.jobs.load(batch.id)
+    assert now is not None
+    assert now.done == 1, "the page held one of them"
+
+
+def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None:
+    with ThreadPoolExecutor(4) as threads:
+        jobs = [
+            threads.submit(store.job_runs.save, batch.id, computed("key-0", "key-1", "key-2"), "1") for _ in range(8)
+        ]
+        for job in jobs:
+            job.result()
+    now = store.jobs.load(batch.id)
+    assert now is not None
+    assert (now.done, now.failed) == (5, 0)
+    numbers = [event.number for event in store.jobs.events(batch.id, 0)]
+    assert numbers == list(range(1, len(numbers) + 1))
+
+
+def test_failures_are_rows_with_their_reason(store: Store, batch: StoredJob) -> None:
+    store.job_runs.save(batch.id, computed("key-1", status="failed"), "1", {4: "The computation ended"})
+    found = {row.position: row for row in store.job_runs.rows(batch.id, -1, 100)}
+    assert (found[1].status, found[1].summary) == ("failed", '{"reason":"too steep"}')
+    assert (found[4].status, found[4].reason, found[4].summary) == ("failed", "The computation ended", None)
+    now = store.jobs.load(batch.id)
+    assert now is not None
+    assert (now.done, now.failed) == (0, 2)
+
+
+def test_a_batch_is_done_when_nothing_waits_and_not_before(store: Store, batch: StoredJob) -> None:
+    store.jobs.start(batch.id)
+    store.job_runs.save(batch.id, computed(*(f"key-{number}" for number in range(9))), "1")
+    assert store.jobs.finish(batch.id) is False
+    store.job_runs.save(batch.id, computed("key-9"), "1")
+    assert store.jobs.finish(batch.id) is True
+    now = store.jobs.load(batch.id)
+    assert now is not None
+    assert (now.state, now.done) == ("done", RUNS)
+    assert now.finished_at is not None
+    assert store.jobs.unfinished() == []
+    store.jobs.cancel(batch.id)
+    assert store.jobs.load(batch.id) == now, "too late"
+    states = [orjson.loads(event.data)["state"] for event in store.jobs.events(batch.id, 0) if event.kind == "state"]
+    assert states == ["queued", "running", "done"]
+
+
+def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more(store: Store, batch: StoredJob) -> None:
+    store.job_runs.save(batch.id, computed("key-0"), "1")
+    store.jobs.cancel(batch.id)
+    before, events = store.job_runs.rows(batch.id, -1, 100), store.jobs.events(batch.id, 0)
+    store.job_runs.save(batch.id, computed("key-1"), "1", {2: "late"})
+    assert store.job_runs.rows(batch.id, -1, 100) == before
+    assert store.jobs.events(batch.id, 0) == events
+    assert [row.status for row in before].count("ok") == 3
+    assert [row.status for row in before].count("cancelled") == RUNS - 3
+
+
+def test_another_core_version_takes_over_with_keys_of_its_own(store: Store, batch: StoredJob) -> None:
+    store.job_runs.save(batch.id, computed("key-0"), "1")
+    store.job_runs.rekey(batch.id, {0: ("new", None), 1: ("key-new", None), 3: (None, "No such shape any more")})
+    found = {row.position: row for row in store.job_runs.rows(batch.id, -1, 100)}
+    assert found[0].core_version == "1", "what is there stays"
+    assert (found[3].status, found[3].reason) == ("failed", "No such shape any more")
+    store.job_runs.save(batch.id, computed("key-new"), "2")
+    assert {row.position: row.core_version for row in store.job_runs.rows(batch.id, -1, 2)} == {0: "1", 1: "2"}
+
+
+def test_a_cancelled_one_gives_its_key_away_and_goes_on_when_it_is_resumed(store: Store, batch: StoredJob) -> None:
+    store.job_runs.save(batch.id, computed("key-0"), "1")
+    store.jobs.cancel(batch.id)
+    assert store.jobs.by_idempotency_key("sweep", "once") is None
+    again, new = store.jobs.create(replace(BATCH, id="again"), rows("other"), "once")
+    assert new
+    assert store.jobs.by_idempotency_key("sweep", "once") == again
+    store.jobs.resume(batch.id)
+    now = store.jobs.load(batch.id)
+    assert now is not None
+    assert (now.state, now.done, now.finished_at) == ("queued", 3, None)
+    assert len(store.job_runs.waiting(batch.id, -1, RUNS)[1]) == RUNS - 3
+
+
+def test_pages_are_the_newest_first_and_hold_each_once(store: Store) -> None:
+    made = [
+        replace(BATCH, id=f"{number:02}", created_at=BATCH.created_at + timedelta(hours=number // 3))
+        for number in range(9)
+    ]
+    for job in made:
+        store.jobs.create(job, rows(job.id), None)
+    store.jobs.create(replace(BATCH, id="child", parent_id="00"), rows("child"), None)
+    store.jobs.set_label("04", "winter")
+    store.jobs.cancel("07")
+    seen: list[StoredJob] = []
+    while page := store.jobs.page("sweep", 2, before=(seen[-1].created_at, seen[-1].id) if seen else None):
+        seen += page
+    assert [job.id for job in seen] == [f"{number:02}" for number in range(8, -1, -1)]
+    assert {job.sweep for job in seen} == {None}, "an item of a list is small"
+    assert [job.id for job in store.jobs.page("sweep", 9, label="winter")] == ["04"]
+    assert [job.id for job in store.jobs.page("sweep", 9, state="cancelled")] == ["07"]
+    assert store.jobs.page("tuning", 9) == []
+
+
+def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(store: Store, batch: StoredJob) -> None:
+    store.jobs.create(replace(BATCH, id="child", parent_id=batch.id), rows("child"), None)
+    store.job_runs.save(batch.id, computed("key-0"), "1")
+    assert not store.jobs.delete(batch.id), "it runs"
+    store.jobs.cancel(batch.id)
+    child = store.jobs.load("child")
+    assert child is not None
+    assert child.state == "cancelled", "nobody waits for it"
+    link = StoredLink(slug="s" * 22, kind="batch", target=batch.id, view={}, created_at=BATCH.created_at)
+    store.links.save(link, {})
+    assert not store.jobs.delete(batch.id), "a link shows it"
+    with store.writing() as connection:
+        connection.execute(links.delete())
+    assert store.jobs.delete(batch.id)
+    assert store.jobs.load(batch.id) is None
+    assert store.jobs.load("child") is None
+    assert store.job_runs.rows(batch.id, -1, 9) == []
+    assert "key-0" in store.runs.load_results(["key-0"]), "others may share a result"
+
+
+def test_counts_are_by_state(store: Store, batch: StoredJob) -> None:
+    store.jobs.create(replace(BATCH, id="second"), rows("other"), None)
+    store.jobs.start("second")
+    store.job_runs.save("second", computed("other-3"), "1")
+    assert store.jobs.counts() == {("sweep", "queued"): (1, RUNS), ("sweep", "running"): (1, RUNS - 1)}
+
+
+@cache
+def empty() -> sqlite3.Connection:
+    """A database of the newest schema with nothing in it, to be copied."""
+    store = Store("sqlite://")
+    store.migrate()
+    connection: Any = store.engine.raw_connection().driver_connection
+    return connection
+
+
+class Life(RuleBasedStateMachine):
+    """Everything that can happen to a batch in any order, against a model that is a dictionary."""
+
+    store: Store
+
+    @initialize(shared=st.integers(0, 4))
+    def begin(self, shared: int) -> None:
+        self.store = Store("sqlite://")
+        with contextlib.closing(self.store.engine.raw_connection()) as connection:
+            empty().backup(connection.driver_connection)
+        self.model = {row["position"]: row["result_key"] for row in rows(shared=shared)}
+        self.status = dict.fromkeys(self.model, "waiting")
+        self.state = "queued"
+        self.store.jobs.create(BATCH, rows(shared=shared), None)
+
+    def teardown(self) -> None:
+        if hasattr(self, "store"):
+            self.store.close()
+
+    @rule(numbers=st.sets(st.integers(0, RUNS - 1)), status=st.sampled_from(["ok", "failed"]))
+    def save(self, numbers: set[int], status: str) -> None:
+        keys = {f"key-{number}" for number in numbers}
+        known = self._results()
+        self.store.job_runs.save(BATCH.id, computed(*keys, status=status), "1")
+        for position, key in self.model.items():
+            if key in keys and self.status[position] == "waiting":
+                self.status[position] = known.get(key, status)
+
+    @rule(position=st.integers(0, RUNS - 1))
+    def give_up(self, position: int) -> None:
+        self.store.job_runs.save(BATCH.id, [], "1", {position: "lost"})
+        if self.status[position] == "waiting":
+            self.status[position] = "failed"
+
+    @rule()
+    def start(self) -> None:
+        self.store.jobs.start(BATCH.id)
+        self.state = "running" if self.state == "queued" else self.state
+
+    @rule()
+    def finish(self) -> None:
+        finished = self.store.jobs.finish(BATCH.id)
+        assert finished == ("waiting" not in self.status.values())
+        if finished and self.state in ("queued", "running"):
+            self.state = "done"
+
+    @rule()
+    def cancel(self) -> None:
+        self.store.jobs.cancel(BATCH.id)
+        if self.state in ("queued", "running"):
+            self.state = "cancelled"
+            self.status = {key: "cancelled" if item == "waiting" else item for key, item in self.status.items()}
+
+    @rule(after=st.integers(-1, RUNS), limit=st.integers(1, RUNS))
+    def hand_out(self, after: int, limit: int) -> None:
+        _, waiting = self.store.job_runs.waiting(BATCH.id, after, limit)
+        expected = [place for place, status in self.status.items() if status == "waiting" and place > after][:limit]
+        known = self._results()
+        assert [run.position for run in waiting] == [place for place in expected if self.model[place] not in known]
+        for place in expected:  # those whose result is there are settled, with all that share it
+            for other, key in self.model.items():
+                if key == self.model[place] and key in known and self.status[other] == "waiting":
+                    self.status[other] = known[key]
+
+    @invariant()
+    def counts_are_what_the_rows_say(self) -> None:
+        if not hasattr(self, "store"):
+            return
+        batch = self.store.jobs.load(BATCH.id)
+        assert batch is not None
+        found = {row.position: row.status for row in self.store.job_runs.rows(BATCH.id, -1, 100)}
+        assert found == self.status
+        statuses = list(found.values())
+        assert (batch.state, batch.done, batch.failed) == (self.state, statuses.count("ok"), statuses.count("failed"))
+        events = self.store.jobs.events(BATCH.id, 0)
+        assert [event.number for event in events] == list(range(1, len(events) + 1))
+        last = orjson.loads(events[-1].data)
+        assert (last["state"], last["done"], last["failed"]) == (batch.state, batch.done, batch.failed)
+
+    def _results(self) -> dict[str, str]:
+        found = self.store.runs.load_results(f"key-{number}" for number in range(RUNS))
+        return {key: result.status for key, result in found.items()}
+
+
+TestLife = Life.TestCase
+TestLife.settings = settings(
+    max_examples=30, stateful_step_count=25, suppress_health_check=[HealthCheck.too_slow], deadline=None
+)

@@ -1,0 +1,223 @@
+"""The driver with a cluster that misbehaves on purpose: what cannot be computed fails alone, all else completes."""
+
+import asyncio
+import contextlib
+import sqlite3
+import threading
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sqlalchemy.exc import OperationalError
+
+from backend.db import database, sqlite
+from backend.db.sqlite import DatabaseLockedError
+from backend.jobs import cluster, handout, scheduler
+from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun
+from backend.jobs.scheduler import Scheduler
+from backend.jobs.sweep.plan import plan
+from backend.jobs.sweep.sweeps import Sweep
+from backend.settings import Settings
+from backend.store import Store, StoredJob
+from backend.store.job_runs import JobRow
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
+from tests.servers import loops
+
+RUNS = 40
+Behaviour = Callable[[Chunk], ChunkOutcome]
+
+
+def answered(chunk: Chunk) -> ChunkOutcome:
+    done = [
+        ComputedRun(key=run.key, strategy=run.strategy, status="ok", summary='{"metrics":{}}', compute_ms=1.0)
+        for run in chunk.runs
+    ]
+    return ChunkOutcome(computed=done)
+
+
+def seeds(chunk: Chunk) -> list[int]:
+    return [int(run.changes.split(":")[1].rstrip("}")) for run in chunk.runs]
+
+
+class Misbehaving:
+    """Stands for `backend.jobs.cluster.Cluster`; every chunk goes to `behaviour`, and is counted."""
+
+    behaviour: Behaviour = staticmethod(answered)
+    chunks: Sequence[Chunk] = ()
+    starts = 0
+
+    def __init__(self, _: Settings) -> None:
+        self.connected = True
+
+    async def start(self) -> None:
+        type(self).starts += 1
+
+    async def slots(self) -> int:
+        return 2
+
+    async def compute(self, chunk: Chunk) -> ChunkOutcome:
+        await asyncio.sleep(0)
+        type(self).chunks = [*self.chunks, chunk]
+        try:
+            return type(self).behaviour(chunk)
+        except ConnectionError:
+            self.connected = False
+            raise ClusterLostError("gone") from None
+
+    async def stop(self, _: str) -> None:
+        pass
+
+    async def close(self) -> None:
+        pass
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cluster, "Cluster", Misbehaving)
+    monkeypatch.setattr(Misbehaving, "chunks", ())
+    monkeypatch.setattr(Misbehaving, "starts", 0)
+    monkeypatch.setattr(scheduler, "PAUSE", 0.01)
+    monkeypatch.setattr(scheduler, "LOOK", 0.02)
+
+
+def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSION, **patches: Any) -> list[JobRow]:
+    """The rows of a batch after a driver with that cluster has finished it."""
+
+    async def run() -> list[JobRow]:
+        store = Store(f"sqlite:///{folder}/ridelab.sqlite")
+        store.migrate()
+        base = Scenario().model_dump(mode="json")
+        planned = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": list(range(RUNS))}}))
+        request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
+        batch = StoredJob(
+            kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version
+        )
+        if core_version != CORE_VERSION:
+            planned.runs[:] = [{**each, "result_key": f"old-{each['position']}"} for each in planned.runs]
+        store.jobs.create(batch, planned.runs)
+        for name, value in patches.items():
+            setattr(store.job_runs, name, value(getattr(store.job_runs, name)))
+        Misbehaving.behaviour = staticmethod(behaviour)
+        driving = Scheduler(store=store, settings=Settings(data_dir=folder), steppers={})
+        driving.start()
+        try:
+            async with asyncio.timeout(60):
+                while not await ended(store, batch.id):
+                    await asyncio.sleep(0.02)
+        finally:
+            await driving.close()
+            rows = store.job_runs.rows(batch.id, -1, 1000)
+            store.close()
+        return rows
+
+    return loops.run(run)
+
+
+async def ended(store: Store, batch_id: str) -> bool:
+    with contextlib.suppress(DatabaseLockedError):
+        batch = await store.read(store.jobs.load, batch_id)
+        return batch is not None and batch.state == "done"
+    return False
+
+
+def test_every_run_is_handed_out_once(tmp_path: Path) -> None:
+    rows = drive(tmp_path, answered)
+    assert [row.status for row in rows] == ["ok"] * RUNS
+    assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
+
+
+@pytest.mark.parametrize("trouble", ["lost", "timeout", "bug"])
+def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any) -> None:
+    def poisoned(chunk: Chunk) -> ChunkOutcome:
+        return ChunkOutcome(trouble=trouble) if 17 in seeds(chunk) else answered(chunk)
+
+    rows = drive(tmp_path, poisoned)
+    assert [row.position for row in rows if row.status == "failed"] == [17]
+    assert rows[17].reason == scheduler.REASONS[trouble]
+    assert [row.status for row in rows].count("ok") == RUNS - 1
+    alone = [chunk for chunk in Misbehaving.chunks if seeds(chunk) == [17]]
+    assert len(alone) == (handout.STRIKES if trouble == "lost" else 1)
+
+
+def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> None:
+    tries = {"misfit": 0, "busy": 0}
+
+    def reluctant(chunk: Chunk) -> ChunkOutcome:
+        for trouble in ("misfit", "busy"):
+            if tries[trouble] < 5:
+                tries[trouble] += 1
+                return ChunkOutcome(trouble=trouble)  # type: ignore[arg-type]
+        return answered(chunk)
+
+    assert {row.status for row in drive(tmp_path, reluctant)} == {"ok"}
+
+
+def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs_again(tmp_path: Path) -> None:
+    broke: set[int] = set()
+
+    def breaking(chunk: Chunk) -> ChunkOutcome:
+        if Misbehaving.starts < 3 and Misbehaving.starts not in broke:
+            broke.add(Misbehaving.starts)
+            raise ConnectionError
+        return answered(chunk)
+
+    rows = drive(tmp_path, breaking)
+    assert {row.status for row in rows} == {"ok"}
+    assert Misbehaving.starts == 3
+
+
+def test_a_chunk_cut_short_is_finished_later(tmp_path: Path) -> None:
+    def short(chunk: Chunk) -> ChunkOutcome:
+        whole = answered(chunk).computed
+        assert whole is not None
+        return ChunkOutcome(computed=whole[:3])
+
+    rows = drive(tmp_path, short)
+    assert {row.status for row in rows} == {"ok"}
+    assert max(len(chunk.runs) for chunk in Misbehaving.chunks) > 3
+
+
+def test_results_wait_for_a_database_that_is_away(tmp_path: Path) -> None:
+    fails = threading.Semaphore(6)
+
+    def unreliable(save: Callable[..., None]) -> Callable[..., None]:
+        def saving(*args: Any) -> None:
+            if fails.acquire(blocking=False):
+                raise OperationalError("INSERT", {}, Exception("disk full"))
+            save(*args)
+
+        return saving
+
+    rows = drive(tmp_path, answered, save=unreliable)
+    assert {row.status for row in rows} == {"ok"}
+    handed = sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk))
+    assert handed == list(range(RUNS)), "computed once, committed when that was possible"
+
+
+def test_another_program_that_locks_the_database_stops_no_cluster(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Longer than a read or a write waits: what is computed by then is kept, and nothing is computed twice."""
+    for module in (database, sqlite):
+        monkeypatch.setattr(module, "LOCK_TIMEOUT", 0.1)
+    stranger: list[sqlite3.Connection] = []
+
+    def locked(chunk: Chunk) -> ChunkOutcome:
+        if not stranger:
+            stranger.append(sqlite3.connect(tmp_path / "ridelab.sqlite", isolation_level=None, check_same_thread=False))
+            stranger[0].execute("BEGIN EXCLUSIVE")
+            threading.Timer(0.5, stranger[0].close).start()
+        return answered(chunk)
+
+    rows = drive(tmp_path, locked)
+    assert {row.status for row in rows} == {"ok"}
+    assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
+    assert Misbehaving.starts == 1
+
+
+def test_what_another_core_version_left_is_computed_under_this_ones_keys(tmp_path: Path) -> None:
+    rows = drive(tmp_path, answered, core_version="0.0.9")
+    assert {row.status for row in rows} == {"ok"}
+    assert not any(run.key.startswith("old") for chunk in Misbehaving.chunks for run in chunk.runs)
