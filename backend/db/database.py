@@ -91,11 +91,11 @@ class Database:
             yield connection
 
     @contextlib.contextmanager
-    def writing(self) -> Iterator[Connection]:
-        """A transaction that commits at the end of its block."""
+    def writing(self, *, large: bool = False) -> Iterator[Connection]:
+        """A transaction that commits at the end of its block; a large one need not fit into memory."""
         if self._file is not None:
             self._file.check()
-        with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT) as connection:
+        with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT, large=large) as connection:
             transaction = connection.begin()
             self._open_writes += 1
             try:
@@ -147,7 +147,7 @@ class Database:
     def _migrate(self, revision: str) -> None:
         config = Config()
         config.set_main_option("script_location", "backend.db:migrations")
-        with self.writing() as connection:
+        with self.writing(large=True) as connection:
             if not self._is_sqlite:
                 connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
             self._check_origin(connection, ScriptDirectory.from_config(config))

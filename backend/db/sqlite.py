@@ -13,6 +13,7 @@ from sqlalchemy.exc import DBAPIError, OperationalError
 LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it is an error [s]
 # While a commit waits for the last reader, SQLite lets no other reader begin: it is rolled back and tried again [s].
 COMMIT_TIMEOUT = 0.1
+LARGE_CACHE = 25_000  # pages of 4 KiB that a large transaction keeps in memory; SQLite takes a multiple of 256 for 0
 APPLICATION_ID = int.from_bytes(b"Ride")  # in the file's header
 REASONS = {
     sqlite3.SQLITE_BUSY: "another program holds a lock on it",
@@ -124,14 +125,16 @@ def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:
 
 def _set_up(connection: sqlite3.Connection, _: object) -> None:
     mode = "WAL" if wal_is_safe(sqlite3.sqlite_version_info) else "DELETE"
-    # A transaction that outgrows the cache would lock readers out before it commits: it may grow.
-    for pragma in (f"journal_mode={mode}", "synchronous=FULL", "foreign_keys=ON", "cache_spill=OFF"):
+    for pragma in (f"journal_mode={mode}", "synchronous=FULL", "foreign_keys=ON"):
         connection.execute(f"PRAGMA {pragma}").close()
 
 
 def _begin(connection: Connection) -> None:
     """A writer takes its lock at once: one that upgrades a read lock may fail without waiting."""
-    lock_timeout: float | None = connection.get_execution_options().get("lock_timeout")
+    options = connection.get_execution_options()
+    lock_timeout: float | None = options.get("lock_timeout")
+    # A transaction that outgrows the cache would lock readers out before it commits: only a migration's does.
+    connection.exec_driver_sql(f"PRAGMA cache_spill={LARGE_CACHE if options.get('large') else 'OFF'}")
     connection.exec_driver_sql(
         f"PRAGMA busy_timeout={1000 * (LOCK_TIMEOUT if lock_timeout is None else lock_timeout):.0f}"
     )
