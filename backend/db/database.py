@@ -159,6 +159,10 @@ class Database:
         stored = MigrationContext.configure(connection).get_current_revision()
         if stored is None and self._is_sqlite and inspect(connection).get_table_names():
             raise UnusableDatabaseError(f"{self._name} is another program's database")
+        if stored is not None and stored < min(known):
+            raise UnusableDatabaseError(
+                f"{self._name} is of a version of Ridelab before 0.2.0 (schema {stored}): start 0.2.0 on it once"
+            )
         if stored is not None and stored not in known:
             raise UnusableDatabaseError(
                 f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {max(known)}): "

@@ -176,6 +176,10 @@ def newer(path: Path) -> None:
     changed(path, "UPDATE alembic_version SET version_num = '9999'")
 
 
+def older(path: Path) -> None:
+    changed(path, "UPDATE alembic_version SET version_num = '0003'")
+
+
 def strange(path: Path) -> None:
     path.unlink()
     changed(path, "CREATE TABLE bookmarks (id INTEGER)")
@@ -193,11 +197,12 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
         (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0006)"),
+        (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
         (lambda path: (path.unlink(), path.symlink_to("/dev/null/ridelab.sqlite")), "Not a directory"),
     ],
-    ids=["other", "empty", "damaged", "newer", "strange", "folder", "nowhere"],
+    ids=["other", "empty", "damaged", "newer", "older", "strange", "folder", "nowhere"],
 )
 def test_a_start_says_what_is_wrong_with_the_database(path: Path, spoil: Callable[[Path], None], reason: str) -> None:
     spoil(path)
