@@ -63,7 +63,6 @@ _LIST = (
     ),
     _kind("done", 409, "Done", "Nothing is left to do; a tuning goes on with a greater number of trials."),
     _kind("not-deletable", 409, "Not deletable", "It has not ended, or a link shows it."),
-    _kind("other-owner", 403, "Other owner", "It belongs to another token; only its owner may do this."),
     _kind(
         "other-core-version",
         410,

@@ -2,11 +2,11 @@
 
 import hashlib
 from collections.abc import AsyncIterator, Mapping, Sequence
-from datetime import datetime
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from backend import digest
-from backend.errors import BusyError, ConflictError, ForbiddenError, InvalidError, NotFoundError
+from backend.errors import BusyError, ConflictError, ForbiddenError, NotFoundError
 from backend.http.admission import Admission
 from backend.jobs.events import server_sent
 from backend.settings import Settings
@@ -14,6 +14,8 @@ from backend.store import Store, StoredJob
 from backend.store.jobs import UNFINISHED, Kind, State
 
 RETRY_AFTER = 30
+CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last job of a page was created, and its id
+EPOCH, MICROSECOND = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
 WORDS: Mapping[Kind, str] = {"sweep": "batch", "tuning": "tuning", "reproduction": "reproduction"}  # users' words
 PLURALS: Mapping[Kind, str] = {"sweep": "batches", "tuning": "tunings", "reproduction": "reproductions"}
 
@@ -75,17 +77,13 @@ class Jobs:
     async def page(
         self, *, limit: int, cursor: str | None, state: State | None, label: str | None
     ) -> tuple[list[StoredJob], str | None]:
-        """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one).
-
-        Raises:
-            InvalidError: The cursor is none that was given out.
-        """
+        """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
         before = None if cursor is None else _place(cursor)
         found = await self._store.read(
             self._store.jobs.page, self._kind, limit + 1, before=before, state=state, label=label
         )
         more, shown = len(found) > limit, found[:limit]
-        return shown, f"{shown[-1].created_at.isoformat()}_{shown[-1].id}" if more else None
+        return shown, _cursor(shown[-1]) if more else None
 
     async def position(self, job: StoredJob) -> int:
         """How many runs of jobs that were accepted before it wait; 0 for one that has ended."""
@@ -170,9 +168,10 @@ def _same(job: StoredJob, hashed: str) -> StoredJob:
     return job
 
 
+def _cursor(job: StoredJob) -> str:
+    return f"{(job.created_at - EPOCH) // MICROSECOND:016}_{job.id}"
+
+
 def _place(cursor: str) -> tuple[datetime, str]:
     time, _, job_id = cursor.partition("_")
-    try:
-        return datetime.fromisoformat(time), job_id
-    except ValueError:
-        raise InvalidError("This cursor was not given out by this service", parameter="cursor") from None
+    return EPOCH + int(time) * MICROSECOND, job_id

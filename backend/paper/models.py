@@ -327,4 +327,5 @@ _CHOICES: dict[str, Any] = {
     )
     for reading in READINGS.values()
 }
+ReportQuery = create_model("ReportQuery", __base__=_Query, **_CHOICES)
 PaperQuery = create_model("PaperQuery", __base__=_PartialQuery, **_CHOICES)

@@ -22,7 +22,7 @@ from backend.jobs.sweep.models import (
 from backend.jobs.sweep.service import Sweeps
 from backend.models import Problem
 from backend.routes import jobs, router
-from backend.routes.deps import IMMUTABLE, Client, json_answer, unless_gone
+from backend.routes.deps import IMMUTABLE, Client, cancel_on_disconnect, json_answer
 from backend.routes.runs import MEDIA_TYPES
 from backend.store.jobs import FINAL
 from sim_core.catalogue import METRICS, NUMBERS
@@ -69,9 +69,9 @@ async def create_batch(
     """Submit a sweep; 202 comes after the commit: what was accepted completes, whatever crashes."""
     asked = (body.scenario, body.strategies, body.sweep)
     if body.dry_run:
-        return json_answer(await unless_gone(request, service.estimate(*asked, client)))
+        return json_answer(await cancel_on_disconnect(request, service.estimate(*asked, client)))
     creating = service.create(*asked, client=client, key=idempotency_key, label=body.label, owner=owner)
-    job = await unless_gone(request, creating)
+    job = await cancel_on_disconnect(request, creating)
     return jobs.accepted(await service.answer(job), "batches", job)
 
 
@@ -135,7 +135,7 @@ async def get_batch_summary(
     Over the runs that have finished. The worst place of a figure is its `highest`.
     """
     names = _figures(figures, NUMBERS) or list(robustness.FIGURES)
-    return json_answer(await unless_gone(request, service.summary(job_id, names, baseline, client)))
+    return json_answer(await cancel_on_disconnect(request, service.summary(job_id, names, baseline, client)))
 
 
 @batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=RobustnessDefaults)

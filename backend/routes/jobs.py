@@ -9,7 +9,7 @@ from pydantic import BaseModel
 
 from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
-from backend.jobs.service import Jobs
+from backend.jobs.service import CURSOR, Jobs
 from backend.models import Problem
 from backend.routes.deps import Client, json_answer
 from backend.store import StoredJob
@@ -81,7 +81,7 @@ def add_routes(
     async def page(
         service: Service,
         limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
-        cursor: Annotated[str | None, Query(max_length=100, description="`next` of the page before")] = None,
+        cursor: Annotated[str | None, Query(pattern=CURSOR, description="`next` of the page before")] = None,
         state: Annotated[State | None, Query(description="Only those in that state")] = None,
         label: Annotated[str | None, Query(max_length=200, description="Only those with that label")] = None,
     ) -> Response:
@@ -93,7 +93,9 @@ def add_routes(
         """As it stands; the events tell of changes."""
         return json_answer(await service.answer(await service.jobs.get(job_id)))
 
-    @naming.patch(f"/{plural}/{{id}}", operation_id=f"label{title}", response_model=model)
+    @naming.patch(
+        f"/{plural}/{{id}}", operation_id=f"label{title}", response_model=model, responses={404: {"model": Problem}}
+    )
     async def set_label(job_id: JobId, body: LabelRequest, service: Service) -> Response:
         """Name it, or take its name away."""
         return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label)))

@@ -20,6 +20,7 @@ async def _paper(request: Request) -> Paper:
 
 PaperService = Annotated[Paper, Depends(_paper)]
 Chosen: Any = Annotated[models.PaperQuery, Query()]
+ForReport: Any = Annotated[models.ReportQuery, Query()]
 Roads = Annotated[models.RoadsQuery, Query()]
 
 
@@ -54,7 +55,7 @@ async def get_figures(query: Roads, request: Request, service: PaperService, cli
     response_class=HTMLResponse,
     responses={200: {"content": {"text/html": {}}}},
 )
-async def get_report(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
+async def get_report(query: ForReport, request: Request, service: PaperService, client: Client) -> Response:
     """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
     work = service.report(query.chosen(), query.roads, client, compressed=takes_gzip(request))
     report = await cancel_on_disconnect(request, work)

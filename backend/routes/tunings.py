@@ -6,11 +6,12 @@ from fastapi import Depends, Query, Request, Response
 
 from backend.http.routing import ScenarioRoute
 from backend.http.tokens import Caller
-from backend.jobs.tuning.models import MOST_TRIALS, Trials, Tuning, TuningEstimate, TuningRequest, Tunings
+from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
+from backend.jobs.tuning.models import MOST_TRIALS, TuningRequest
 from backend.jobs.tuning.service import TuningService
 from backend.models import Problem
 from backend.routes import jobs, router
-from backend.routes.deps import Client, json_answer, unless_gone
+from backend.routes.deps import Client, cancel_on_disconnect, json_answer
 
 beginning = router("tunings", 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 naming = router("tunings", 400, 404, 413, 415, 422, 503)
@@ -54,7 +55,7 @@ async def create_tuning(
 ) -> Response:
     """Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes."""
     if body.dry_run:
-        return json_answer(await unless_gone(request, service.estimate(body, client)))
+        return json_answer(await cancel_on_disconnect(request, service.estimate(body, client)))
     job = await service.create(body, idempotency_key, owner)
     return jobs.accepted(await service.answer(job), "tunings", job)
 

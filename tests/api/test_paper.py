@@ -236,7 +236,7 @@ def test_what_nobody_waits_for_any_more_is_called_off(service: Service, monkeypa
     with socket.create_connection((service.client.base_url.host, service.client.base_url.port)) as connection:
         connection.sendall(f"GET {PAPER}?seeds=100&force_limit=10 HTTP/1.1\r\nHost: x\r\n\r\n".encode())
         wait_until(lambda: reproductions(service) > 0, "it is under way", 10)
-    wait_until(lambda: reproductions(service) == 0, "it is called off", 10)
+    wait_until(lambda: reproductions(service) == 0, "it is called off", 30)
 
 
 def reproductions(service: Service) -> int:

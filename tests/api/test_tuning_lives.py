@@ -14,7 +14,7 @@ from backend.analysis.measure import Failure
 from backend.db.tables import jobs
 from backend.errors import BusyError, CostLimitError, WorkersBusyError
 from backend.jobs import scheduler
-from backend.jobs.tuning import models, steps
+from backend.jobs.tuning import answers, steps
 from tests.api.tuning import REQUEST, SCENARIO, begin, events, get, trials, wait_for
 
 HARD = {
@@ -182,7 +182,7 @@ def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client
     answer = client.post("/api/v1/tunings", json={**REQUEST, "dry_run": True})
     assert answer.status_code == 200
     found = answer.json()
-    TypeAdapter(models.TuningEstimate).validate_python(found)
+    TypeAdapter(answers.TuningEstimate).validate_python(found)
     # 24 sets on two roads, at most five compared on four fresh ones, and the passive car on all six.
     assert (found["runs"], found["generations"]) == (24 * 2 + 5 * 4 + 6, 3)
     assert 0 < found["estimated_seconds"] < math.inf

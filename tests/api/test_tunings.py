@@ -10,7 +10,7 @@ import pytest
 from pydantic import TypeAdapter
 from scipy import stats
 
-from backend.jobs.tuning import models
+from backend.jobs.tuning import answers
 from tests.api.tuning import FRESH, SCENARIO, SEEDS, begin, events, get, trials, wait_for
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
@@ -54,10 +54,10 @@ def tuning(client: httpx.Client) -> dict[str, Any]:
 
 def test_answers_have_their_models_shape(client: httpx.Client, tuning: dict[str, Any]) -> None:
     for model, found in (
-        (models.Tuning, tuning),
-        (models.Tuning, begin(client, "the-one-read")),
-        (models.Tunings, client.get("/api/v1/tunings").json()),
-        (models.Trials, get(client, tuning["id"], "/trials")),
+        (answers.Tuning, tuning),
+        (answers.Tuning, begin(client, "the-one-read")),
+        (answers.Tunings, client.get("/api/v1/tunings").json()),
+        (answers.Trials, get(client, tuning["id"], "/trials")),
     ):
         shaped = TypeAdapter(model).validate_json(json.dumps(found))
         assert set(found) == set(model.model_fields), "nothing more, nothing less"

@@ -2,15 +2,13 @@
 
 import copy
 import json
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import STEPS, NewerScenarioError, restored, upgraded
-
-FIXTURES = Path(__file__).parents[1] / "data" / "links"
+from tests.data import release
 
 
 def renamed(scenario: dict[str, Any]) -> dict[str, Any]:
@@ -50,16 +48,12 @@ def test_a_newer_version_is_refused_and_named(newer: int) -> None:
         upgraded({}, newer)
 
 
-def test_there_is_a_step_and_a_fixture_for_every_version() -> None:
+def test_there_is_a_step_for_every_version() -> None:
     assert set(STEPS) == set(range(1, SCHEMA_VERSION))
-    assert {path.stem for path in FIXTURES.glob("schema-*.json")} == {
-        f"schema-{version}" for version in range(1, SCHEMA_VERSION + 1)
-    }
 
 
-@pytest.mark.parametrize("path", sorted(FIXTURES.glob("schema-*.json")), ids=lambda path: path.stem)
-def test_scenarios_of_every_version_are_valid_today(path: Path) -> None:
-    runs = json.loads(path.read_text())["runs"]
+def test_scenarios_of_release_0_2_0_are_valid_today() -> None:
+    runs = release.content()["tables"]["runs"]
     assert runs
     for run in runs:
         restored(json.loads(run["scenario"]), run["schema_version"])

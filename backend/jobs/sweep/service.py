@@ -144,11 +144,7 @@ class Sweeps:
         return Batch.of(job, await self.jobs.position(job))
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Batches:
-        """The newest batches, without their sweeps.
-
-        Raises:
-            InvalidError: The cursor is none that was given out.
-        """
+        """The newest batches, without their sweeps."""
         jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
         positions = await self.jobs.positions(jobs)
         return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)

@@ -12,7 +12,8 @@ from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
 from backend.jobs.sweep.sweeps import Sweep
-from backend.jobs.tuning.models import Trial, Trials, Tuning, TuningEstimate, TuningItem, TuningRequest, Tunings
+from backend.jobs.tuning.answers import Trial, Trials, Tuning, TuningEstimate, TuningItem, Tunings
+from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights
 from backend.jobs.tuning.steps import first_progress
 from backend.settings import Settings
@@ -88,11 +89,7 @@ class TuningService:
         return await asyncio.to_thread(Tuning.whole, job, trials, history)
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Tunings:
-        """The newest tunings.
-
-        Raises:
-            InvalidError: The cursor is none that was given out.
-        """
+        """The newest tunings."""
         jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
         return Tunings(tunings=[TuningItem.of(job) for job in jobs], next=after)
 

@@ -1,0 +1,250 @@
+"""The shapes of what is answered of tunings, made from what is stored."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from datetime import datetime
+from typing import Any, Literal, Self
+
+from pydantic import Field
+
+from backend.analysis import front
+from backend.analysis.objectives import objective_label, objective_unit
+from backend.jobs.tuning.space import first_weights
+from backend.models import Answer
+from backend.store import StoredJob
+from backend.store.jobs import State
+from backend.store.trials import StoredTrial
+from sim_core.catalogue import METRICS
+
+
+class ObjectiveAnswer(Answer):
+    """An objective with its name; `window` is never null for `paper` and `peaks`."""
+
+    kind: Literal["paper", "peaks", "figure"]
+    q: list[float]
+    window: str | None
+    figure: str | None
+    label: str
+    unit: str
+
+
+class LimitAnswer(Answer):
+    """A limit with its name."""
+
+    figure: str
+    at_most: float
+    label: str
+    unit: str
+
+
+class Trial(Answer):
+    """A set of weights and what it gave on the training roads."""
+
+    number: int
+    generation: int
+    weights: dict[str, float | list[float]] = Field(
+        description="The strategy's weights by dotted name, to be put into the scenario as they are"
+    )
+    status: Literal["ok", "failed"]
+    reason: str | None = Field(description="Of a failed one")
+    feasible: bool = Field(description="Within every limit on every training road; failed ones are not")
+    values: list[float] | None = Field(description="An objective each: means over the training roads")
+    limits: list[float] | None = Field(description="A limit each: the largest over the training roads")
+
+    @classmethod
+    def of(cls, trial: StoredTrial) -> Self:
+        """A stored trial."""
+        return cls(**asdict(trial))
+
+
+class Generation(Answer):
+    """How far the search was after a generation."""
+
+    generation: int
+    trials: int = Field(description="So far")
+    feasible: int = Field(description="So far")
+    best: list[float | None] = Field(description="Smallest feasible value of each objective so far")
+    hypervolume: float | None = Field(
+        description="Share of the box between zero and the paper's weights' values that the front dominates: with one "
+        "objective how much smaller it got; null where the paper's value of an objective is zero or missing"
+    )
+
+    @classmethod
+    def of(cls, told: Mapping[str, Any]) -> Self:
+        """From what its event told, which counts the generations that are complete."""
+        return cls(
+            generation=told["generation"] - 1,
+            trials=told["done"] + told["failed"],
+            feasible=told["feasible"],
+            best=told["best"],
+            hypervolume=told["hypervolume"],
+        )
+
+
+class TunedChange(Answer):
+    """Change of a mean against the paper's weights, paired by road, with its 95 % interval [%]."""
+
+    value: float
+    low: float | None = Field(description="Null on one road")
+    high: float | None
+
+
+class TunedFigures(Answer):
+    """One figure of one set of weights over some roads."""
+
+    mean: float
+    worst: float = Field(description="The largest over the roads")
+    change: TunedChange | None = Field(description="Null for the paper's weights themselves and against zero")
+
+
+class ComparedFigure(Answer):
+    """A column of the comparison."""
+
+    key: str = Field(description="objectives.0, limits.0, or a figure's name")
+    label: str
+    unit: str
+
+
+class ComparedPoint(Answer):
+    """One set of weights beside the paper's."""
+
+    trial: int
+    roles: list[str] = Field(description="paper, scenario, best.0 (of the first objective), knee")
+    weights: dict[str, float | list[float]]
+    training: dict[str, TunedFigures] = Field(description="By the figures' keys, over the training roads")
+    fresh: dict[str, TunedFigures] = Field(description="The same over the fresh roads")
+    verdict: list[Literal["better", "worse", "unclear"]] | None = Field(
+        description="An objective each, on the fresh roads against the paper's weights: whether the interval of the "
+        "change lies below zero, above it, or holds it; null for the paper's own"
+    )
+    failures: list[str] = Field(description="Roads it could not be run on; the figures leave them out")
+
+
+class Comparison(Answer):
+    """The paper's weights and the tuned ones over the training roads and over fresh ones."""
+
+    batch: str = Field(description="Whose rows these figures are made of")
+    figures: list[ComparedFigure]
+    points: list[ComparedPoint] = Field(description="The paper's weights first")
+
+
+class TrialCounts(Answer):
+    """Trials."""
+
+    total: int
+    done: int
+    failed: int
+    feasible: int
+
+
+class TuningItem(Answer):
+    """A tuning in a list."""
+
+    id: str
+    state: State
+    reason: str | None = Field(description="Why it failed")
+    step: Literal["search", "comparison"] = Field(description="What it does, or did last")
+    label: str | None
+    position: int = Field(description="Runs waiting before it: 0, its batches have positions of their own")
+    strategy: str
+    objectives: list[ObjectiveAnswer]
+    limits: list[LimitAnswer]
+    search: dict[str, list[float]]
+    seeds: list[int]
+    fresh_seeds: list[int]
+    population: int
+    seed: int
+    trials: TrialCounts
+    generation: int = Field(description="Generations that are complete")
+    batch: str | None = Field(description="The batch it waits for, or waited for last")
+    core_version: str
+    estimated_cost: float = Field(description="Estimate [s of one core]")
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+
+    @classmethod
+    def of(cls, job: StoredJob) -> Self:
+        """A stored tuning."""
+        return cls(**cls._fields(job))
+
+    @staticmethod
+    def _fields(job: StoredJob) -> dict[str, Any]:
+        request, progress = job.request, job.progress
+        times = ("created_at", "started_at", "finished_at")
+        same = ("id", "state", "reason", "label", "core_version", "estimated_cost", *times)
+        asked = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
+        return {
+            **{name: getattr(job, name) for name in same},
+            **{name: request[name] for name in asked},
+            "position": 0,
+            "step": progress["step"],
+            "generation": progress["generation"],
+            "batch": progress["batch"],
+            "objectives": [
+                {**each, "label": objective_label(each), "unit": objective_unit(each)} for each in request["objectives"]
+            ],
+            "limits": [
+                {**each, "label": METRICS[each["figure"]].label, "unit": METRICS[each["figure"]].unit}
+                for each in request["limits"]
+            ],
+            "trials": TrialCounts(total=job.total, done=job.done, failed=job.failed, feasible=progress["feasible"]),
+        }
+
+
+class Tuning(TuningItem):
+    """A tuning as it stands."""
+
+    scenario: dict[str, Any]
+    paper: Trial | None = Field(description="The paper's weights; null until the first generation is complete")
+    own: Trial | None = Field(description="The scenario's own weights where they are not the paper's")
+    best: list[Trial | None] = Field(description="An objective each: the feasible trial with its smallest value")
+    knee: Trial | None = Field(description="Of several objectives: the point of the front nearest to its ideal corner")
+    front: list[Trial] = Field(description="Feasible trials that no other one betters, by the first objective")
+    history: list[Generation]
+    comparison: Comparison | None
+
+    @classmethod
+    def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[Mapping[str, Any]]) -> Self:
+        """A stored tuning with its trials and what the events of its generations told."""
+        request = job.request
+        own = len(first_weights(request["scenario"], request["strategy"], request["search"])) > 1
+        members = front.front(trials)
+        return cls(
+            **cls._fields(job),
+            scenario=request["scenario"],
+            paper=_trial(trials[0] if trials else None),
+            own=_trial(trials[1] if own and len(trials) > 1 else None),
+            best=[_trial(front.best(trials, index)) for index in range(len(request["objectives"]))],
+            knee=_trial(front.knee(members)),
+            front=[Trial.of(each) for each in members],
+            history=[Generation.of(told) for told in history],
+            comparison=None if job.answer is None else Comparison.model_validate(job.answer),
+        )
+
+
+def _trial(trial: StoredTrial | None) -> Trial | None:
+    return None if trial is None else Trial.of(trial)
+
+
+class Tunings(Answer):
+    """The newest first."""
+
+    tunings: list[TuningItem]
+    next: str | None = Field(description="Cursor of the next page; null on the last one")
+
+
+class Trials(Answer):
+    """Every trial, in order."""
+
+    tuning: str
+    trials: list[Trial]
+
+
+class TuningEstimate(Answer):
+    """What a tuning would be."""
+
+    runs: int = Field(description="Of the search and the comparison, the passive car's included")
+    generations: int
+    estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
+    estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
