@@ -38,7 +38,6 @@ HEADERS: dict[str, dict[str, Any]] = {
 OF_STATUS = {
     "201": ["Location"],
     "202": ["Location"],
-    "204": ["Set-Cookie"],
     "304": ["ETag"],
     "401": ["WWW-Authenticate"],
     "429": ["Retry-After"],
@@ -66,12 +65,21 @@ EXAMPLES: dict[str, dict[str, Any]] = {  # of bodies, by their schema
     },
     "LinkRequest": {"run_id": "AAAAAAAAAAAAAAAAAAAAAA", "view": {"baseline": "passive", "axis": "time"}},
     "ControllerRequest": {"scenario": SCENARIO},
+    "LabelRequest": {"label": "winter"},
     "LoginRequest": {"token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"},
 }
 LINKS = {  # operations that take the id, by the operation that answers with it
     "createRun": ("200", "$response.body#/id", ["getRun", "getRunFigures", "getRunReport"]),
-    "createBatch": ("202", "$response.body#/id", ["getBatch", "cancelBatch", "getBatchResults", "getBatchTable"]),
-    "createTuning": ("202", "$response.body#/id", ["getTuning", "cancelTuning", "getTuningTrials"]),
+    "createBatch": (
+        "202",
+        "$response.body#/id",
+        ["getBatch", "labelBatch", "cancelBatch", "resumeBatch", "deleteBatch", "getBatchResults", "getBatchTable"],
+    ),
+    "createTuning": (
+        "202",
+        "$response.body#/id",
+        ["getTuning", "labelTuning", "cancelTuning", "resumeTuning", "deleteTuning", "getTuningTrials"],
+    ),
     "createLink": ("201", "$response.body#/slug", ["getLink"]),
 }
 
@@ -121,6 +129,8 @@ def _describe_answers(operation: dict[str, Any]) -> None:
         elif answer.get("description") == "Successful Response":
             answer["description"] = operation["description"].partition("\n")[0]
         names = [HEADER, *OF_STATUS.get(status, [])]
+        if status == "204" and "login" in operation["tags"]:
+            names.append("Set-Cookie")
         if status == "200" and "304" in answers:
             names.append("ETag")
         if status == "200" and any(media_type.partition(";")[0] in FILES for media_type in content):

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.batches import sweeps
+from backend.jobs.sweep import sweeps
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.api.streams import told
@@ -301,6 +301,64 @@ def test_unknown_batches_are_404_and_lists_are_newest_first(client: httpx.Client
     assert {name: value for name, value in batch.items() if name != "sweep"} in newest
     assert [each["created_at"] for each in newest] == sorted((each["created_at"] for each in newest), reverse=True)
     assert len(client.get("/api/v1/batches", params={"limit": 1}).json()["batches"]) == 1
+
+
+def test_a_batch_is_named_found_by_its_name_and_deleted(client: httpx.Client) -> None:
+    body = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 77}]}, "label": "winter tyres"}
+    batch = wait_for(client, client.post("/api/v1/batches", json=body).json()["id"])
+    path = f"/api/v1/batches/{batch['id']}"
+    assert (batch["label"], batch["position"]) == ("winter tyres", 0)
+    assert client.patch(path, json={"label": "summer tyres"}).json()["label"] == "summer tyres"
+    page = client.get("/api/v1/batches", params={"label": "summer tyres", "state": "done"}).json()
+    assert ([each["id"] for each in page["batches"]], page["next"]) == ([batch["id"]], None)
+    assert client.patch(path, json={"label": None}).json()["label"] is None
+    assert client.patch(path, json={"label": ""}).json()["errors"][0]["pointer"] == "/label"
+    assert client.delete(path).status_code == 204
+    assert client.delete(path).status_code == client.get(path).status_code == 404
+
+
+def test_pages_follow_each_other_by_their_cursors(client: httpx.Client) -> None:
+    everything = client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]
+    seen: list[dict[str, Any]] = []
+    parameters: dict[str, Any] = {"limit": 3}
+    while True:
+        page = client.get("/api/v1/batches", params=parameters).json()
+        seen += page["batches"]
+        if page["next"] is None:
+            break
+        parameters["cursor"] = page["next"]
+    assert seen == everything
+    refused = client.get("/api/v1/batches", params={"cursor": "yesterday"}).json()
+    assert refused["errors"][0]["parameter"] == "cursor"
+
+
+def test_a_cancelled_batch_goes_on_and_its_key_begins_a_new_one(client: httpx.Client) -> None:
+    body = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 5000 + seed} for seed in range(300)]}}
+    key = {"Idempotency-Key": "begun-anew"}
+    first = client.post("/api/v1/batches", json=body, headers=key).json()
+    path = f"/api/v1/batches/{first['id']}"
+    assert client.delete(path).json()["type"].endswith(":not-deletable")
+    assert client.post(f"{path}/cancel").json()["state"] == "cancelled"
+    second = client.post("/api/v1/batches", json=body, headers=key).json()
+    assert second["id"] != first["id"]
+    assert client.post("/api/v1/batches", json=body, headers=key).json()["id"] == second["id"]
+    assert client.post(f"{path}/resume").json()["state"] in ("queued", "running", "done")
+    ended = wait_for(client, first["id"])
+    assert (ended["state"], ended["done"]) == ("done", 300)
+    assert client.post(f"{path}/resume").json()["type"].endswith(":done")
+
+
+def test_a_small_batch_does_not_wait_for_a_large_one(client: httpx.Client) -> None:
+    """They take turns, and `position` says what was there before."""
+    many = [{"road.seed": 10_000 + seed, "road.length": 300} for seed in range(2500)]
+    large = client.post("/api/v1/batches", json={"strategies": ["lv"], "sweep": {"list": many}}).json()
+    few = [{"road.seed": 20_000 + seed} for seed in range(4)]
+    small = client.post("/api/v1/batches", json={"strategies": ["lv"], "sweep": {"list": few}}).json()
+    assert 2400 < small["position"] <= 2500
+    assert wait_for(client, small["id"])["done"] == 4
+    now = client.post(f"/api/v1/batches/{large['id']}/cancel").json()
+    assert now["state"] == "cancelled", "it was far from its end"
+    assert now["done"] < 1250
 
 
 @given(st.data())

@@ -150,7 +150,8 @@ def test_every_body_has_an_example_that_is_taken(
             example = {**example, "dry_run": True}
         elif name == "LinkRequest":
             example = {**example, "run_id": run["id"]}
-        if path not in ("/api/v1/login", "/api/v1/controller/report", "/api/v1/controller/realtime"):  # one takes 10 s
+        untried = ("/api/v1/login", "/api/v1/controller/report", "/api/v1/controller/realtime")  # one takes 10 s
+        if path not in untried and name != "LabelRequest":  # of a job, which tests/api/test_batches.py has
             assert client.post(path, json=example).is_success, path
 
 
@@ -169,7 +170,7 @@ def test_headers_tags_links_and_names_are_described(description: dict[str, Any])
             assert set(link["parameters"]) <= taken
     assert all(header["description"] for header in description["components"]["headers"].values())
     schemas = description["components"]["schemas"]
-    for name in ("Batch", "Tuning", "TuningSummary"):
+    for name in ("Batch", "Tuning", "TuningItem"):
         assert "queued" in schemas[name]["properties"]["state"]["enum"]
     assert schemas["BatchRow"]["properties"]["strategy"]["enum"] == list(STRATEGIES)
     assert all(parameter["description"] for each in operations.values() for parameter in each.get("parameters", ()))

@@ -79,7 +79,8 @@ class Topology:
     def _start(self, service: str, number: int = 1) -> Program:
         content = COMPOSE["services"][service]
         words = [self._here(word) for word in content.get("command", self._image_command())]
-        environment = {name: self._here(value) for name, value in content["environment"].items()}
+        set_here = {name: value for name, value in content["environment"].items() if value is not None}  # else by .env
+        environment = {name: self._here(value) for name, value in set_here.items()}
         words[0] = sys.executable
         if words[2] == "dask":
             words.append("--host=127.0.0.1")  # a container's network is its own, this machine's is not

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from backend.batches import work
+from backend.jobs import work
 from backend.jobs.chunk import WaitingRun
 from backend.jobs.sweep.plan import plan
 from backend.jobs.sweep.sweeps import Sweep, SweepError, points
@@ -50,7 +50,7 @@ def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: 
 
     monkeypatch.setattr(work, "simulate", refuse)
     (run,) = work.run_chunk(BASE, 1, waiting(0.05), 60)
-    assert (run.status, run.lasting) == ("failed", True)
+    assert (run.status, run.cacheable) == ("failed", True)
     assert json.loads(run.summary) == {
         "reason": "Too many steps; change road.length",
         "kind": "too-expensive",
