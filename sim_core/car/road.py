@@ -156,10 +156,11 @@ def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, 
     """
     count = grid_samples(length)
     keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
-    noise = np.random.default_rng(seed).standard_normal(count)
-    noise[1:] *= sqrt(1 - keep**2)
     fade, grow = _fade(keep, count)
-    samples: FloatArray = (noise * grow).cumsum()  # each sample is `keep` of the one before, and its noise
+    samples = np.random.default_rng(seed).standard_normal(count)
+    samples[1:] *= sqrt(1 - keep**2)
+    samples *= grow
+    samples.cumsum(out=samples)  # each sample is `keep` of the one before, and its noise
     samples *= fade
     samples *= stationary_deviation(roughness)
     rise = samples[1:] - samples[:-1]

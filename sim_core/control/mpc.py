@@ -23,7 +23,7 @@ from sim_core.scenario import Mpc, Vehicle
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm
 _BOUND_MARGIN = 0.99  # of a limit; the bound is in single precision, whose rounding is 1e-6 of the terms added
-_MIN_BOUND_STEPS = 17  # for fewer steps the bound costs more than the checks
+_MIN_BOUND_STEPS = 128  # so few cross the bump or follow a limit: most are near one, and the bound rules few out
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
