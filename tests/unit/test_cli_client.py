@@ -21,9 +21,10 @@ from ridelab import (
     RidelabAPIError,
     RidelabConnectionError,
 )
+from ridelab.cli import app
 from ridelab.cli.following import followed
 from ridelab.cli.service import Services
-from ridelab.files import format_of, save
+from ridelab.files import save
 from ridelab.http import LONGEST_WAIT, Http, plain, retry_after
 from ridelab.streams import json_rows, server_sent
 from sim_core.scenario import Bump, Road, Scenario
@@ -225,14 +226,6 @@ def test_a_file_is_whole_or_not_touched(tmp_path: Path) -> None:
     assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "plain"}
 
 
-def test_a_files_format_is_its_names_end_or_the_one_named() -> None:
-    assert format_of("a/b.CSV") == "csv"
-    assert format_of("b.csv", "parquet") == "parquet"
-    for bad in (("b.xls", None), ("b", None), ("b.csv", "xls")):
-        with pytest.raises(ValueError, match="json, csv or parquet"):
-            format_of(*bad)
-
-
 Handler = Callable[[httpx.Request], httpx.Response]
 
 
@@ -349,32 +342,39 @@ def test_rows_that_ctrl_c_cannot_save_are_had_with_the_command_that_is_told(
     assert last == f"For what is finished: ridelab export {'b' * 22} --wait {told}"
 
 
-def test_jobs_are_listed_over_pages_named_and_removed() -> None:
+def test_jobs_are_listed_over_pages_labelled_resumed_and_removed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     asked: list[str] = []
+    job = {**batch_answer("done", 4), "created_at": "2026-01-02T03:04:05"}
 
     def handler(request: httpx.Request) -> httpx.Response:
-        asked.append(
-            f"{request.method} {request.url.raw_path.decode().removeprefix('/api/v1')} {request.content.decode()}"
-        )
-        if request.method == "DELETE":
-            return httpx.Response(204)
-        if request.method == "PATCH":
-            return httpx.Response(200, json={**batch_answer("done"), "label": "heights", "position": 3})
-        page = {"batches": [batch_answer("done")] * 2, "next": None if "cursor" in str(request.url) else "c1"}
-        return httpx.Response(200, json=page)
+        path = request.url.raw_path.decode().removeprefix("/api/v1").replace("b" * 22, "ID")
+        asked.append(f"{request.method} {path} {request.content.decode()}".rstrip())
+        if path.startswith("/tunings?"):
+            return httpx.Response(200, json={"tunings": [], "next": None})
+        if path.startswith("/batches?"):
+            return httpx.Response(200, json={"batches": [job] * 2, "next": None if "cursor" in path else "c1"})
+        return httpx.Response(204 if request.method == "DELETE" else 200, json={**job, "label": "heights"})
 
     with patient(handler) as ridelab:
-        found = ridelab.batches(state="done", limit=3)
-        assert len(found) == 3
-        assert found[0].rename("heights") is found[0]
-        assert (found[0].label, found[0].position) == ("heights", 3)
-        assert repr(found[0]) == f"Batch({'b' * 22} 'heights': done, 0 done, 0 failed of 4)"
-        found[0].delete()
-    assert asked == [
-        "GET /batches?limit=3&state=done ",
-        "GET /batches?limit=1&cursor=c1&state=done ",
-        f'PATCH /batches/{"b" * 22} {{"label": "heights"}}',
-        f"DELETE /batches/{'b' * 22} ",
+        monkeypatch.setattr(Services, "at", lambda *_: ridelab)
+        for words in ("list --state done --limit 3", f"label {'b' * 22} heights", f"resume {'b' * 22}"):
+            assert app.run(["jobs", *words.split(), "--server", "http://ridelab.test"]) == 0
+        assert app.run(["jobs", "delete", "b" * 22]) == 0
+        named = ridelab.get_batch("b" * 22)
+        assert repr(named) == f"Batch({'b' * 22} 'heights': done, 4 done, 0 failed of 4)"
+    assert capsys.readouterr().out.count(f"batch  {'b' * 22}  done") == 3
+    assert asked[:4] == [
+        "GET /batches?limit=3&state=done",
+        "GET /batches?limit=1&cursor=c1&state=done",
+        "GET /tunings?limit=3&state=done",
+        "GET /batches/ID",
+    ]
+    assert [each for each in asked[4:] if not each.startswith("GET")] == [
+        'PATCH /batches/ID {"label": "heights"}',
+        "POST /batches/ID/resume",
+        "DELETE /batches/ID",
     ]
 
 
