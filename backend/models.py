@@ -10,7 +10,6 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInf
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
-from backend.http.kinds import KINDS, TYPES
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
@@ -305,42 +304,3 @@ class Readiness(Answer):
     status: Literal["ready", "starting"]
     store: bool
     workers: bool
-
-
-class ProblemPlace(BaseModel):
-    """One value that cannot be used: a JSON pointer into the body, or a query parameter's name."""
-
-    message: str
-    pointer: str
-    parameter: str | None = None
-
-
-class Problem(Answer):
-    """RFC 9457; docs/api.md lists the kinds."""
-
-    model_config = ConfigDict(
-        json_schema_extra={
-            "examples": [
-                {
-                    "type": f"{TYPES}invalid-request",
-                    "title": KINDS["invalid-request"].title,
-                    "status": 422,
-                    "detail": KINDS["invalid-request"].meaning,
-                    "errors": [
-                        {
-                            "pointer": "/sweep/grids",
-                            "message": "Unknown field grids, perhaps grid; there are grid, latin_hypercube, list",
-                        }
-                    ],
-                    "request_id": "9b2d1f0c6e7a4f7c8f4f4f0c2f1f9a10",
-                }
-            ]
-        }
-    )
-
-    type: Annotated[str, Field(json_schema_extra={"enum": [f"{TYPES}{name}" for name in KINDS]})]
-    title: str = Field(description="Of every problem of that type the same")
-    status: int
-    detail: str
-    errors: list[ProblemPlace]
-    request_id: str = Field(description="Also in the header X-Request-ID and in the service's log")

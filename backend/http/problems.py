@@ -2,12 +2,12 @@
 
 import logging
 from collections.abc import Mapping, Sequence
-from typing import cast
+from typing import Annotated, cast
 
-import orjson
 from fastapi import FastAPI, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import Response
+from pydantic import BaseModel, ConfigDict, Field
 from sqlalchemy.exc import SQLAlchemyError
 from starlette.exceptions import HTTPException
 
@@ -26,6 +26,45 @@ MOST_ERRORS = 50
 PROTECTING = frozenset({408, 413, 429, 503})  # counted by kind
 CHALLENGE = {"WWW-Authenticate": 'Bearer realm="Ridelab"'}
 RETRY_SOON = {"Retry-After": "2"}
+
+
+class ProblemPlace(BaseModel):
+    """One value that cannot be used: a JSON pointer into the body, or a query parameter's name."""
+
+    message: str
+    pointer: str
+    parameter: str | None = None
+
+
+class Problem(BaseModel):
+    """RFC 9457; docs/api.md lists the kinds."""
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "examples": [
+                {
+                    "type": f"{TYPES}invalid-request",
+                    "title": KINDS["invalid-request"].title,
+                    "status": 422,
+                    "detail": KINDS["invalid-request"].meaning,
+                    "errors": [
+                        {
+                            "pointer": "/sweep/grids",
+                            "message": "Unknown field grids, perhaps grid; there are grid, latin_hypercube, list",
+                        }
+                    ],
+                    "request_id": "9b2d1f0c6e7a4f7c8f4f4f0c2f1f9a10",
+                }
+            ]
+        }
+    )
+
+    type: Annotated[str, Field(json_schema_extra={"enum": [f"{TYPES}{name}" for name in KINDS]})]
+    title: str = Field(description="Of every problem of that type the same")
+    status: int
+    detail: str
+    errors: list[ProblemPlace]
+    request_id: str = Field(description="Also in the header X-Request-ID and in the service's log")
 
 
 class RequestError(ServiceError):
@@ -57,22 +96,32 @@ def problem(
     status: int | None = None,
     errors: Sequence[Mapping[str, str]] = (),
     headers: Mapping[str, str] | None = None,
+    name: str | None = None,
 ) -> Response:
-    """The response that says so; its status is the kind's first one unless another one is named."""
+    """The response that says so.
+
+    Args:
+        kind: One of `backend.http.kinds`.
+        detail: What is wrong; None is the kind's meaning.
+        status: None is the kind's first one.
+        errors: `{"pointer" or "parameter", "message"}` of each part that is to blame.
+        headers: Of the answer.
+        name: Of the request; None is the current one's.
+    """
     entry = KINDS[kind]
     status = status or entry.statuses[0]
     if status in PROTECTING:
         REFUSED.labels(kind).inc()
     headers = {**CHALLENGE, **(headers or {})} if status == 401 else dict(headers or {})
-    content = {
-        "type": f"{TYPES}{kind}",
-        "title": entry.title,
-        "status": status,
-        "detail": detail or entry.meaning,
-        "errors": list(errors),
-        "request_id": request_id(),
-    }
-    return Response(orjson.dumps(content), status, headers, MEDIA_TYPE)
+    content = Problem(
+        type=f"{TYPES}{kind}",
+        title=entry.title,
+        status=status,
+        detail=detail or entry.meaning,
+        errors=[ProblemPlace.model_validate(place) for place in errors],
+        request_id=request_id() if name is None else name,
+    )
+    return Response(content.model_dump_json(exclude_none=True), status, headers, MEDIA_TYPE)
 
 
 def register(app: FastAPI) -> None:

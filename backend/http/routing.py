@@ -38,7 +38,7 @@ async def _read_body(request: Request, held: ExitStack) -> bytes:
         RequestError: It is too long, announced or in pieces, or takes too long to come.
         TemporaryError: Too many bulky ones are being read.
     """
-    settings, admission = request.app.state.settings, request.app.state.admission
+    settings = request.app.state.settings
     pieces, bulky = bytearray(), False
 
     def expect(length: int) -> None:
@@ -47,7 +47,7 @@ async def _read_body(request: Request, held: ExitStack) -> bytes:
             raise RequestError("too-long", f"The body may have {settings.max_body_bytes} bytes.")
         if length > BULKY and not bulky:
             bulky = True
-            held.enter_context(admission.receiving(client_address(request)))
+            held.enter_context(request.app.state.admission.receiving(client_address(request)))
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)

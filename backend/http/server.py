@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, cast
 from uuid import uuid4
 
 import h11
-import orjson
 import uvicorn
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -144,9 +143,8 @@ class GuardedProtocol(H11Protocol):
             self.transport.abort()  # in the middle of another answer
             return
         name = uuid4().hex
-        response = problem(kind, detail)
-        content: dict[str, Any] = {**orjson.loads(response.body), "request_id": name}
-        body = orjson.dumps(content)
+        response = problem(kind, detail, name=name)
+        body = bytes(response.body)
         headers = {**HEADERS, HEADER: name, "Content-Type": str(response.media_type), "Cache-Control": "no-store"}
         headers |= {"Content-Length": str(len(body)), "Connection": "close"}
         if response.status_code == 503:

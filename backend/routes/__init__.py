@@ -4,8 +4,8 @@ from typing import Any
 
 from fastapi import APIRouter
 
+from backend.http.problems import Problem
 from backend.http.routing import StrictRoute
-from backend.models import Problem
 
 API = "/api/v1"
 

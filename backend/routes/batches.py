@@ -8,6 +8,8 @@ from fastapi.responses import StreamingResponse
 
 from backend.analysis import robustness
 from backend.errors import InvalidError
+from backend.http.answers import IMMUTABLE, cancel_on_disconnect, json_answer
+from backend.http.problems import Problem
 from backend.http.tokens import Caller
 from backend.jobs.sweep.models import (
     Batch,
@@ -20,9 +22,8 @@ from backend.jobs.sweep.models import (
     RobustnessDefaults,
 )
 from backend.jobs.sweep.service import Sweeps
-from backend.models import Problem
 from backend.routes import jobs, router
-from backend.routes.deps import IMMUTABLE, Client, cancel_on_disconnect, json_answer
+from backend.routes.deps import Client
 from backend.routes.runs import MEDIA_TYPES
 from backend.store.jobs import FINAL
 from sim_core.catalogue import METRICS, NUMBERS

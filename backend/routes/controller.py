@@ -7,9 +7,10 @@ from fastapi import Depends, Request, Response
 from backend.hil import models
 from backend.hil.export import FOLDER
 from backend.hil.service import Controllers
+from backend.http.answers import cancel_on_disconnect, json_answer
 from backend.http.routing import ScenarioRoute
 from backend.routes import router
-from backend.routes.deps import Client, cancel_on_disconnect, json_answer
+from backend.routes.deps import Client
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 

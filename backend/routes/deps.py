@@ -1,23 +1,14 @@
 """What routes need from the application, and how they answer."""
 
-import asyncio
-from collections.abc import Coroutine
-from typing import Annotated, Any, TypeVar
+from typing import Annotated
 
-import orjson
 from fastapi import Depends, Request, Response
 from fastapi.responses import HTMLResponse
-from pydantic import BaseModel
-from starlette.requests import ClientDisconnect
 
 from backend.http.routing import client_address
 from backend.links.service import Links
 from backend.reports.page import Report
 from backend.runs import Runs
-
-T = TypeVar("T")
-
-IMMUTABLE = "public, max-age=31536000, immutable"
 
 
 async def _runs(request: Request) -> Runs:
@@ -41,51 +32,7 @@ LinksService = Annotated[Links, Depends(_links)]
 Client = Annotated[str, Depends(_client)]
 
 
-def json_answer(content: Any, headers: dict[str, str] | None = None) -> Response:
-    """JSON as orjson writes it; its shape is the route's `response_model`."""
-    if isinstance(content, BaseModel):
-        content = content.model_dump(by_alias=True)
-    return Response(orjson.dumps(content), headers=headers, media_type="application/json")
-
-
-def takes_gzip(request: Request) -> bool:
-    """Whether whoever asks takes a compressed answer, as the service's other answers see it."""
-    return "gzip" in request.headers.get("accept-encoding", "")
-
-
 def html_answer(report: Report, name: str) -> Response:
     """A report under its own content security policy, to be read or kept under that file name."""
     headers = {**report.headers, "Cache-Control": "no-cache", "Content-Disposition": f'inline; filename="{name}"'}
     return HTMLResponse(report.content, headers=headers)
-
-
-def answer_unless_cached(request: Request, tag: str, content: Any, cache_control: str) -> Response:
-    """JSON with that entity tag, or 304 where the client has it already (weak comparison, RFC 9110, 13.1.2)."""
-    headers = {"ETag": tag, "Cache-Control": cache_control}
-    offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
-    if "*" in offered or tag.removeprefix("W/") in offered:
-        return Response(status_code=304, headers=headers)
-    return json_answer(content, headers)
-
-
-async def cancel_on_disconnect(request: Request, work: Coroutine[Any, Any, T]) -> T:
-    """The result of `work`, which is called off when the client goes away first.
-
-    Raises:
-        ClientDisconnect: It went away.
-    """
-    task = asyncio.ensure_future(work)
-    gone = asyncio.ensure_future(_disconnected(request))
-    try:
-        await asyncio.wait({task, gone}, return_when=asyncio.FIRST_COMPLETED)
-        if not task.done():
-            raise ClientDisconnect
-        return task.result()
-    finally:
-        task.cancel()
-        gone.cancel()
-
-
-async def _disconnected(request: Request) -> None:
-    while (await request.receive())["type"] != "http.disconnect":
-        pass

@@ -4,7 +4,8 @@ from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
 
 from backend import models
-from backend.routes.deps import RunsService, json_answer
+from backend.http.answers import json_answer
+from backend.routes.deps import RunsService
 
 health = APIRouter(tags=["health"])
 
@@ -25,9 +26,7 @@ async def readyz(request: Request, service: RunsService) -> Response:
     """The store answers and a warm worker is there."""
     parts = {"store": await service.store_usable(), "workers": request.app.state.workers.ready}
     ready = all(parts.values())
-    answer = json_answer({"status": "ready" if ready else "starting", **parts})
-    answer.status_code = 200 if ready else 503
-    return answer
+    return json_answer({"status": "ready" if ready else "starting", **parts}, status=200 if ready else 503)
 
 
 @health.get(

@@ -7,11 +7,12 @@ from fastapi import APIRouter, Depends, Header, Path, Query, Request, Response
 from fastapi.responses import StreamingResponse
 from pydantic import BaseModel
 
+from backend.http.answers import json_answer
+from backend.http.problems import Problem
 from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
 from backend.jobs.service import CURSOR, Jobs
-from backend.models import Problem
-from backend.routes.deps import Client, json_answer
+from backend.routes.deps import Client
 from backend.store import StoredJob
 from backend.store.jobs import State
 
@@ -139,6 +140,4 @@ def add_routes(
 
 def accepted(model: BaseModel, plural: str, job: StoredJob) -> Response:
     """The answer 202 to a job that was accepted."""
-    answer = json_answer(model, {"Location": f"/api/v1/{plural}/{job.id}"})
-    answer.status_code = 202
-    return answer
+    return json_answer(model, {"Location": f"/api/v1/{plural}/{job.id}"}, status=202)

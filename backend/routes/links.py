@@ -7,9 +7,10 @@ from typing import Annotated
 import orjson
 from fastapi import Path, Request, Response
 
+from backend.http.answers import answer_unless_cached, json_answer
 from backend.links import models as models_links
 from backend.routes import router
-from backend.routes.deps import Client, LinksService, answer_unless_cached, json_answer
+from backend.routes.deps import Client, LinksService
 
 links = router("links", 404, 422, 503)
 sharing = router("links", 400, 413, 415, 422, 429, 503)
@@ -25,9 +26,7 @@ async def create_link(body: models_links.LinkRequest, service: LinksService, cli
         made = await service.share_run(body.run_id, view, client)
     else:
         made = await service.share_batch(str(body.batch_id), view, client)
-    answer = json_answer(made, {"Location": made["url"]})
-    answer.status_code = 201
-    return answer
+    return json_answer(made, {"Location": made["url"]}, status=201)
 
 
 @links.get(

@@ -5,9 +5,9 @@ from typing import Annotated
 from fastapi import Request, Response
 from pydantic import BaseModel, ConfigDict, Field
 
+from backend.http.answers import json_answer
 from backend.http.tokens import COOKIE, LOGIN, Caller, check_login
 from backend.routes import API, router
-from backend.routes.deps import json_answer
 
 DAYS = 90
 

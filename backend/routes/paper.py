@@ -5,10 +5,11 @@ from typing import Annotated, Any
 from fastapi import Depends, Query, Request, Response
 from fastapi.responses import HTMLResponse
 
+from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
 from backend.paper import models
 from backend.paper.service import Paper
 from backend.routes import router
-from backend.routes.deps import Client, cancel_on_disconnect, html_answer, json_answer, takes_gzip
+from backend.routes.deps import Client, html_answer
 
 paper = router("paper", 422, 429, 503)
 

@@ -9,19 +9,12 @@ from backend import models
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.figures import PANELS
+from backend.http.answers import IMMUTABLE, answer_unless_cached, cancel_on_disconnect, json_answer, takes_gzip
+from backend.http.problems import Problem
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.roads_models import CreatedRoadsRun, RoadsRun
 from backend.routes import router
-from backend.routes.deps import (
-    IMMUTABLE,
-    Client,
-    RunsService,
-    answer_unless_cached,
-    cancel_on_disconnect,
-    html_answer,
-    json_answer,
-    takes_gzip,
-)
+from backend.routes.deps import Client, RunsService, html_answer
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -68,7 +61,7 @@ async def get_run(run_id: RunId, request: Request, service: RunsService) -> Resp
     "/runs/{id}/series",
     operation_id="getSeries",
     response_model=models.Series | models.SeriesOfSeveral,
-    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, 410: {"model": models.Problem}},
+    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, 410: {"model": Problem}},
 )
 async def get_series(
     run_id: RunId,
@@ -105,7 +98,7 @@ async def get_series(
     "/runs/{id}/figures",
     operation_id="getRunFigures",
     response_model=models.Figures,
-    responses={410: {"model": models.Problem}},
+    responses={410: {"model": Problem}},
 )
 async def get_run_figures(
     run_id: RunId,
@@ -121,7 +114,7 @@ async def get_run_figures(
     "/runs/{id}/figures/{name}",
     operation_id="getRunFigure",
     response_model=dict[str, Any],
-    responses={410: {"model": models.Problem}},
+    responses={410: {"model": Problem}},
 )
 async def get_run_figure(
     run_id: RunId,

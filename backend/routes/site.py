@@ -7,11 +7,12 @@ from fastapi import APIRouter, FastAPI
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
+from backend.http.answers import IMMUTABLE
 from backend.http.problems import RequestError
 from backend.http.tokens import Caller
 from backend.links import preview
 from backend.links.preview import Preview
-from backend.routes.deps import IMMUTABLE, LinksService
+from backend.routes.deps import LinksService
 
 DOCS_PAGE = """<!doctype html>
 <html lang="en">

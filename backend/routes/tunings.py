@@ -4,14 +4,15 @@ from typing import Annotated
 
 from fastapi import Depends, Query, Request, Response
 
+from backend.http.answers import cancel_on_disconnect, json_answer
+from backend.http.problems import Problem
 from backend.http.routing import ScenarioRoute
 from backend.http.tokens import Caller
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
 from backend.jobs.tuning.models import MOST_TRIALS, TuningRequest
 from backend.jobs.tuning.service import TuningService
-from backend.models import Problem
 from backend.routes import jobs, router
-from backend.routes.deps import Client, cancel_on_disconnect, json_answer
+from backend.routes.deps import Client
 
 beginning = router("tunings", 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 naming = router("tunings", 400, 404, 413, 415, 422, 503)

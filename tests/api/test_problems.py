@@ -15,7 +15,7 @@ from backend.errors import (
 )
 from backend.http.guard import HEADERS
 from backend.http.kinds import KINDS
-from backend.models import Problem
+from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate

@@ -34,6 +34,7 @@ def app(tmp_path: Path, file: Path) -> FastAPI:
 
     @app.get("/caller")
     async def caller(caller: Caller) -> str | None:
+        """Who asks."""
         return caller
 
     return app

@@ -13,7 +13,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from backend.models import Problem
+from backend.http.problems import Problem
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
 from tests.servers.process import ROOT, wait_until
