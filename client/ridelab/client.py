@@ -168,72 +168,44 @@ class Ridelab:
         arrays = self.get(path, {**params, "encoding": "base64"})["series"]
         return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in arrays.items()}
 
-    def series_content(
-        self,
-        run: RunResult | str,
-        file_format: str,
-        *,
-        strategies: Sequence[str],
-        signals: Sequence[str] | None = None,
-        points: int | None = None,
-    ) -> Iterator[bytes]:
-        """Time histories as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
-        path, params = self._series_request(run, strategies, signals, points)
+    def series_content(self, run: RunResult | str, file_format: str, **selection: Any) -> Iterator[bytes]:
+        """Time histories as the bytes of a `csv`, `parquet` or `json` file, piece by piece.
+
+        Args:
+            run: The run or its id.
+            file_format: Of the file.
+            selection: `strategies`, their ids; perhaps `signals` and `points` as for `series`.
+        """
+        path, params = self._series_request(run, **selection)
         return self._content(path, {**params, "format": file_format})
 
     def download_series(
-        self,
-        run: RunResult | str,
-        path: str | os.PathLike[str],
-        *,
-        strategies: Sequence[str],
-        signals: Sequence[str] | None = None,
-        points: int | None = None,
-        file_format: str | None = None,
+        self, run: RunResult | str, path: str | os.PathLike[str], *, file_format: str | None = None, **selection: Any
     ) -> Path:
-        """Time histories as a file, in the format its name ends with or the one named.
+        """The same as a file, in the format its name ends with or the one named.
 
         Raises:
             ValueError: There is no such format.
             OSError: The file cannot be written.
         """
-        kind = format_of(path, file_format)
-        return save(self.series_content(run, kind, strategies=strategies, signals=signals, points=points), path)
+        return save(self.series_content(run, format_of(path, file_format), **selection), path)
 
     def run_report(self, run: RunResult | str, *, baseline: str | None = None) -> Iterator[bytes]:
         """A run as one HTML file that needs nothing else, piece by piece; changes refer to the baseline."""
         return self._content(f"/runs/{_id(run)}/report.html", {"baseline": baseline})
 
-    def paper(
-        self,
-        *,
-        seeds: int = 20,
-        first_seed: int = 1,
-        interpretation: str = "default",
-        readings: Mapping[str, str] | None = None,
-    ) -> dict[str, Any]:
+    def paper(self, **asked: Any) -> dict[str, Any]:
         """The paper's printed changes with ours and a verdict on each; up to a minute the first time.
 
         Args:
-            seeds: How many roads.
-            first_seed: Of the first road; the others follow it.
-            interpretation: A named set of readings, `default` or `favourable`.
-            readings: Reading -> choice, those that are not the set's.
+            asked: `seeds`, how many roads (20), from `first_seed` (1) on; `interpretation`, a named set of readings,
+                `default` or `favourable`; `readings`, reading -> choice, those that are not the set's.
         """
-        params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
-        return self._http.document("GET", f"{API}/paper", params=params)
+        return self._http.document("GET", f"{API}/paper", params=_flattened(asked))
 
-    def paper_report(
-        self,
-        *,
-        seeds: int = 20,
-        first_seed: int = 1,
-        interpretation: str = "default",
-        readings: Mapping[str, str] | None = None,
-    ) -> Iterator[bytes]:
+    def paper_report(self, **asked: Any) -> Iterator[bytes]:
         """The same as one HTML file, with what each part contributes and the figures, piece by piece."""
-        params = {**(readings or {}), "seeds": seeds, "first_seed": first_seed, "interpretation": interpretation}
-        return self._content("/paper/report.html", params)
+        return self._content("/paper/report.html", _flattened(asked))
 
     def submit(
         self,
@@ -347,7 +319,10 @@ class Ridelab:
 
     @staticmethod
     def _series_request(
-        run: RunResult | str, strategies: Sequence[str], signals: Sequence[str] | None, points: int | None
+        run: RunResult | str,
+        strategies: Sequence[str],
+        signals: Sequence[str] | None = None,
+        points: int | None = None,
     ) -> tuple[str, dict[str, Any]]:
         listed = None if signals is None else ",".join(signals)
         return f"/runs/{_id(run)}/series", {"strategy": ",".join(strategies), "signals": listed, "points": points}
@@ -355,3 +330,8 @@ class Ridelab:
 
 def _id(run: RunResult | str) -> str:
     return quote(run.id if isinstance(run, RunResult) else run, safe="")
+
+
+def _flattened(asked: Mapping[str, Any]) -> dict[str, Any]:
+    """What is asked of the paper as parameters: each reading is one of its own."""
+    return {**asked.get("readings", {}), **{name: value for name, value in asked.items() if name != "readings"}}

@@ -102,16 +102,6 @@ def test_a_run_can_be_named_in_every_way(cli: Cli, client: httpx.Client, scenari
         assert said in cli.error
 
 
-def test_a_refusal_names_the_field(cli: Cli, scenario: Path) -> None:
-    scenario.write_text('{"road": {"bump": {"height": 3}}}', encoding="utf-8")
-    assert cli("run", scenario, code=2) == ""
-    assert cli.error == "road.bump.height: Input should be less than or equal to 1\n"
-    assert cli("run", "--set", "road.bump.start=149", code=2) == ""
-    assert cli.error.startswith("road.bump.start: The bump must end before the road does")
-    assert cli("run", "--strategy", "best", code=2) == ""
-    assert cli.error.startswith("strategies[0]: Unknown strategy best; there are lv, lv_hil, lqr")
-
-
 def test_a_sweep_writes_every_row(cli: Cli, scenario: Path, tmp_path: Path) -> None:
     out = tmp_path / "results.csv"
     grid = ("--grid", "road.bump.height=0.03:0.05:3", "--grid", "mpc.preview=lookahead,none")

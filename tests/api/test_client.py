@@ -1,27 +1,21 @@
 """The Python client against the real service: what it returns is what the service stores."""
 
-import contextlib
 import csv
 import io
-import socket
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import httpx
 import numpy as np
-import pyarrow.parquet as pq
 import pytest
 
-from ridelab import Batch, Interval, JobEndedError, Ridelab, RidelabAPIError, RunResult
+from ridelab import Batch, Interval, Ridelab, RidelabAPIError, RunResult
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
 
 SHORT = Scenario(road=Road(length=112, bump=Bump(start=72)))  # nobody else's, so that nothing is stored yet
 HEIGHTS = [0.03, 0.05, 0.07]
-# Half a second of one core each, so that a batch of them is still running when it is cancelled.
-LONG = {"road": {"length": 10.3, "bump": {"start": 4}}, "mpc": {"solver": "osqp", "force_limit": 500}}
 
 
 @pytest.fixture(scope="module")
@@ -147,16 +141,6 @@ def test_a_batch_is_followed_to_its_end(ridelab: Ridelab) -> None:
     assert ridelab.get_batch(batch.id).answer == batch.answer
 
 
-def test_a_key_makes_one_batch(ridelab: Ridelab, batch: Batch) -> None:
-    sweep = {"grid": {"road.bump.height": HEIGHTS}}
-    one = ridelab.submit(SHORT, ["passive"], sweep, idempotency_key="the-clients-own")
-    assert ridelab.submit(SHORT, ["passive"], sweep, idempotency_key="the-clients-own").id == one.id
-    assert ridelab.submit(SHORT, ["passive"], sweep).id != one.id
-    with pytest.raises(RidelabAPIError) as caught:
-        ridelab.submit(SHORT, ["lv"], sweep, idempotency_key="the-clients-own")
-    assert caught.value.status == 409
-
-
 def test_rows_are_the_runs(ridelab: Ridelab, shared: RunResult, batch: Batch) -> None:
     rows = list(batch.rows())
     assert [(row["road.bump.height"], row["strategy"]) for row in rows] == [
@@ -166,42 +150,12 @@ def test_rows_are_the_runs(ridelab: Ridelab, shared: RunResult, batch: Batch) ->
     assert rows[2]["metrics"] == run["lv"].metrics
 
 
-def test_results_as_files(batch: Batch, tmp_path: Path) -> None:
-    path = batch.download(tmp_path / "all.csv")
-    rows = list(csv.DictReader(io.StringIO(path.read_text())))
-    assert [float(row["road.bump.height [m]"]) for row in rows[::2]] == HEIGHTS
-    table = pq.read_table(batch.download(tmp_path / "all.bin", "parquet"))
-    assert table["strategy"].to_pylist() == ["lv", "passive"] * 3
-    with pytest.raises(ValueError, match="parquet"):
-        batch.download(tmp_path / "all.xls")
-
-
 def test_a_batch_as_a_frame(batch: Batch) -> None:
     frame = batch.frame()
     assert list(frame["road.bump.height"]) == [height for height in HEIGHTS for _ in range(2)]
     assert frame.attrs["units"]["bump.body_acceleration.peak"] == "m/s^2"
     peaks = [row["metrics"]["bump"]["body_acceleration"]["peak"] for row in batch.rows()]
     np.testing.assert_allclose(frame["bump.body_acceleration.peak"], peaks)
-
-
-def test_an_estimate_stores_nothing(ridelab: Ridelab) -> None:
-    before = ridelab.get("/batches?limit=1")
-    found = ridelab.estimate(SHORT, ["lv", "passive"], {"grid": {"road.bump.height": HEIGHTS}})
-    assert (found["total"], found["points"]) == (6, 3)
-    assert [batch["id"] for batch in ridelab.get("/batches?limit=1")["batches"]] == [
-        batch["id"] for batch in before["batches"]
-    ]
-
-
-def test_a_batch_is_cancelled(ridelab: Ridelab) -> None:
-    batch = ridelab.submit(LONG, ["lv"], {"grid": {"road.seed": range(60)}})
-    assert batch.cancel() is batch
-    assert batch.state == "cancelled"
-    with pytest.raises(JobEndedError):
-        batch.wait()
-    rows = [row["status"] for row in batch.rows()]
-    assert rows.count("ok") == batch.done < 60
-    assert rows.count("cancelled") == 60 - batch.done
 
 
 def test_links_pin_a_run_and_a_batch(ridelab: Ridelab, shared: RunResult, batch: Batch) -> None:
@@ -220,59 +174,3 @@ def test_links_pin_a_run_and_a_batch(ridelab: Ridelab, shared: RunResult, batch:
     with pytest.raises(RidelabAPIError) as caught:
         ridelab.open_link("A" * 22)
     assert caught.value.status == 404
-
-
-class Relay:
-    """Passes bytes on to the service, and loses its first connections in the middle of an answer."""
-
-    def __init__(self, service: httpx.URL, lost: int, after: int) -> None:
-        self._to = (service.host, service.port or 80)
-        self._lost, self._after = lost, after
-        self.connections = 0
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.address = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
-        threading.Thread(target=self._serve, daemon=True).start()
-
-    def close(self) -> None:
-        self._listener.close()
-
-    def _serve(self) -> None:
-        while True:
-            try:
-                incoming, _ = self._listener.accept()
-            except OSError:
-                return
-            self.connections += 1
-            outgoing = socket.create_connection(self._to)
-            left = self._after if self.connections <= self._lost else None
-            threading.Thread(target=self._pass, args=(incoming, outgoing, None), daemon=True).start()
-            threading.Thread(target=self._pass, args=(outgoing, incoming, left), daemon=True).start()
-
-    @staticmethod
-    def _pass(source: socket.socket, target: socket.socket, left: int | None) -> None:
-        try:
-            while data := source.recv(4096):
-                target.sendall(data if left is None else data[:left])
-                if left is not None and (left := left - len(data)) <= 0:
-                    break
-        except OSError:
-            pass
-        for end in (source, target):
-            with contextlib.suppress(OSError):
-                end.shutdown(socket.SHUT_RDWR)  # wakes the thread that still reads from it, as closing does not
-            end.close()
-
-
-def test_nothing_is_lost_or_doubled_over_broken_connections(client: httpx.Client, ridelab: Ridelab) -> None:
-    """Every one of the first connections breaks off within the answer's head or body."""
-    before = len(ridelab.get("/batches?limit=500")["batches"])
-    relay = Relay(client.base_url, lost=3, after=40)
-    try:
-        with Ridelab(relay.address) as through:
-            batch = through.submit(SHORT, ["passive"], {"grid": {"road.seed": range(30, 40)}})
-            batch.wait()
-    finally:
-        relay.close()
-    assert relay.connections > 3
-    assert (batch.state, batch.done) == ("done", 10)
-    assert len(ridelab.get("/batches?limit=500")["batches"]) == before + 1

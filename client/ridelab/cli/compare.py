@@ -131,8 +131,13 @@ def differences(
         first, second = _all(a, name), _all(b, name)
         for metric in dict.fromkeys([*first, *second]):
             one, other = first.get(metric), second.get(metric)
-            if (metric == "status" or _fits(metric, patterns)) and not _same(metric, one, other, tolerance):
-                unit, change = a.units.get(metric, "1"), _change(one, other)
+            x, y = _number(one), _number(other)
+            if x is None or y is None:
+                same, change = type(one) is type(other) and one == other, math.inf
+            else:
+                same, change = tolerance.holds(metric, x, y), (y - x) / abs(x) if x else math.inf
+            if (metric == "status" or _fits(metric, patterns)) and not same:
+                unit = a.units.get(metric, "1")
                 differing.append(Difference(strategy=name, figure=metric, unit=unit, a=one, b=other, change=change))
     return sorted(differing, key=lambda item: -abs(item.change))
 
@@ -181,20 +186,8 @@ def _all(run: RunResult, strategy: str) -> dict[str, Figure | str]:
     return {"status": "not run"} if outcome is None else {"status": outcome.status, **outcome.figures()}
 
 
-def _same(metric: str, a: Figure | str, b: Figure | str, tolerance: Tolerance) -> bool:
-    if _is_number(a) and _is_number(b):
-        return tolerance.holds(metric, a, b)  # type: ignore[arg-type]  # both are numbers
-    return type(a) is type(b) and a == b
-
-
-def _change(a: Figure | str, b: Figure | str) -> float:
-    if _is_number(a) and _is_number(b) and a:
-        return (b - a) / abs(a)  # type: ignore[operator,arg-type]  # both are numbers
-    return math.inf
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, float | int) and not isinstance(value, bool)
+def _number(value: Figure | str) -> float | None:
+    return value if isinstance(value, float | int) and not isinstance(value, bool) else None
 
 
 def _print_json(runs: list[RunResult], differing: list[Difference]) -> None:

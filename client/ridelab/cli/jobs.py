@@ -42,7 +42,7 @@ def list_jobs(
 
 def show(services: Services, job_id: JobId, as_json: AsJson = False) -> None:
     """How a job stands."""
-    job = targets.job(job_id, services)
+    job = targets.job_of(job_id, services)
     if as_json:
         print_json(job.answer)
         return
@@ -72,7 +72,7 @@ def follow(
     timeout: Annotated[float | None, options.option("SECONDS", "Wait so long at most.", min=0)] = None,
 ) -> None:
     """Wait for a job's end; Ctrl-C only ends the waiting."""
-    job = targets.job(job_id, services)
+    job = targets.job_of(job_id, services)
     followed(job, services, ours=False, timeout=timeout)
     raise typer.Exit(say_end(job))
 
@@ -83,21 +83,21 @@ def label_job(
     text: Annotated[str, typer.Argument(metavar="TEXT", help="Empty takes the label away.")],
 ) -> None:
     """Give a job a label, by which lists find it."""
-    targets.job(job_id, services).rename(text or None)
+    targets.job_of(job_id, services).rename(text or None)
 
 
 def cancel(services: Services, job_id: JobId) -> None:
     """Stop a job; what is finished stays."""
-    job = targets.job(job_id, services).cancel()
-    note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
+    job = targets.job_of(job_id, services).cancel()
+    say_end(job)
 
 
 def resume(services: Services, job_id: JobId) -> None:
     """Go on with a job that was cancelled or failed; a private service ends with the command, so it is followed."""
-    job = targets.job(job_id, services).resume()
+    job = targets.job_of(job_id, services).resume()
     if services.private:
         followed(job, services)
-    note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
+    say_end(job)
 
 
 def delete(
@@ -106,7 +106,7 @@ def delete(
 ) -> None:
     """Remove jobs that have ended and that no link shows."""
     for each in job_ids:
-        job = targets.job(each, services)
+        job = targets.job_of(each, services)
         if not job.finished:
             raise InputError(f"The {job.NAME} {job.id} is {job.state}; cancel it first")
         job.delete()

@@ -3,9 +3,10 @@
 import json
 import re
 import sys
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 from urllib.parse import urlsplit
 
 from ridelab.batch import Batch
@@ -15,10 +16,11 @@ from ridelab.client import Ridelab
 from ridelab.errors import RidelabAPIError
 from ridelab.http import without_login
 from ridelab.jobs import Job
-from ridelab.results import RunResult
+from ridelab.results import LinkedResult, RunResult
 
 _ID = re.compile(r"[A-Za-z0-9_-]{22}")
-_PAGES: dict[str, Literal["run", "batch", "link"]] = {"r": "run", "b": "batch", "s": "link"}
+Result = RunResult | Batch | LinkedResult
+_PAGES = {"r": "get_run", "b": "get_batch", "s": "open_link"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +59,9 @@ def find(target: str, services: Services) -> Target:
     if Path(target).is_file():
         return _document(Path(target).read_bytes(), target)
     if _ID.fullmatch(target):
-        return _stored(target, services.at())
+        ridelab = services.at()
+        lookups = (ridelab.get_run, ridelab.get_batch, ridelab.open_link)
+        return _target(_first(target, lookups, "run, batch or link"), ridelab)
     presets = services.names.presets
     if target in presets:
         return Target(name=target, scenario=presets[target])
@@ -119,35 +123,33 @@ def _address(address: str, services: Services) -> Target:
     if page not in _PAGES or not rest:
         raise wrong
     ridelab = services.at(f"{parts.scheme}://{parts.netloc}{prefix}")
-    return {"run": _run, "batch": _batch, "link": _link}[_PAGES[page]](rest, ridelab)
+    return _target(getattr(ridelab, _PAGES[page])(rest), ridelab)
 
 
-def _stored(name: str, ridelab: Ridelab) -> Target:
-    """Ids of runs, batches and links look alike."""
-    for lookup in (_run, _batch, _link):
+def _target(result: Result, ridelab: Ridelab) -> Target:
+    if isinstance(result, LinkedResult):
+        slug, name = result.slug, f"link {result.slug}"
+        return Target(
+            name=name, scenario=result.scenario, run=result.run, batch=result.batch, slug=slug, ridelab=ridelab
+        )
+    if isinstance(result, RunResult):
+        return Target(name=f"run {result.id}", scenario=result.scenario, run=result, ridelab=ridelab)
+    return Target(name=f"batch {result.id}", scenario=result.answer["scenario"], batch=result, ridelab=ridelab)
+
+
+def _first(name: str, lookups: Iterable[Callable[[str], Any]], what: str) -> Any:
+    """What the first of them finds: ids of all kinds look alike.
+
+    Raises:
+        InputError: None does.
+    """
+    for lookup in lookups:
         try:
-            return lookup(name, ridelab)
+            return lookup(name)
         except RidelabAPIError as error:
             if error.status != 404:
                 raise
-    raise InputError(f"{name}: the service has no run, batch or link of this id")
-
-
-def _run(run_id: str, ridelab: Ridelab) -> Target:
-    run = ridelab.get_run(run_id)
-    return Target(name=f"run {run.id}", scenario=run.scenario, run=run, ridelab=ridelab)
-
-
-def _batch(batch_id: str, ridelab: Ridelab) -> Target:
-    batch = ridelab.get_batch(batch_id)
-    return Target(name=f"batch {batch.id}", scenario=dict(batch.answer["scenario"]), batch=batch, ridelab=ridelab)
-
-
-def _link(slug: str, ridelab: Ridelab) -> Target:
-    link = ridelab.open_link(slug)
-    return Target(
-        name=f"link {slug}", scenario=link.scenario, run=link.run, batch=link.batch, slug=slug, ridelab=ridelab
-    )
+    raise InputError(f"{without_login(name)}: the service has no {what} of this id")
 
 
 def strategies_of(target: Target) -> list[str]:
@@ -157,16 +159,12 @@ def strategies_of(target: Target) -> list[str]:
     return [] if target.batch is None else list(target.batch.answer["strategies"])
 
 
-def job(job_id: str, services: Services) -> Job:
+def job_of(job_id: str, services: Services) -> Job:
     """The batch or the tuning of an id.
 
     Raises:
         InputError: There is none.
     """
-    for lookup in (services.at().get_batch, services.at().get_tuning):
-        try:
-            return lookup(job_id)
-        except RidelabAPIError as error:
-            if error.status != 404:
-                raise
-    raise InputError(f"{without_login(job_id)}: the service has no batch or tuning of this id")
+    ridelab = services.at()
+    job: Job = _first(job_id, (ridelab.get_batch, ridelab.get_tuning), "batch or tuning")
+    return job
