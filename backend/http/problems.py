@@ -31,8 +31,8 @@ RETRY_SOON = {"Retry-After": "2"}
 class ProblemPlace(BaseModel):
     """One value that cannot be used: a JSON pointer into the body, or a query parameter's name."""
 
-    message: str
     pointer: str
+    message: str
     parameter: str | None = None
 
 

@@ -11,6 +11,7 @@ from prometheus_client import CollectorRegistry
 from backend.app import create_app
 from backend.http.tokens import COOKIE, Caller, Tokens, cookie_of, read_tokens
 from backend.settings import Settings, SettingsError
+from tests.api.conftest import serve
 from tests.api.test_problems import check
 from tests.servers import loops
 
@@ -126,3 +127,17 @@ def test_a_file_that_cannot_be_meant_ends_the_start_and_is_not_repeated(file: Pa
         Settings.from_environment({"RIDELAB_TOKENS_FILE": str(file)})
     with pytest.raises(SettingsError, match="cannot be read"):
         Settings.from_environment({"RIDELAB_TOKENS_FILE": str(file.with_name("absent"))})
+
+
+def test_a_job_belongs_to_a_token_and_only_that_one_deletes_it(tmp_path: Path, file: Path) -> None:
+    limits = {"workers": 1, "batch_workers": 1, "tokens_file": file}
+    for service in serve(Settings.model_validate({"data_dir": tmp_path, **limits})):
+        ann, ben = (httpx.Client(base_url=service.client.base_url, headers=bearer(token)) for token in (ANN, BEN))
+        with ann, ben:
+            body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}}
+            address = ann.post("/api/v1/batches", json=body).headers["location"]
+            check(service.client.get(address), 401, "token-required")
+            assert ben.post(f"{address}/cancel").status_code == 200, "whoever has a token may see and end it"
+            check(ben.delete(address), 403, "other-token")
+            assert ann.delete(address).status_code == 204
+            assert ben.get(address).status_code == 404
