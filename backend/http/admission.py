@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 
-from backend.backlog import Backlog, mark_computing
 from backend.errors import CHEAPER_RUN, BusyError, CostLimitError
+from backend.http.backlog import Backlog, mark_computing
 from backend.http.limits import ConcurrencyLimit, TokenBucket
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate

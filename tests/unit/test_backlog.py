@@ -5,26 +5,18 @@ from contextlib import ExitStack
 
 import pytest
 
-from backend.backlog import Backlog, mark_computing
 from backend.errors import BusyError, TooManyRequestsError
+from backend.http.backlog import Backlog, mark_computing
 
 INTERVAL = 0.1  # between two completions while others wait [s]
-
-
-class Clock:
-    def __init__(self) -> None:
-        self.now = 100.0
-
-    def __call__(self) -> float:
-        return self.now
 
 
 class Requests:
     """Requests in progress; they complete in the order in which they arrived."""
 
     def __init__(self, max_wait: float = 2.0) -> None:
-        self.clock = Clock()
-        self.backlog = Backlog(workers=2, max_wait=max_wait, clock=self.clock)
+        self.now = 100.0
+        self.backlog = Backlog(workers=2, max_wait=max_wait, clock=lambda: self.now)
         self._open: list[ExitStack] = []
 
     def arrive(self, count: int = 1, *, computing: bool = True) -> None:
@@ -37,7 +29,7 @@ class Requests:
 
     def complete(self, count: int = 1, *, after: float = INTERVAL) -> None:
         for _ in range(count):
-            self.clock.now += after
+            self.now += after
             self._open.pop(0).close()
 
     def refusal(self, own: int = 0) -> tuple[int, int]:
@@ -69,7 +61,7 @@ def test_twice_the_workers_are_admitted_and_no_more_while_nothing_completes(requ
     requests.arrive(3)
     requests.complete(after=60)
     requests.arrive(1)
-    requests.clock.now += 100
+    requests.now += 100
     requests.backlog.check(0)  # fewer than twice the workers
     requests.arrive(1)
     assert requests.refusal() == (503, 60), "nothing completed for so long"
