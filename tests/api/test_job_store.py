@@ -1,19 +1,13 @@
 """Sweeps in the store, on both databases: what is counted is what is there, whoever writes, in whatever order."""
 
-import contextlib
-import sqlite3
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
-from functools import cache
 from typing import Any
 
 import orjson
 import pytest
-from hypothesis import HealthCheck, settings
-from hypothesis import strategies as st
-from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
 
 from backend.db.tables import links
 from backend.jobs.chunk import ComputedRun
@@ -236,102 +230,3 @@ def test_counts_are_by_state(store: Store, batch: StoredJob) -> None:
     store.jobs.start("second")
     store.job_runs.save("second", computed("other-3"), "1")
     assert store.jobs.counts() == {("sweep", "queued"): (1, RUNS), ("sweep", "running"): (1, RUNS - 1)}
-
-
-@cache
-def empty() -> sqlite3.Connection:
-    """A database of the newest schema with nothing in it, to be copied."""
-    store = Store("sqlite://")
-    store.migrate()
-    connection: Any = store.engine.raw_connection().driver_connection
-    return connection
-
-
-class Life(RuleBasedStateMachine):
-    """Everything that can happen to a batch in any order, against a model that is a dictionary."""
-
-    store: Store
-
-    @initialize(shared=st.integers(0, 4))
-    def begin(self, shared: int) -> None:
-        self.store = Store("sqlite://")
-        with contextlib.closing(self.store.engine.raw_connection()) as connection:
-            empty().backup(connection.driver_connection)
-        self.model = {row["position"]: row["result_key"] for row in rows(shared=shared)}
-        self.status = dict.fromkeys(self.model, "waiting")
-        self.state = "queued"
-        self.store.jobs.create(BATCH, rows(shared=shared), None)
-
-    def teardown(self) -> None:
-        if hasattr(self, "store"):
-            self.store.close()
-
-    @rule(numbers=st.sets(st.integers(0, RUNS - 1)), status=st.sampled_from(["ok", "failed"]))
-    def save(self, numbers: set[int], status: str) -> None:
-        keys = {f"key-{number}" for number in numbers}
-        known = self._results()
-        self.store.job_runs.save(BATCH.id, computed(*keys, status=status), "1")
-        for position, key in self.model.items():
-            if key in keys and self.status[position] == "waiting":
-                self.status[position] = known.get(key, status)
-
-    @rule(position=st.integers(0, RUNS - 1))
-    def give_up(self, position: int) -> None:
-        self.store.job_runs.save(BATCH.id, [], "1", {position: "lost"})
-        if self.status[position] == "waiting":
-            self.status[position] = "failed"
-
-    @rule()
-    def start(self) -> None:
-        self.store.jobs.start(BATCH.id)
-        self.state = "running" if self.state == "queued" else self.state
-
-    @rule()
-    def finish(self) -> None:
-        finished = self.store.jobs.finish(BATCH.id)
-        assert finished == ("waiting" not in self.status.values())
-        if finished and self.state in ("queued", "running"):
-            self.state = "done"
-
-    @rule()
-    def cancel(self) -> None:
-        self.store.jobs.cancel(BATCH.id)
-        if self.state in ("queued", "running"):
-            self.state = "cancelled"
-            self.status = {key: "cancelled" if item == "waiting" else item for key, item in self.status.items()}
-
-    @rule(after=st.integers(-1, RUNS), limit=st.integers(1, RUNS))
-    def hand_out(self, after: int, limit: int) -> None:
-        _, waiting = self.store.job_runs.waiting(BATCH.id, after, limit)
-        expected = [place for place, status in self.status.items() if status == "waiting" and place > after][:limit]
-        known = self._results()
-        assert [run.position for run in waiting] == [place for place in expected if self.model[place] not in known]
-        for place in expected:  # those whose result is there are settled, with all that share it
-            for other, key in self.model.items():
-                if key == self.model[place] and key in known and self.status[other] == "waiting":
-                    self.status[other] = known[key]
-
-    @invariant()
-    def counts_are_what_the_rows_say(self) -> None:
-        if not hasattr(self, "store"):
-            return
-        batch = self.store.jobs.load(BATCH.id)
-        assert batch is not None
-        found = {row.position: row.status for row in self.store.job_runs.rows(BATCH.id, -1, 100)}
-        assert found == self.status
-        statuses = list(found.values())
-        assert (batch.state, batch.done, batch.failed) == (self.state, statuses.count("ok"), statuses.count("failed"))
-        events = self.store.jobs.events(BATCH.id, 0)
-        assert [event.number for event in events] == list(range(1, len(events) + 1))
-        last = orjson.loads(events[-1].data)
-        assert (last["state"], last["done"], last["failed"]) == (batch.state, batch.done, batch.failed)
-
-    def _results(self) -> dict[str, str]:
-        found = self.store.runs.load_results(f"key-{number}" for number in range(RUNS))
-        return {key: result.status for key, result in found.items()}
-
-
-TestLife = Life.TestCase
-TestLife.settings = settings(
-    max_examples=30, stateful_step_count=25, suppress_health_check=[HealthCheck.too_slow], deadline=None
-)

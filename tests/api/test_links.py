@@ -4,12 +4,9 @@ import re
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from typing import Any
-from urllib.parse import quote
 
 import httpx
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from sqlalchemy import delete, select, update
 
 from backend import exports, pins
@@ -61,13 +58,6 @@ def keys(store: Store, run_id: str) -> list[str]:
         return list(
             connection.execute(select(run_results.c.result_key).where(run_results.c.run_id == run_id)).scalars()
         )
-
-
-def pinned_at(store: Store, run_id: str) -> dict[str, datetime]:
-    chosen = select(pinned_series.c.result_key, pinned_series.c.created_at)
-    with store.reading() as connection:
-        rows = connection.execute(chosen.where(pinned_series.c.result_key.in_(keys(store, run_id)))).all()
-    return {row.result_key: row.created_at for row in rows}
 
 
 def of_another_core(store: Store, run_id: str) -> None:
@@ -177,35 +167,6 @@ def test_what_cannot_be_shared_is_named(
     assert answer.status_code == 422, answer.text
     assert [error["pointer"] for error in answer.json()["errors"]] == [pointer]
     assert "my theme" not in answer.text, "only what looks like a name is repeated"
-
-
-def test_unknown_slugs_are_404(client: httpx.Client) -> None:
-    answer = client.get("/api/v1/links/AAAAAAAAAAAAAAAAAAAAAA")
-    assert answer.status_code == 404
-    assert answer.headers["content-type"] == "application/problem+json"
-
-
-@settings(max_examples=60)
-@given(
-    st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=60) | st.from_regex("[A-Za-z0-9_-]{21,23}")
-)
-def test_any_other_text_is_no_link(client: httpx.Client, slug: str) -> None:
-    answer = client.get(f"/api/v1/links/{quote(slug, safe='')}")
-    assert answer.status_code == 404
-    assert answer.headers["content-type"] == "application/problem+json"
-
-
-def test_slugs_are_never_given_twice_and_links_of_one_run_share_its_pins(
-    service: Any, client: httpx.Client, fresh: dict[str, Any]
-) -> None:
-    store: Store = service.app.state.store
-    first = share(client, fresh["id"], cursor=1)
-    before = pinned_at(store, fresh["id"])
-    assert len(before) == 2
-    more = [share(client, fresh["id"], cursor=1) for _ in range(4)]
-    assert len({link["slug"] for link in [first, *more]}) == 5
-    assert all(link["series_pinned"] for link in more)
-    assert pinned_at(store, fresh["id"]) == before
 
 
 def test_pinned_histories_are_the_computed_ones_to_the_byte(

@@ -2,7 +2,6 @@
 
 import json
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,6 @@ import httpx
 import pytest
 
 from backend.app import create_app
-from backend.http.kinds import KINDS
 from backend.models import Catalogue, PresetAnswer, StrategyAnswer
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
@@ -80,16 +78,6 @@ def description(client: httpx.Client) -> dict[str, Any]:
     return content
 
 
-def nodes(value: Any) -> Iterator[dict[str, Any]]:
-    if isinstance(value, dict):
-        yield value
-        for item in value.values():
-            yield from nodes(item)
-    elif isinstance(value, list):
-        for item in value:
-            yield from nodes(item)
-
-
 def test_operations_have_clean_names(description: dict[str, Any]) -> None:
     assert description["openapi"].startswith("3.1")
     found = {
@@ -101,15 +89,6 @@ def test_operations_have_clean_names(description: dict[str, Any]) -> None:
     for operations in description["paths"].values():
         for operation in operations.values():
             assert operation["description"]
-
-
-def test_every_reference_leads_somewhere(description: dict[str, Any]) -> None:
-    references = [node["$ref"] for node in nodes(description) if isinstance(node.get("$ref"), str)]
-    assert references
-    for reference in references:
-        target: Any = description
-        for step in reference.removeprefix("#/").split("/"):
-            target = target[step]
 
 
 def test_errors_are_described_as_problems(description: dict[str, Any]) -> None:
@@ -176,16 +155,12 @@ def test_headers_tags_links_and_names_are_described(description: dict[str, Any])
     assert all(parameter["description"] for each in operations.values() for parameter in each.get("parameters", ()))
 
 
-def test_answers_are_described_precisely(description: dict[str, Any]) -> None:
-    schemas = description["components"]["schemas"]
-    answer = description["paths"]["/api/v1/runs"]["post"]["responses"]["200"]["content"]["application/json"]["schema"]
-    forms = ("CreatedRun", "CreatedRoadsRun")
-    assert answer["anyOf"] == [{"$ref": f"#/components/schemas/{name}"} for name in forms]
-    for name in (*forms, "Run", "RoadsRun", "LiveRun", "StrategyResult", "LiveResult", "Problem", "Catalogue"):
-        assert set(schemas[name]["required"]) == set(schemas[name]["properties"]), name
-    assert schemas["Problem"]["properties"]["type"]["enum"] == [f"urn:problem-type:ridelab:{name}" for name in KINDS]
-    assert "vehicle" in schemas["Scenario"]["properties"]
-    assert schemas["RunRequest"]["properties"]["strategies"]["items"]["enum"] == list(STRATEGIES)
+def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[str, Any]) -> None:
+    for path, operations in description["paths"].items():
+        address = re.sub(r"\{(id|slug)\}", "A" * 22, path).replace("{name}", "speed")
+        for method in operations if address != path else ():
+            body = {"json": {"label": None}} if method == "patch" else {}
+            assert client.request(method, address, **body).status_code == 404, (method, path)
 
 
 @pytest.fixture
@@ -271,10 +246,3 @@ def test_the_catalogue_is_the_cores(client: httpx.Client) -> None:
 def test_health(client: httpx.Client) -> None:
     assert client.get("/healthz").json() == {"status": "ok"}
     assert client.get("/readyz").json() == {"status": "ready", "store": True, "workers": True}
-
-
-def test_large_answers_are_compressed(client: httpx.Client) -> None:
-    assert client.get("/api/v1/schema").headers["content-encoding"] == "gzip"
-    assert "content-encoding" not in client.get("/healthz").headers
-    plain = client.get("/api/v1/schema", headers={"Accept-Encoding": "identity"})
-    assert "content-encoding" not in plain.headers

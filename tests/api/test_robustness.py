@@ -142,10 +142,6 @@ def test_what_the_batch_has_not_is_refused(
     assert "nothing" not in answer.text
 
 
-def test_there_is_no_summary_of_no_batch(client: httpx.Client) -> None:
-    assert client.get("/api/v1/batches/AAAAAAAAAAAAAAAAAAAAAA/summary").status_code == 404
-
-
 def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> None:
     usual = client.get("/api/v1/robustness").json()
     RobustnessDefaults.model_validate(usual)

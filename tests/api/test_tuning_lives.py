@@ -32,14 +32,6 @@ def tuning(client: httpx.Client) -> dict[str, Any]:
     return found
 
 
-def test_a_repeated_key_answers_the_same_tuning_and_another_body_is_refused(
-    client: httpx.Client, tuning: dict[str, Any]
-) -> None:
-    assert begin(client, "the-first") == tuning
-    answer = client.post("/api/v1/tunings", json={**REQUEST, "trials": 25}, headers={"Idempotency-Key": "the-first"})
-    assert answer.status_code == 409
-
-
 def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None:
     short = wait_for(client, begin(client, trials=8)["id"])
     path = f"/api/v1/tunings/{short['id']}/resume"
@@ -217,14 +209,3 @@ def test_what_cannot_be_tuned_is_refused_with_its_place(
     assert answer.headers["content-type"] == "application/problem+json"
     assert answer.json()["errors"][0]["pointer"] == pointer
     assert "<script>" not in answer.text
-
-
-def test_unknown_ids_are_not_found(client: httpx.Client) -> None:
-    for method, below in (
-        ("GET", ""),
-        ("GET", "/trials"),
-        ("GET", "/events"),
-        ("POST", "/cancel"),
-        ("POST", "/resume"),
-    ):
-        assert client.request(method, f"/api/v1/tunings/{'x' * 22}{below}").status_code == 404
