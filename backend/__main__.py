@@ -79,7 +79,7 @@ def _end_with_the_input() -> None:
 
 
 def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
-    from backend.backup import BackupError, back_up
+    from backend.db.backup import BackupError, back_up
     from backend.settings import Settings, SettingsError
 
     try:
@@ -96,8 +96,8 @@ def _drive(program: Path) -> int:
     """A built ECU program drives the scenario on standard input."""
     from pydantic import ValidationError
 
-    from backend.hil.build import EcuError
-    from backend.hil.program import driven
+    from backend.ecu.build import EcuError
+    from backend.ecu.program import driven
     from sim_core.errors import RidelabError
     from sim_core.scenario import Scenario
 
@@ -119,7 +119,7 @@ def _application(settings: "Settings") -> "FastAPI":
     Raises:
         SettingsError: The database cannot be used.
     """
-    from backend.compute import Workers
+    from backend.compute.workers import Workers
     from backend.settings import SettingsError
 
     workers = Workers(settings.workers, timeout=settings.run_timeout)
@@ -127,8 +127,8 @@ def _application(settings: "Settings") -> "FastAPI":
 
     from sqlalchemy.exc import SQLAlchemyError
 
-    from backend import processes
     from backend.app import create_app
+    from backend.compute import processes
     from backend.db.sqlite import UnusableDatabaseError
 
     processes.return_freed_memory()

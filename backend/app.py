@@ -8,24 +8,24 @@ from fastapi import FastAPI
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
-from backend.compute import Workers
-from backend.hil.service import Controllers
+from backend.api import batches, controller, health, links, login, paper, runs, schema, site, tunings
+from backend.compute.workers import Workers
+from backend.ecu.service import Controllers
 from backend.http import openapi, problems
 from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
 from backend.http.tokens import TokenMiddleware, Tokens
+from backend.jobs.reproduction.service import Paper
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.tuning.service import TuningService
 from backend.jobs.tuning.steps import TuningSteps
-from backend.links.service import Links
-from backend.memory import Memory
 from backend.metrics import service_registry
-from backend.paper.service import Paper
-from backend.results import Results
-from backend.routes import batches, controller, health, links, login, paper, runs, schema, site, tunings
-from backend.runs import Runs
+from backend.runs.links.service import Links
+from backend.runs.memory import Memory
+from backend.runs.results import Results
+from backend.runs.service import Runs
 from backend.settings import Settings
 from backend.store import Store
 from sim_core import __version__

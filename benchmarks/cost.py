@@ -18,7 +18,7 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 import numpy as np  # noqa: E402 - after the thread limits
 from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
 
-from backend.hil.drive import simulate  # noqa: E402 - after the thread limits
+from backend.ecu.drive import simulate  # noqa: E402 - after the thread limits
 from benchmarks.timing import table  # noqa: E402 - after the thread limits
 from sim_core.control import qp  # noqa: E402 - after the thread limits
 from sim_core.errors import TooExpensiveError  # noqa: E402 - after the thread limits

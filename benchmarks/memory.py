@@ -4,8 +4,8 @@ import asyncio
 from collections.abc import Iterable
 from pathlib import Path
 
-from backend.compute import Workers
-from backend.worker import run
+from backend.compute.workers import Workers
+from backend.runs.work import run
 from benchmarks.cost import drawn
 from benchmarks.timing import table
 from sim_core.scenario import Scenario

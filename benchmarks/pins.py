@@ -11,8 +11,8 @@ import numpy as np
 import pyarrow as pa
 from pyarrow import parquet
 
-from backend import pins
-from backend.series import ROWS, SeriesArray, pack
+from backend.runs import pins
+from backend.runs.series import ROWS, SeriesArray, pack
 from benchmarks.timing import table
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset

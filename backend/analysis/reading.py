@@ -9,7 +9,7 @@ import numpy as np
 import orjson
 
 from backend.analysis import robustness, summary
-from backend.compute import Workers
+from backend.compute.workers import Workers
 from backend.jobs.sweep.plan import scenario_at
 from backend.store import StoredJob
 from backend.store.job_runs import JobRow

@@ -13,7 +13,7 @@ import orjson
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from backend.hil.drive import simulate
+from backend.ecu.drive import simulate
 from backend.jobs.sweep.plan import scenario_at
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError

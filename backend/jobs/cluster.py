@@ -20,7 +20,7 @@ from distributed import Client, Scheduler, Security, SpecCluster, Worker, get_wo
 from distributed.http.routing import RoutingApplication
 from tornado.httpserver import HTTPServer
 
-from backend.compute import Workers
+from backend.compute.workers import Workers
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError
 from backend.jobs.work import run_chunk

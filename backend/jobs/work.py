@@ -6,12 +6,12 @@ from typing import Any
 
 import orjson
 
+from backend.ecu.drive import simulate
 from backend.errors import EcuUnavailableError
-from backend.hil.drive import simulate
 from backend.jobs.chunk import ComputedRun, WaitingRun
+from backend.jobs.reproduction import work as paper
 from backend.jobs.sweep.plan import scenario_at
-from backend.paper import work as paper
-from backend.worker import elapsed_ms, refusal, summary_json
+from backend.runs.work import elapsed_ms, refusal, summary_json
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
 

@@ -67,7 +67,7 @@ class LinkStore:
             return set(connection.execute(select(column).where(column.in_(list(keys)))).scalars())
 
     def load_pins(self, keys: Iterable[str]) -> dict[str, bytes]:
-        """Pinned time histories by result key, as `backend.pins` wrote them; none for those that are not pinned."""
+        """Pinned time histories by result key, as `backend.runs.pins` wrote them, of those that are pinned."""
         query = select(pinned_series.c.result_key, pinned_series.c.content)
         with self._database.reading() as connection:
             rows = connection.execute(query.where(pinned_series.c.result_key.in_(list(keys)))).all()

@@ -8,7 +8,7 @@ export interface PageProps {
 }
 
 export interface Page {
-  /** The first part of its address; backend/routes/site.py serves it. */
+  /** The first part of its address; backend/api/site.py serves it. */
   readonly path: `/${string}`;
   /** What the navigation calls it. */
   readonly label: string;

@@ -11,7 +11,7 @@ import httpx
 import pyarrow.parquet as pq
 import pytest
 
-from backend.reports import inputs
+from backend.runs.reports import inputs
 from ridelab import Interval
 from sim_core import __version__
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS

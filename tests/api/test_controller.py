@@ -11,7 +11,7 @@ import httpx
 import psutil
 import pytest
 
-from backend.hil.models import ControllerReport, RealtimeReport
+from backend.ecu.models import ControllerReport, RealtimeReport
 from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from tests.api.conftest import Service

@@ -8,8 +8,8 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from backend.figures import PANELS, STYLES, templates
 from backend.models import Figures
+from backend.runs.figures import PANELS, STYLES, templates
 from sim_core.catalogue import REFERENCES, SIGNALS
 from sim_core.strategies import STRATEGIES
 

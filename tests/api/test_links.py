@@ -9,10 +9,10 @@ import httpx
 import pytest
 from sqlalchemy import delete, select, update
 
-from backend import exports, pins
 from backend.db.tables import pinned_series, results, run_results, runs
 from backend.http.admission import Admission
-from backend.links.models import CreatedLink, Link
+from backend.runs import exports, pins
+from backend.runs.links.models import CreatedLink, Link
 from backend.store import Store
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION

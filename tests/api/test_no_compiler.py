@@ -9,9 +9,9 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.hil.build import NO_COMPILER, NO_CROSS_COMPILER
-from backend.paper import models
-from backend.paper.work import requests_under
+from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.jobs.reproduction import models
+from backend.jobs.reproduction.work import requests_under
 from backend.settings import Settings
 from sim_core.study.interpretations import DEFAULT
 from sim_core.study.paper import SIMULATED

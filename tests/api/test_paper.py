@@ -8,8 +8,8 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.paper import models
-from backend.paper.work import SPEEDS, SPEEDS_KMH, requests_of_study
+from backend.jobs.reproduction import models
+from backend.jobs.reproduction.work import SPEEDS, SPEEDS_KMH, requests_of_study
 from sim_core.study.interpretations import DEFAULT
 from sim_core.study.paper import FIGURES
 from tests.api.conftest import Service
@@ -231,7 +231,7 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
 
 def test_what_nobody_waits_for_any_more_is_called_off(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     """A visitor who leaves takes the work along: 100 roads would keep a worker busy for a minute."""
-    monkeypatch.setattr("backend.paper.rows.LINGER", 0.3)
+    monkeypatch.setattr("backend.jobs.reproduction.rows.LINGER", 0.3)
 
     with socket.create_connection((service.client.base_url.host, service.client.base_url.port)) as connection:
         connection.sendall(f"GET {PAPER}?seeds=100&force_limit=10 HTTP/1.1\r\nHost: x\r\n\r\n".encode())
@@ -247,7 +247,7 @@ def reproductions(service: Service) -> int:
 
 
 def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("backend.paper.rows.MAX_JOBS", 0)
+    monkeypatch.setattr("backend.jobs.reproduction.rows.MAX_JOBS", 0)
     response = service.client.get(PAPER, params={"first_seed": "9000"})
     assert (response.status_code, response.json()["type"]) == (503, "urn:problem-type:ridelab:full")
     assert response.headers["retry-after"]

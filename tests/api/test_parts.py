@@ -12,8 +12,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
-from backend.memory import Memory
-from backend.worker import Outcome, run
+from backend.runs.memory import Memory
+from backend.runs.work import Outcome, run
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 

@@ -12,7 +12,7 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from backend.figures import PANELS
+from backend.runs.figures import PANELS
 from ridelab import Ridelab, RidelabAPIError
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS
 from tests.html import Element, check, read

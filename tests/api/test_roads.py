@@ -9,8 +9,8 @@ import pytest
 
 from backend import digest
 from backend.models import CreatedRun
-from backend.roads_models import CreatedRoadsRun, RoadsRun
-from backend.worker import Outcome
+from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from backend.runs.work import Outcome
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.study.intervals import change_with_interval, mean_with_interval

@@ -166,7 +166,7 @@ def test_live_takes_points_and_signals(service: Any, run: dict[str, Any]) -> Non
 
 def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A failure is a deterministic result like any other: stored, with its reason, beside those that succeeded."""
-    from backend.worker import Outcome
+    from backend.runs.work import Outcome
 
     workers = service.app.state.workers
     original = workers.call

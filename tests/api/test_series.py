@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from backend.models import MAX_POINTS, Series, SeriesOfSeveral
-from backend.series import decimate
+from backend.runs.series import decimate
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 
 HEADER = [f"{key} [{quantity.unit}]" for key, quantity in SIGNALS.items()]

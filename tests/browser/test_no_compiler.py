@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from backend.hil.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
 from tests.browser.dashboard import LAPTOP, Dashboard
 from tests.servers.api import Api
 from tests.servers.compilers import Bare

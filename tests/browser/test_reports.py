@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
-from backend.figures import PANELS
+from backend.runs.figures import PANELS
 from tests.browser.dashboard import Dashboard, Scheme, violations
 from tests.browser.server import Server
 from tests.servers.process import request

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from sqlalchemy import make_url
 
-from backend.backup import BackupError, back_up
+from backend.db.backup import BackupError, back_up
 from backend.settings import Settings
 from backend.store import Store, StoredResult, StoredRun
 from tests.api.cli import Cli

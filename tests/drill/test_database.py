@@ -16,7 +16,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from backend.backup import back_up
+from backend.db.backup import back_up
 from backend.settings import Settings
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api

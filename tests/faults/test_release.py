@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pyarrow import parquet
 
-from backend.links.models import Link
+from backend.runs.links.models import Link
 from sim_core import __version__
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario

@@ -10,9 +10,9 @@ from typing import Any
 import psutil
 import pytest
 
-from backend.compute import Workers
+from backend.compute.workers import Workers
 from backend.errors import WorkerTimeoutError
-from backend.worker import run
+from backend.runs.work import run
 from sim_core.scenario import Scenario
 from tests.servers import loops
 

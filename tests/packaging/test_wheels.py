@@ -9,7 +9,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from backend.hil import build
+from backend.ecu import build
 from tests.packaging.environments import Environment, built
 from tests.servers.process import wait_until
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from backend.hil import build
+from backend.ecu import build
 
 # As where the package is not installed: in every Python process with this environment.
 WITHOUT_ZIG = 'import sys\n\nsys.modules["ziglang"] = None\n'

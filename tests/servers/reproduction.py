@@ -24,9 +24,9 @@ from filelock import FileLock
 
 from backend.db.database import insert_new
 from backend.db.tables import results
+from backend.jobs.reproduction import work
+from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.sweep.plan import scenario_at
-from backend.paper import work
-from backend.paper.work import RowRequest
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -40,9 +40,10 @@ SOURCES = (
     "backend/__init__.py",
     "backend/digest.py",
     "backend/errors.py",
-    "backend/hil",
-    "backend/paper/__init__.py",
-    "backend/paper/work.py",
+    "backend/ecu",
+    "backend/jobs/__init__.py",
+    "backend/jobs/reproduction/__init__.py",
+    "backend/jobs/reproduction/work.py",
     "tests/servers/reproduction.py",
 )
 WAIT = 240.0  # for another test process that computes it [s]

@@ -16,10 +16,10 @@ import numpy as np
 import pytest
 
 from backend.__main__ import main
-from backend.hil import build, effort, export, firmware, tables
-from backend.hil.link import connected
-from backend.hil.realtime import PacedEcu, Timing, spread
-from backend.hil.report import Variant
+from backend.ecu import build, effort, export, firmware, tables
+from backend.ecu.link import connected
+from backend.ecu.realtime import PacedEcu, Timing, spread
+from backend.ecu.report import Variant
 from benchmarks.cortex_m3 import CortexM3, measured
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW, SENSORS

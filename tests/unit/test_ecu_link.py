@@ -15,11 +15,11 @@ import numpy as np
 import psutil
 import pytest
 
+from backend.ecu import build, drive, link
+from backend.ecu.build import EcuError
+from backend.ecu.link import connected
+from backend.ecu.tables import fingerprint
 from backend.errors import EcuUnavailableError
-from backend.hil import build, drive, link
-from backend.hil.build import EcuError
-from backend.hil.link import connected
-from backend.hil.tables import fingerprint
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Frame
@@ -146,7 +146,7 @@ def test_the_port_is_closed_once_the_program_is_there(
 def test_the_program_ends_with_a_plant_that_was_killed() -> None:
     code = (
         "import os, subprocess, sys\n"
-        "from backend.hil.link import connected\n"
+        "from backend.ecu.link import connected\n"
         "from sim_core.scenario import Mpc, Scenario\n"
         "from sim_core.simulate import ecu_calibration\n"
         "import psutil\n"

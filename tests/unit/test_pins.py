@@ -10,8 +10,8 @@ import pyarrow as pa
 import pytest
 from pyarrow import parquet
 
-from backend import exports, pins
-from backend.series import ROWS, decimate, pack
+from backend.runs import exports, pins
+from backend.runs.series import ROWS, decimate, pack
 from sim_core import __version__
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed

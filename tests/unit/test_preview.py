@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from backend.links import preview
-from backend.links.preview import Preview
+from backend.runs.links import preview
+from backend.runs.links.preview import Preview
 from sim_core.scenario import Scenario
 
 WHEN = datetime(2026, 11, 21, 23, 59, tzinfo=UTC)

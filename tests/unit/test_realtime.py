@@ -5,8 +5,8 @@ from typing import Any, cast
 
 import numpy as np
 
-from backend.hil.link import ProcessEcu
-from backend.hil.realtime import PacedEcu, Timing
+from backend.ecu.link import ProcessEcu
+from backend.ecu.realtime import PacedEcu, Timing
 from sim_core.ecu.interface import Frame, Reply
 
 REPLY = Reply(commands=(1, 2), limited=False, iterations=0, unfinished=False, slack=0.0)

@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from backend.reports import inputs, numbers
-from backend.reports.doubts import doubts
-from backend.reports.keys import key_of
-from backend.reports.run import RunFacts, report
-from backend.worker import Outcome, run
+from backend.runs.reports import inputs, numbers
+from backend.runs.reports.doubts import doubts
+from backend.runs.reports.keys import key_of
+from backend.runs.reports.run import RunFacts, report
+from backend.runs.work import Outcome, run
 from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import STRATEGIES
 from tests.html import check, read

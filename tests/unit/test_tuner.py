@@ -198,7 +198,7 @@ def test_what_is_asked_next_lies_in_range_and_where_trials_were_good() -> None:
 
 
 def test_optuna_is_imported_for_a_tuning_only() -> None:
-    code = "import backend.app, backend.worker, backend.jobs.work, sys; sys.exit('optuna' in sys.modules)"
+    code = "import backend.app, backend.runs.work, backend.jobs.work, sys; sys.exit('optuna' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 

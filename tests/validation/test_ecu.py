@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 
-from backend.hil.link import ProcessEcu, connected
+from backend.ecu.link import ProcessEcu, connected
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.mpc import MpcController

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from backend.hil.drive import simulate  # as the service does it: an ECU is its C program
+from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.strategies import STRATEGIES
 from tests.validation.strategies import between, bumps, examples, scenarios, vehicles

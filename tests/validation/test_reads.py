@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.hil.drive import simulate  # as the service does it: an ECU is its C program
+from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Hil, Lqr, Mpc, Road, Scenario, Speed
 from sim_core.strategies import STRATEGIES, part_read

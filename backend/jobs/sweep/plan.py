@@ -10,7 +10,7 @@ import orjson
 from pydantic import ValidationError
 
 from backend import digest
-from backend.hil.drive import simulate
+from backend.ecu.drive import simulate
 from backend.jobs.chunk import WaitingRun
 from backend.jobs.sweep.sweeps import Sweep, points
 from sim_core.errors import RidelabError

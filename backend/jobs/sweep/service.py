@@ -9,7 +9,7 @@ from typing import Any
 from cachetools import LRUCache
 
 from backend.analysis import reading, robustness
-from backend.compute import Workers
+from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash
@@ -17,7 +17,7 @@ from backend.jobs.sweep import plan, table
 from backend.jobs.sweep.models import Batch, Batches, BatchItem, Estimate
 from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
-from backend.runs import ordered
+from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job_runs import JobRow

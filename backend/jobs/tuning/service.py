@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from backend.analysis.measure import Aims
-from backend.compute import Workers
+from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash

@@ -1,0 +1,158 @@
+"""Batches: submit, follow, cancel, read."""
+
+from collections.abc import Iterable
+from typing import Annotated, Literal
+
+from fastapi import Depends, Query, Request, Response
+from fastapi.responses import StreamingResponse
+
+from backend.analysis import robustness
+from backend.api import jobs, router
+from backend.api.deps import Client
+from backend.api.runs import MEDIA_TYPES
+from backend.errors import InvalidError
+from backend.http.answers import IMMUTABLE, cancel_on_disconnect, json_answer
+from backend.http.problems import Problem
+from backend.http.tokens import Caller
+from backend.jobs.sweep.models import (
+    Batch,
+    Batches,
+    BatchRequest,
+    BatchResults,
+    BatchSummary,
+    BatchTable,
+    Estimate,
+    RobustnessDefaults,
+)
+from backend.jobs.sweep.service import Sweeps
+from backend.store.jobs import FINAL
+from sim_core.catalogue import METRICS, NUMBERS
+
+submitting = router("batches", 400, 409, 413, 415, 422, 429, 503)
+batches = router("batches", 404, 422, 503)
+
+
+async def _sweeps(request: Request) -> Sweeps:
+    service: Sweeps = request.app.state.sweeps
+    return service
+
+
+BatchService = Annotated[Sweeps, Depends(_sweeps)]
+
+jobs.add_routes(
+    batches,
+    submitting,
+    _sweeps,
+    name="batch",
+    plural="batches",
+    model=Batch,
+    page_model=Batches,
+    events=["state", "progress"],
+    event_data="state, done, failed, total",
+)
+
+
+@submitting.post(
+    "/batches",
+    operation_id="createBatch",
+    status_code=202,
+    response_model=Batch,
+    responses={200: {"model": Estimate, "description": "Of a dry run"}},
+)
+async def create_batch(
+    body: BatchRequest,
+    request: Request,
+    service: BatchService,
+    client: Client,
+    owner: Caller,
+    idempotency_key: jobs.IdempotencyKey = None,
+) -> Response:
+    """Submit a sweep; 202 comes after the commit: what was accepted completes, whatever crashes."""
+    asked = (body.scenario, body.strategies, body.sweep)
+    if body.dry_run:
+        return json_answer(await cancel_on_disconnect(request, service.estimate(*asked, client)))
+    creating = service.create(*asked, client=client, key=idempotency_key, label=body.label, owner=owner)
+    job = await cancel_on_disconnect(request, creating)
+    return jobs.accepted(await service.answer(job), "batches", job)
+
+
+@batches.post(
+    "/batches/{id}/resume", operation_id="resumeBatch", response_model=Batch, responses={409: {"model": Problem}}
+)
+async def resume_batch(job_id: jobs.JobId, service: BatchService) -> Response:
+    """A cancelled one goes on where it stopped; one under way is answered as it is."""
+    return json_answer(await service.answer(await service.resume(job_id)))
+
+
+@batches.get(
+    "/batches/{id}/results",
+    operation_id="getBatchResults",
+    response_model=BatchResults,
+    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}},
+)
+async def get_batch_results(
+    job_id: jobs.JobId,
+    service: BatchService,
+    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
+) -> Response:
+    """One row a run, in order, streamed; a batch that still runs has rows that wait."""
+    batch, stream = await service.results(job_id, file_format)
+    headers = {"Cache-Control": IMMUTABLE if batch.state in FINAL else "no-store"}
+    if file_format != "json":
+        headers["Content-Disposition"] = f'attachment; filename="ridelab-batch-{batch.id}.{file_format}"'
+    return StreamingResponse(stream, headers=headers, media_type=MEDIA_TYPES[file_format])
+
+
+@batches.get("/batches/{id}/table", operation_id="getBatchTable", response_model=BatchTable)
+async def get_batch_table(
+    job_id: jobs.JobId,
+    service: BatchService,
+    figures: Annotated[str, Query(description="Keys with commas, such as bump.body_acceleration.peak")] = "",
+) -> Response:
+    """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
+    return json_answer(await service.table(job_id, _figures(figures, METRICS)))
+
+
+@batches.get(
+    "/batches/{id}/summary",
+    operation_id="getBatchSummary",
+    response_model=BatchSummary,
+    responses={429: {"model": Problem}},
+)
+async def get_batch_summary(
+    job_id: jobs.JobId,
+    request: Request,
+    service: BatchService,
+    client: Client,
+    figures: Annotated[
+        str, Query(description="Keys with commas; without any the paper's eight, travel exceeded and airborne")
+    ] = "",
+    baseline: Annotated[
+        str | None, Query(max_length=64, description="Strategy; without one LV, else the first")
+    ] = None,
+) -> Response:
+    """Each figure's quantiles and extremes under each strategy, paired margins, what they follow, and stability.
+
+    Over the runs that have finished. The worst place of a figure is its `highest`.
+    """
+    names = _figures(figures, NUMBERS) or list(robustness.FIGURES)
+    return json_answer(await cancel_on_disconnect(request, service.summary(job_id, names, baseline, client)))
+
+
+@batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=RobustnessDefaults)
+async def get_robustness_defaults() -> Response:
+    """What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary."""
+    return json_answer(robustness.answer())
+
+
+def _figures(text: str, known: Iterable[str]) -> list[str]:
+    """The figures named, each once.
+
+    Raises:
+        InvalidError: One is unknown.
+    """
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    if not set(names) <= set(known):
+        message = f"Unknown figure; there are {', '.join(known)}"
+        raise InvalidError(message, parameter="figures")
+    return list(dict.fromkeys(names))

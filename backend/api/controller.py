@@ -1,0 +1,52 @@
+"""The controller as an ECU's program: its C sources, whether they fit a part, a drive by the clock."""
+
+from typing import Annotated
+
+from fastapi import Depends, Request, Response
+
+from backend.api import router
+from backend.api.deps import Client
+from backend.ecu import models
+from backend.ecu.export import FOLDER
+from backend.ecu.service import Controllers
+from backend.http.answers import cancel_on_disconnect, json_answer
+from backend.http.routing import ScenarioRoute
+
+controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+
+
+async def _controllers(request: Request) -> Controllers:
+    service: Controllers = request.app.state.controllers
+    return service
+
+
+ControllersService = Annotated[Controllers, Depends(_controllers)]
+
+
+@controller.post(
+    "/controller",
+    operation_id="exportController",
+    response_class=Response,
+    responses={200: {"content": {"application/zip": {}}, "description": "A zip with README, Makefile and C sources"}},
+)
+async def export_controller(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
+    """The scenario's `lv_hil` controller as C sources; the same scenario gives the same bytes."""
+    content = await service.archive(body.scenario, client)
+    headers = {"Content-Disposition": f'attachment; filename="{FOLDER}.zip"'}
+    return Response(content, headers=headers, media_type="application/zip")
+
+
+@controller.post("/controller/report", operation_id="reportController", response_model=models.ControllerReport)
+async def report_controller(
+    body: models.ControllerRequest, request: Request, service: ControllersService, client: Client
+) -> Response:
+    """Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time."""
+    return json_answer(await cancel_on_disconnect(request, service.report(body.scenario, client)))
+
+
+@controller.post("/controller/realtime", operation_id="driveByClock", response_model=models.RealtimeReport)
+async def drive_by_clock(
+    body: models.ControllerRequest, request: Request, service: ControllersService, client: Client
+) -> Response:
+    """Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time."""
+    return json_answer(await cancel_on_disconnect(request, service.drive_by_clock(body.scenario, client)))

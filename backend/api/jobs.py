@@ -1,0 +1,143 @@
+"""What batches and tunings have in common: list, read, follow, name, cancel, delete."""
+
+from collections.abc import AsyncIterator, Awaitable, Callable
+from typing import Annotated, Any, Protocol
+
+from fastapi import APIRouter, Depends, Header, Path, Query, Request, Response
+from fastapi.responses import StreamingResponse
+from pydantic import BaseModel
+
+from backend.api.deps import Client
+from backend.http.answers import json_answer
+from backend.http.problems import Problem
+from backend.http.tokens import Caller
+from backend.jobs.models import LabelRequest
+from backend.jobs.service import CURSOR, Jobs
+from backend.store import StoredJob
+from backend.store.jobs import State
+
+IdempotencyKey = Annotated[
+    str | None,
+    Header(
+        min_length=1,
+        max_length=255,
+        pattern=r"^[\x21-\x7e]+$",
+        description="The same key and body again answer the same job, so that a lost answer can be asked for again; "
+        "after it was cancelled they begin a new one",
+    ),
+]
+JobId = Annotated[str, Path(alias="id", description="22 characters", max_length=64)]
+
+
+class JobService(Protocol):
+    """The service of one kind of job."""
+
+    jobs: Jobs
+
+    async def answer(self, job: StoredJob) -> BaseModel:
+        """The job as it is answered."""
+
+    async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> BaseModel:
+        """The newest jobs."""
+
+
+def add_routes(
+    router: APIRouter,
+    naming: APIRouter,
+    service_of: Callable[[Request], Awaitable[Any]],
+    *,
+    name: str,
+    plural: str,
+    model: type[BaseModel],
+    page_model: type[BaseModel],
+    events: list[str],
+    event_data: str,
+) -> None:
+    """Add the routes of one kind of job.
+
+    Args:
+        router: Of those that read no body.
+        naming: Of the one that reads a body.
+        service_of: Gives its `JobService`.
+        name: What users call one, such as `batch`.
+        plural: What they call several.
+        model: Of one.
+        page_model: Of a list.
+        events: Kinds of events.
+        event_data: What each event's data has.
+    """
+    Service = Annotated[Any, Depends(service_of)]  # a type, made here because it differs by kind
+    title = name.title()
+    event = {  # each one of the stream
+        "type": "object",
+        "properties": {
+            "id": {"type": "string"},
+            "event": {"enum": events},
+            "data": {"type": "string", "description": f"JSON: {event_data}"},
+        },
+        "required": ["id", "event", "data"],
+    }
+
+    @router.get(f"/{plural}", operation_id=f"list{plural.title()}", response_model=page_model)
+    async def page(
+        service: Service,
+        limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
+        cursor: Annotated[str | None, Query(pattern=CURSOR, description="`next` of the page before")] = None,
+        state: Annotated[State | None, Query(description="Only those in that state")] = None,
+        label: Annotated[str | None, Query(max_length=200, description="Only those with that label")] = None,
+    ) -> Response:
+        """The newest first, page by page."""
+        return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
+
+    @router.get(f"/{plural}/{{id}}", operation_id=f"get{title}", response_model=model)
+    async def get(job_id: JobId, service: Service) -> Response:
+        """As it stands; the events tell of changes."""
+        return json_answer(await service.answer(await service.jobs.get(job_id)))
+
+    @naming.patch(
+        f"/{plural}/{{id}}", operation_id=f"label{title}", response_model=model, responses={404: {"model": Problem}}
+    )
+    async def set_label(job_id: JobId, body: LabelRequest, service: Service) -> Response:
+        """Name it, or take its name away."""
+        return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label)))
+
+    @router.delete(
+        f"/{plural}/{{id}}",
+        operation_id=f"delete{title}",
+        status_code=204,
+        responses={403: {"model": Problem}, 409: {"model": Problem}},
+    )
+    async def delete(job_id: JobId, service: Service, owner: Caller) -> Response:
+        """Remove one that has ended and that no link shows; with tokens only its owner may."""
+        await service.jobs.delete(job_id, owner)
+        return Response(status_code=204)
+
+    @router.post(f"/{plural}/{{id}}/cancel", operation_id=f"cancel{title}", response_model=model)
+    async def cancel(job_id: JobId, service: Service) -> Response:
+        """It stops; what is finished stays. One that has ended is answered as it is."""
+        return json_answer(await service.answer(await service.jobs.cancel(job_id)))
+
+    @router.get(
+        f"/{plural}/{{id}}/events",
+        operation_id=f"get{title}Events",
+        response_class=StreamingResponse,
+        responses={200: {"content": {"text/event-stream": {"schema": event}}}, 429: {"model": Problem}},
+    )
+    async def get_events(
+        job_id: JobId,
+        service: Service,
+        client: Client,
+        last_event_id: Annotated[str | None, Header(description="The last number seen: a browser sends it")] = None,
+        after: Annotated[int, Query(ge=0, le=2**31 - 1, description="The same, in the address")] = 0,
+    ) -> Response:
+        """Server-sent events; the last one is the final state."""
+        if last_event_id is not None and last_event_id.isdecimal() and len(last_event_id) < 10:
+            after = int(last_event_id)
+        stream: AsyncIterator[bytes] = await service.jobs.events(job_id, after, client)
+        headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
+        return StreamingResponse(stream, headers=headers, media_type="text/event-stream")
+
+
+def accepted(model: BaseModel, plural: str, job: StoredJob) -> Response:
+    """The answer 202 to a job that was accepted."""
+    return json_answer(model, {"Location": f"/api/v1/{plural}/{job.id}"}, status=202)

@@ -1,0 +1,44 @@
+"""Share links: make one, read what it opens."""
+
+import base64
+import hashlib
+from typing import Annotated
+
+import orjson
+from fastapi import Path, Request, Response
+
+from backend.api import router
+from backend.api.deps import Client, LinksService
+from backend.http.answers import answer_unless_cached, json_answer
+from backend.runs.links import models as models_links
+
+links = router("links", 404, 422, 503)
+sharing = router("links", 400, 413, 415, 422, 429, 503)
+
+Slug = Annotated[str, Path(description="22 characters; anything else is 404")]
+
+
+@sharing.post("/links", operation_id="createLink", response_model=models_links.CreatedLink, status_code=201)
+async def create_link(body: models_links.LinkRequest, service: LinksService, client: Client) -> Response:
+    """Share a stored run or a batch; the answer comes after the commit."""
+    view = body.view.model_dump(mode="json", exclude_unset=True)
+    if body.run_id is not None:
+        made = await service.share_run(body.run_id, view, client)
+    else:
+        made = await service.share_batch(str(body.batch_id), view, client)
+    return json_answer(made, {"Location": made["url"]}, status=201)
+
+
+@links.get(
+    "/links/{slug}",
+    operation_id="getLink",
+    response_model=models_links.Link,
+    responses={304: {"description": "Not changed"}},
+)
+async def get_link(slug: Slug, request: Request, service: LinksService) -> Response:
+    """What a link opens: results as they were computed, the scenario as today's schema has it, the view."""
+    content = await service.get(slug)
+    # Of the content: what is shared never changes, but the service's own version and a batch's progress do.
+    digest = hashlib.sha256(orjson.dumps(content)).digest()[:16]
+    tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
+    return answer_unless_cached(request, tag, content, "no-cache")

@@ -1,0 +1,57 @@
+"""The page's login: a token once, then a cookie, so that event streams and downloads are let in too."""
+
+from typing import Annotated
+
+from fastapi import Request, Response
+from pydantic import BaseModel, ConfigDict, Field
+
+from backend.api import API, router
+from backend.http.answers import json_answer
+from backend.http.tokens import COOKIE, LOGIN, Caller, check_login
+
+DAYS = 90
+
+login = router("login", 400, 401, 413, 415, 422)
+
+
+class LoginState(BaseModel):
+    """Whether the service wants a token, and whose this request showed."""
+
+    required: bool
+    name: str | None = Field(description="Of the token; null without one")
+
+
+class LoginRequest(BaseModel):
+    """A token, as the service's file has it."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    token: Annotated[str, Field(min_length=1, max_length=300)]
+
+
+@login.get(LOGIN.removeprefix(API), operation_id="getLogin", response_model=LoginState)
+async def get_login(request: Request, caller: Caller) -> Response:
+    """Whether the service wants a token."""
+    return json_answer({"required": request.app.state.tokens is not None, "name": caller})
+
+
+@login.post(LOGIN.removeprefix(API), operation_id="logIn", status_code=204)
+async def log_in(body: LoginRequest, request: Request) -> Response:
+    """Keep the token in a cookie that no script can read; 401 where it is none of the service's."""
+    value = check_login(request.app.state.tokens, body.token)
+    answer = Response(status_code=204)
+    _set(answer, request, value, 86400 * DAYS)
+    return answer
+
+
+@login.delete(LOGIN.removeprefix(API), operation_id="logOut", status_code=204)
+async def log_out(request: Request) -> Response:
+    """Forget the cookie."""
+    answer = Response(status_code=204)
+    _set(answer, request, "", 0)
+    return answer
+
+
+def _set(answer: Response, request: Request, value: str, max_age: int) -> None:
+    secure = request.url.scheme == "https"
+    answer.set_cookie(COOKIE, value, max_age=max_age, httponly=True, samesite="strict", secure=secure)

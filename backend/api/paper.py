@@ -1,0 +1,63 @@
+"""The paper, checked: tables, switches, what each part contributes, figures."""
+
+from typing import Annotated, Any
+
+from fastapi import Depends, Query, Request, Response
+from fastapi.responses import HTMLResponse
+
+from backend.api import router
+from backend.api.deps import Client, html_answer
+from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
+from backend.jobs.reproduction import models
+from backend.jobs.reproduction.service import Paper
+
+paper = router("paper", 422, 429, 503)
+
+
+async def _paper(request: Request) -> Paper:
+    service: Paper = request.app.state.paper
+    return service
+
+
+PaperService = Annotated[Paper, Depends(_paper)]
+Chosen: Any = Annotated[models.PaperQuery, Query()]
+ForReport: Any = Annotated[models.ReportQuery, Query()]
+Roads = Annotated[models.RoadsQuery, Query()]
+
+
+@paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
+async def get_paper(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
+    """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly."""
+    answering = service.reproduction(query.chosen(), query.roads, client, partial=query.partial)
+    return json_answer(await cancel_on_disconnect(request, answering))
+
+
+@paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)
+async def get_readings(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
+    """What each reading does to the verdicts by itself; ask again while it is not complete."""
+    return json_answer(await cancel_on_disconnect(request, service.readings(query.roads, client)))
+
+
+@paper.get("/paper/attribution", operation_id="getPaperAttribution", response_model=models.AttributionAnswer)
+async def get_attribution(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
+    """Preview, weights and speed varied one at a time, and how much of LV's gain each is."""
+    return json_answer(await cancel_on_disconnect(request, service.attribution(query.roads, client)))
+
+
+@paper.get("/paper/figures", operation_id="getPaperFigures", response_model=models.PaperFigures)
+async def get_figures(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
+    """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
+    return json_answer(await cancel_on_disconnect(request, service.figures(query.roads, client)))
+
+
+@paper.get(
+    "/paper/report.html",
+    operation_id="getPaperReport",
+    response_class=HTMLResponse,
+    responses={200: {"content": {"text/html": {}}}},
+)
+async def get_report(query: ForReport, request: Request, service: PaperService, client: Client) -> Response:
+    """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
+    work = service.report(query.chosen(), query.roads, client, compressed=takes_gzip(request))
+    report = await cancel_on_disconnect(request, work)
+    return html_answer(report, "ridelab-paper.html")

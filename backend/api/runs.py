@@ -1,0 +1,163 @@
+"""Runs: create, read, drag, time histories, figures."""
+
+from typing import Annotated, Any, Literal
+
+from fastapi import Path, Query, Request, Response
+from fastapi.responses import HTMLResponse
+
+from backend import models
+from backend.api import router
+from backend.api.deps import Client, RunsService, html_answer
+from backend.digest import RUN_ID_LENGTH
+from backend.errors import InvalidError
+from backend.http.answers import IMMUTABLE, answer_unless_cached, cancel_on_disconnect, json_answer, takes_gzip
+from backend.http.problems import Problem
+from backend.http.routing import ComputingRoute, ScenarioRoute
+from backend.runs.figures import PANELS
+from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from sim_core.catalogue import SIGNALS
+from sim_core.strategies import STRATEGIES
+
+runs = router("runs", 404, 422, 503)
+computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+drawing = router("runs", 404, 422, 429, 503, route_class=ComputingRoute)
+
+RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
+Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
+MEDIA_TYPES = {
+    "json": "application/json",
+    "csv": "text/csv; charset=utf-8; header=present",
+    "parquet": "application/vnd.apache.parquet",
+}
+
+
+@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun | CreatedRoadsRun)
+async def create_run(body: models.RunRequest, service: RunsService, client: Client) -> Response:
+    """Run what is not stored yet, on one road or several; the answer comes after the commit."""
+    work = service.create(body.scenario, body.strategies, client, roads=body.roads, baseline=body.baseline)
+    return json_answer(await work)
+
+
+@computing.post("/live", operation_id="live", response_model=models.LiveRun)
+async def live(body: models.LiveRequest, request: Request, service: RunsService, client: Client) -> Response:
+    """Figures and decimated time histories while somebody drags; nothing is stored."""
+    work = service.live(body.scenario, body.strategies, body.points, body.signals, client)
+    return json_answer(await cancel_on_disconnect(request, work))
+
+
+@runs.get(
+    "/runs/{id}",
+    operation_id="getRun",
+    response_model=models.Run | RoadsRun,
+    responses={304: {"description": "Not changed"}},
+)
+async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:
+    """A stored run; it never changes."""
+    answer = await service.get(run_id)
+    return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
+
+
+@drawing.get(
+    "/runs/{id}/series",
+    operation_id="getSeries",
+    response_model=models.Series | models.SeriesOfSeveral,
+    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, 410: {"model": Problem}},
+)
+async def get_series(
+    run_id: RunId,
+    service: RunsService,
+    client: Client,
+    strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
+    signals: Annotated[str | None, Query(description="Keys with commas; omitted is all")] = None,
+    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
+    points: Annotated[
+        int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")
+    ] = None,
+    encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
+) -> Response:
+    """Time histories in SI units; time and position always come along."""
+    names = _names("strategy", strategy, STRATEGIES)
+    content = await service.series(
+        run_id,
+        client,
+        strategies=names,
+        signals=_names("signals", signals, SIGNALS),
+        points=points,
+        file_format=file_format,
+        encoding=encoding,
+    )
+    headers = {"Cache-Control": "public, max-age=3600"}
+    if file_format != "json":
+        headers["Content-Disposition"] = (
+            f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
+        )
+    return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
+
+
+@drawing.get(
+    "/runs/{id}/figures",
+    operation_id="getRunFigures",
+    response_model=models.Figures,
+    responses={410: {"model": Problem}},
+)
+async def get_run_figures(
+    run_id: RunId,
+    service: RunsService,
+    client: Client,
+    x: Axis = "position",
+) -> Response:
+    """Every figure with this run's data."""
+    return json_answer(await service.figures(run_id, None, x, client))
+
+
+@drawing.get(
+    "/runs/{id}/figures/{name}",
+    operation_id="getRunFigure",
+    response_model=dict[str, Any],
+    responses={410: {"model": Problem}},
+)
+async def get_run_figure(
+    run_id: RunId,
+    name: Annotated[str, Path(json_schema_extra={"enum": list(PANELS)}, description="Of the figure")],
+    service: RunsService,
+    client: Client,
+    x: Axis = "position",
+) -> Response:
+    """One figure with this run's data."""
+    return json_answer(await service.figures(run_id, name, x, client))
+
+
+@drawing.get(
+    "/runs/{id}/report.html",
+    operation_id="getRunReport",
+    response_class=HTMLResponse,
+    responses={200: {"content": {"text/html": {}}}},
+)
+async def get_run_report(
+    run_id: RunId,
+    request: Request,
+    service: RunsService,
+    client: Client,
+    baseline: Annotated[str | None, Query(description="Whose figures the changes refer to; omitted is passive")] = None,
+    x: Axis = "position",
+) -> Response:
+    """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
+    if baseline is not None:
+        _names("baseline", baseline, STRATEGIES)
+    report = await service.report(run_id, client, baseline=baseline, axis=x, compressed=takes_gzip(request))
+    return html_answer(report, f"ridelab-{run_id}.html")
+
+
+def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str] | None:
+    """The names in a comma-separated parameter; None where it was omitted.
+
+    Raises:
+        InvalidError: One of them is unknown.
+    """
+    if text is None:
+        return None
+    names = [name.strip() for name in text.split(",")]
+    if not set(names) <= set(known):
+        message = f"Unknown name; there are {', '.join(known)}"
+        raise InvalidError(message, parameter=parameter)
+    return names

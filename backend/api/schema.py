@@ -1,0 +1,121 @@
+"""What the core knows about itself: the scenario's schema, presets, strategies, signals, figure templates."""
+
+import dataclasses
+from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import orjson
+from fastapi import Response
+
+from backend import models
+from backend.api import router
+from backend.runs import figures
+from sim_core import catalogue
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.presets import PRESETS
+from sim_core.strategies import STRATEGIES
+
+schema = router("schema")
+
+
+@cache
+def _schema() -> bytes:
+    return orjson.dumps({**Scenario.model_json_schema(), "schema_version": SCHEMA_VERSION})
+
+
+@cache
+def _presets() -> bytes:
+    return orjson.dumps(
+        [
+            {
+                "id": preset.id,
+                "label": preset.label,
+                "description": preset.description,
+                "scenario": preset.scenario.model_dump(mode="json"),
+            }
+            for preset in PRESETS.values()
+        ]
+    )
+
+
+@cache
+def _strategies() -> bytes:
+    return orjson.dumps(
+        [
+            {
+                "id": strategy.id,
+                "label": strategy.label,
+                "description": strategy.description,
+                "reads": strategy.reads,
+                **dataclasses.asdict(figures.STYLES[strategy.id]),
+            }
+            for strategy in STRATEGIES.values()
+        ]
+    )
+
+
+@cache
+def _catalogue() -> bytes:
+    def listed(quantities: Iterable[catalogue.Quantity]) -> list[dict[str, Any]]:
+        return [dataclasses.asdict(quantity) for quantity in quantities]
+
+    return orjson.dumps(
+        {
+            "signals": listed(catalogue.SIGNALS.values()),
+            "metric_signals": catalogue.METRIC_SIGNALS,
+            "paper_signals": catalogue.PAPER_SIGNALS,
+            "windows": listed(catalogue.WINDOWS.values()),
+            "statistics": listed(catalogue.STATISTICS.values()),
+            "stages": listed(catalogue.STAGES.values()),
+            "comfort": listed(catalogue.COMFORT.values()),
+            "events": listed(catalogue.EVENTS.values()),
+            "run_figures": listed(catalogue.RUN_FIGURES.values()),
+            "references": listed(catalogue.REFERENCES.values()),
+        }
+    )
+
+
+@cache
+def _templates() -> bytes:
+    return orjson.dumps({"figures": figures.templates()})
+
+
+def _answer(content: bytes) -> Response:
+    return Response(content, headers={"Cache-Control": "no-cache"}, media_type="application/json")
+
+
+def warm() -> None:
+    """Make every answer of this module once; they do not change while the service runs."""
+    for make in (_schema, _presets, _strategies, _catalogue, _templates):
+        make()
+
+
+@schema.get("/schema", operation_id="getSchema", response_model=dict[str, Any])
+async def get_schema() -> Response:
+    """JSON Schema of the scenario: title, description, unit, default, hard limits and soft_range of each field."""
+    return _answer(_schema())
+
+
+@schema.get("/presets", operation_id="getPresets", response_model=list[models.PresetAnswer])
+async def get_presets() -> Response:
+    """Named scenarios; the paper's first."""
+    return _answer(_presets())
+
+
+@schema.get("/strategies", operation_id="getStrategies", response_model=list[models.StrategyAnswer])
+async def get_strategies() -> Response:
+    """Every strategy: what it does, what it reads, how it is drawn."""
+    return _answer(_strategies())
+
+
+@schema.get("/catalogue", operation_id="getCatalogue", response_model=models.Catalogue)
+async def get_catalogue() -> Response:
+    """Signals, windows, statistics, stages, comfort, events, references: keys, labels and units."""
+    return _answer(_catalogue())
+
+
+@schema.get("/figures", operation_id="getFigures", response_model=models.Figures)
+async def get_figures() -> Response:
+    """Figure templates in the order of display: layout, and a trace without data for each strategy."""
+    return _answer(_templates())

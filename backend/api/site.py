@@ -1,0 +1,114 @@
+"""The built frontend and the API's documentation page, from local files only."""
+
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+
+from fastapi import APIRouter, FastAPI
+from fastapi.responses import FileResponse, HTMLResponse, Response
+from starlette.staticfiles import StaticFiles
+
+from backend.api.deps import LinksService
+from backend.http.answers import IMMUTABLE
+from backend.http.problems import RequestError
+from backend.http.tokens import Caller
+from backend.runs.links import preview
+from backend.runs.links.preview import Preview
+
+DOCS_PAGE = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Ridelab API</title>
+<link rel="stylesheet" href="/docs-assets/swagger-ui.css">
+</head>
+<body>
+<div id="swagger-ui"><p>The OpenAPI description is at <a href="/openapi.json">/openapi.json</a>.</p></div>
+<script src="/docs-assets/swagger-ui-bundle.js"></script>
+<script src="/docs.js"></script>
+</body>
+</html>
+"""
+
+# A file of its own: the content security policy allows no inline script.
+DOCS_SCRIPT = """SwaggerUIBundle({
+  url: "/openapi.json",
+  dom_id: "#swagger-ui",
+  deepLinking: true,
+  validatorUrl: null,
+  presets: [SwaggerUIBundle.presets.apis, SwaggerUIBundle.SwaggerUIStandalonePreset],
+});
+"""
+
+# As frontend/src/pages.ts and the dashboard have them.
+PAGES = (
+    "/",
+    "/r/{id}",
+    "/b/{id}",
+    "/paper",
+    "/robustness",
+    "/robustness/{id}",
+    "/tuner",
+    "/tuner/{id}",
+    "/ecu",
+)
+
+
+class HashedFiles(StaticFiles):
+    """Files whose names hold their content's hash: a browser may keep them for ever."""
+
+    def file_response(self, *args: object, **kwargs: object) -> Response:
+        """The framework's response, immutable."""
+        response: Response = super().file_response(*args, **kwargs)  # type: ignore[arg-type]  # passed on as they came
+        response.headers["Cache-Control"] = IMMUTABLE
+        return response
+
+
+def add_site(app: FastAPI, dist: Path) -> None:
+    """Serve the frontend in `dist` at its pages' addresses and `/s/{slug}`, the documentation at `/docs`."""
+    site = APIRouter(include_in_schema=False)
+    index = dist / "index.html"
+
+    async def page() -> Response:
+        _check_built(index)
+        return FileResponse(index, headers={"Cache-Control": "no-cache"})
+
+    for path in PAGES:
+        site.add_api_route(path, page, methods=["GET"])
+
+    @site.get("/s/{slug}")
+    async def shared(slug: str, service: LinksService, caller: Caller) -> Response:
+        _check_built(index)
+        if app.state.tokens is not None and caller is None:
+            return await page()  # which asks for a token; nothing of what is shared is in it
+        found = await service.preview(slug)
+        text = preview.page(index.read_text(encoding="utf-8"), found or Preview(), shared=found is not None)
+        headers = {"Cache-Control": "no-cache", "X-Robots-Tag": "noindex"}
+        return HTMLResponse(text, 200 if found is not None else 404, headers)
+
+    @site.get("/docs")
+    async def docs() -> Response:
+        return HTMLResponse(DOCS_PAGE, headers={"Cache-Control": "no-cache"})
+
+    @site.get("/docs.js")
+    async def docs_script() -> Response:
+        return Response(DOCS_SCRIPT, headers={"Cache-Control": "no-cache"}, media_type="text/javascript")
+
+    for file in sorted(dist.glob("*.*")):
+        if file.name != "index.html":
+            site.add_api_route(f"/{file.name}", _file(file), methods=["GET"])
+    app.include_router(site)
+    app.mount("/assets", HashedFiles(directory=dist / "assets", check_dir=False))
+    app.mount("/docs-assets", StaticFiles(directory=dist / "docs-assets", check_dir=False))
+
+
+def _check_built(index: Path) -> None:
+    if not index.is_file():
+        raise RequestError("not-built", "The dashboard is not built: make setup builds it. The API answers.")
+
+
+def _file(path: Path) -> Callable[[], Awaitable[Response]]:
+    async def serve() -> Response:
+        return FileResponse(path, headers={"Cache-Control": "no-cache"})
+
+    return serve

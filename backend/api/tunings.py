@@ -1,0 +1,81 @@
+"""Tunings: begin, resume, read."""
+
+from typing import Annotated
+
+from fastapi import Depends, Query, Request, Response
+
+from backend.api import jobs, router
+from backend.api.deps import Client
+from backend.http.answers import cancel_on_disconnect, json_answer
+from backend.http.problems import Problem
+from backend.http.routing import ScenarioRoute
+from backend.http.tokens import Caller
+from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
+from backend.jobs.tuning.models import MOST_TRIALS, TuningRequest
+from backend.jobs.tuning.service import TuningService
+
+beginning = router("tunings", 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+naming = router("tunings", 400, 404, 413, 415, 422, 503)
+tunings = router("tunings", 404, 422, 503)
+
+
+async def _tunings(request: Request) -> TuningService:
+    service: TuningService = request.app.state.tunings
+    return service
+
+
+Service = Annotated[TuningService, Depends(_tunings)]
+
+jobs.add_routes(
+    tunings,
+    naming,
+    _tunings,
+    name="tuning",
+    plural="tunings",
+    model=Tuning,
+    page_model=Tunings,
+    events=["state", "progress", "restart"],
+    event_data="state, step, generation, total, done, failed, feasible; progress also best and hypervolume",
+)
+
+
+@beginning.post(
+    "/tunings",
+    operation_id="createTuning",
+    status_code=202,
+    response_model=Tuning,
+    responses={200: {"model": TuningEstimate, "description": "Of a dry run"}},
+)
+async def create_tuning(
+    body: TuningRequest,
+    request: Request,
+    service: Service,
+    client: Client,
+    owner: Caller,
+    idempotency_key: jobs.IdempotencyKey = None,
+) -> Response:
+    """Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes."""
+    if body.dry_run:
+        return json_answer(await cancel_on_disconnect(request, service.estimate(body, client)))
+    job = await service.create(body, idempotency_key, owner)
+    return jobs.accepted(await service.answer(job), "tunings", job)
+
+
+@tunings.get("/tunings/{id}/trials", operation_id="getTuningTrials", response_model=Trials)
+async def get_tuning_trials(job_id: jobs.JobId, service: Service) -> Response:
+    """Every trial of the complete generations, in order."""
+    return json_answer(await service.trials(job_id))
+
+
+@tunings.post(
+    "/tunings/{id}/resume", operation_id="resumeTuning", response_model=Tuning, responses={409: {"model": Problem}}
+)
+async def resume_tuning(
+    job_id: jobs.JobId,
+    service: Service,
+    trials: Annotated[
+        int | None, Query(ge=1, le=MOST_TRIALS, description="In all; without it as many as were asked for before")
+    ] = None,
+) -> Response:
+    """One that has ended goes on where it stopped, perhaps with more trials; one under way is answered as it is."""
+    return json_answer(await service.answer(await service.resume(job_id, trials)))

@@ -1,0 +1,65 @@
+"""The controller of one scenario as C sources: the files, and a zip of them that is the same to the byte every time."""
+
+import io
+import zipfile
+from pathlib import Path
+
+from backend.ecu import tables
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.sources import SOURCES
+
+CONTROLLER = (
+    "ridelab_tables.h",
+    "ridelab_count.h",
+    "ridelab_controller.h",
+    "ridelab_controller.c",
+    "ridelab_dual.h",
+    "ridelab_dual.c",
+)
+HOST = ("host/ridelab_prepare.h", "host/ridelab_compiled.c", "host/ridelab_main.c")
+TARGET = ("target/ridelab_firmware.c", "target/stm32f103.ld")
+FOLDER = "ridelab-controller"
+_OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothing
+
+
+def generated(calibration: Calibration) -> dict[str, str]:
+    """Name -> text of the files that hold the scenario's numbers."""
+    return {
+        "ridelab_sizes.h": tables.sizes_header(calibration),
+        "ridelab_calibration.h": tables.calibration_header(calibration),
+        "ridelab_tables.c": tables.tables_source(calibration),
+    }
+
+
+def files(calibration: Calibration, scenario: str) -> dict[str, str]:
+    """Name -> text of everything an exported controller consists of.
+
+    Args:
+        calibration: Its numbers.
+        scenario: JSON text, kept beside them.
+    """
+    fixed = {name: (SOURCES / name).read_text() for name in (*CONTROLLER, *HOST, *TARGET, "Makefile", "README.md")}
+    return {**fixed, **generated(calibration), "scenario.json": scenario}
+
+
+def written(place: Path, calibration: Calibration, scenario: str) -> list[Path]:
+    """Write the files below a folder, which is made; their paths."""
+    paths = []
+    for name, text in files(calibration, scenario).items():
+        path = place / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        paths.append(path)
+    return paths
+
+
+def zipped(calibration: Calibration, scenario: str) -> bytes:
+    """The files as a zip."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
+        for name, text in sorted(files(calibration, scenario).items()):
+            entry = zipfile.ZipInfo(f"{FOLDER}/{name}", _OLDEST)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, text)
+    return content.getvalue()

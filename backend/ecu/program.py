@@ -1,0 +1,27 @@
+"""A program that was built from exported sources drives the scenario, and is held against Ridelab's own."""
+
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+
+from backend.ecu import drive
+from backend.ecu.link import connected
+from backend.ecu.realtime import changes
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+
+
+def driven(scenario: Scenario, program: Path) -> Iterator[str]:
+    """Whether every metric is that of Ridelab's own program, and the changes against `lv` simulated [%], as text.
+
+    Raises:
+        EcuError: It has another scenario's tables, or did not answer.
+        RidelabError: The scenario has no controller.
+    """
+    result = simulate(scenario, "lv_hil", partial(connected, program=program.resolve()), ecu_calibration(scenario))
+    same = result.summary() == drive.simulate(scenario, "lv_hil").summary()
+    yield f"{program} drove the scenario; every metric {'is' if same else 'is NOT'} that of Ridelab's own program"
+    for window, row in changes(result, drive.simulate(scenario, "lv")).items():
+        cells = (f"{key} {'none' if value is None else f'{value:+.1f} %'}" for key, value in row.items())
+        yield f"against lv simulated, {window}: {', '.join(cells)}"

@@ -1,0 +1,126 @@
+"""Does the controller fit the part? Memory from the linked program, time from the operations it counts in the drive."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from backend.ecu import drive, effort, firmware
+from backend.ecu.build import EcuError
+from backend.ecu.effort import STM32F103, Part
+from backend.ecu.link import connected
+from backend.ecu.realtime import changes
+from backend.errors import EcuUnavailableError
+from sim_core.ecu.calibration import Calibration, Checked
+from sim_core.ecu.drive import ecu_calibration
+from sim_core.ecu.interface import Ecu
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Variant:
+    """A controller that may fit where the scenario's own does not; None is the scenario's own."""
+
+    prediction: int | None = None
+    control: int | None = None
+    iterations: int | None = None
+    checked: Checked = "all"
+
+    def of(self, scenario: Scenario) -> Scenario:
+        """The scenario with this controller, never longer than its own."""
+        mpc, hil = scenario.mpc, scenario.hil
+        prediction = min(self.prediction or mpc.prediction_horizon, mpc.prediction_horizon)
+        control = min(self.control or mpc.control_horizon, mpc.control_horizon, prediction)
+        iterations = hil.iterations if self.iterations is None else min(self.iterations, hil.iterations)
+        return scenario.model_copy(
+            update={
+                "mpc": mpc.model_copy(update={"prediction_horizon": prediction, "control_horizon": control}),
+                "hil": hil.model_copy(update={"iterations": iterations}),
+            }
+        )
+
+
+VARIANTS = (
+    Variant(),
+    Variant(checked="few"),
+    Variant(checked="few", iterations=4),
+    Variant(prediction=20, control=10, checked="few", iterations=4),
+    Variant(prediction=15, control=5, iterations=4),
+    Variant(prediction=10, control=5, iterations=4),
+    Variant(prediction=5, control=3, iterations=4),
+)
+
+
+def report(scenario: Scenario) -> dict[str, Any]:
+    """The scenario's own controller and smaller ones, as `ControllerReport`.
+
+    Raises:
+        EcuUnavailableError: A program cannot be built, or fails.
+        RidelabError: As `simulate` raises.
+    """
+    part, rows, seen = STM32F103, [], set()
+    simulated = drive.simulate(scenario, "lv")
+    for variant in VARIANTS:
+        changed = variant.of(scenario)
+        key = (changed.mpc.prediction_horizon, changed.mpc.control_horizon, changed.hil.iterations, variant.checked)
+        if key not in seen:
+            seen.add(key)
+            try:
+                rows.append(_row(changed, variant.checked, part, simulated))
+            except EcuError as error:
+                raise EcuUnavailableError(error.message) from None
+    return {
+        "part": {"name": part.name, "clock": part.clock, "flash": part.flash, "ram": part.ram, "stack": part.stack},
+        "sample_time": scenario.mpc.sample_time,
+        "cycles_per_operation": effort.CYCLES_PER_OPERATION,
+        "spread": effort.SPREAD,
+        "rows": rows,
+    }
+
+
+def _row(scenario: Scenario, checked: Checked, part: Part, simulated: StrategyResult) -> dict[str, Any]:
+    calibration = ecu_calibration(scenario, checked)
+    linked = firmware.image(calibration)
+    operations: list[int] = []
+
+    @contextmanager
+    def counted(wanted: Calibration) -> Iterator[Ecu]:
+        with connected(wanted) as link:
+            yield link
+            operations.extend(link.operations)
+
+    result = simulate(scenario, "lv_hil", counted, calibration)
+    least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
+    reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
+    return {
+        "prediction_horizon": calibration.intervals,
+        "control_horizon": calibration.moves,
+        "checked": checked,
+        "checked_rows": calibration.row_count,
+        "iterations": calibration.iterations,
+        "code": linked.sections.get(".text", 0),
+        "constants": linked.sections.get(".rodata", 0),
+        "variables": linked.ram,
+        "operations": {"least": min(operations), "most": max(operations)},
+        "time": {"least": least, "most": most},
+        "most_iterations": result.events["ecu_most_iterations"],
+        "unfinished": result.events["qp_failures"],
+        "fits": not reasons,
+        "reasons": reasons,
+        "changes": changes(result, simulated),
+    }
+
+
+def _reasons(linked: firmware.Image, most: float, sample_time: float, part: Part) -> list[str]:
+    """Why it does not fit; nothing where it does."""
+    found = []
+    if linked.flash > part.flash:
+        found.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
+    if linked.ram + part.stack > part.ram:
+        needed = (linked.ram + part.stack) / 1024
+        found.append(f"variables and stack take {needed:.0f} KB of {part.ram / 1024:.0f} KB RAM")
+    if most > sample_time:
+        found.append(f"the longest step takes about {1000 * most:.3g} ms of {1000 * sample_time:.3g} ms")
+    return found

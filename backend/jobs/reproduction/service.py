@@ -1,0 +1,131 @@
+"""The paper page's answers, made of stored rows; what is missing is a job."""
+
+import asyncio
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from backend.http.admission import Admission
+from backend.jobs.reproduction import answers, drawings, work
+from backend.jobs.reproduction.rows import PaperRows, Rows
+from backend.runs.reports import paper as paper_report
+from backend.runs.reports.making import made
+from backend.runs.reports.page import Report
+from backend.runs.results import Results
+from backend.store import Store
+from sim_core.scenario import Scenario
+from sim_core.study import paper
+from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
+from sim_core.study.readings import READINGS
+
+HISTORY_POINTS = 1200
+PATIENCE = 2.0  # an answer in rows comes after so long with those that are there [s]
+
+Requests = Mapping[str, tuple[work.RowRequest, ...]]
+
+
+class Paper:
+    """The one service of the paper page; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, results: Results, admission: Admission) -> None:
+        self._rows = PaperRows(store)
+        self._results = results
+        self._admission = admission
+
+    async def reproduction(
+        self, chosen: Mapping[str, str], roads: range, client: str, *, partial: bool = False
+    ) -> dict[str, Any]:
+        """Every cell under these readings (reading -> choice, all of them), as `PaperAnswer`.
+
+        Args:
+            chosen: The readings.
+            roads: Their seeds.
+            client: Who asks.
+            partial: Answer at once, with the cells that are there.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        sets = {"": chosen, "blind": {**chosen, "preview": "none"}}
+        sets |= {name: item.choices for name, item in INTERPRETATIONS.items()}
+        requests = {name: await _requests(choices, roads) for name, choices in sets.items()}
+        rows = await self._get(client, *requests.values(), patience=0.0 if partial else None)
+        values = {
+            name: work.figures_by_strategy(rows.by_key, requests[name], choices[paper.WINDOW])
+            for name, choices in sets.items()
+        }
+        named = {name: values[name] for name in INTERPRETATIONS}
+        return answers.reproduction(chosen, roads, values[""], values["blind"], named, rows)
+
+    async def readings(self, roads: range, client: str) -> dict[str, Any]:
+        """What each switch does by itself, as `ReadingsAnswer`; as many rows as there are after a while.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        default = DEFAULT.choices
+        choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
+        sets = [default, *({**default, reading: choice} for reading, choice in choices)]
+        requests = [await _requests(each, roads) for each in sets]
+        rows = await self._get(client, *requests, patience=PATIENCE)
+        values = [
+            work.figures_by_strategy(rows.by_key, wanted, each[paper.WINDOW])
+            for wanted, each in zip(requests, sets, strict=True)
+        ]
+        needed = set(paper.SIMULATED if rows.reason is not None else paper.STRATEGIES)
+        base = paper.judge(values[0])
+        return {
+            "rows": [
+                answers.reading_row(reading, choice, base, paper.judge(found))
+                for (reading, choice), found in zip(choices, values[1:], strict=True)
+                if needed <= found.keys() and needed <= values[0].keys()
+            ],
+            "complete": rows.complete,
+            "unavailable": answers.unavailable(rows.reason),
+        }
+
+    async def attribution(self, roads: range, client: str) -> dict[str, Any]:
+        """What each part contributes, as `AttributionAnswer`.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        return answers.attribution(roads, await self._study(work.ATTRIBUTION, roads, client))
+
+    async def figures(self, roads: range, client: str) -> dict[str, Any]:
+        """The paper's figures made by us, as `PaperFigures`.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        peaks = await self._study(work.SPEEDS, roads, client)
+        found = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
+        outcomes = {name: item.outcome for name, item in found.items()}
+        return {"figures": await asyncio.to_thread(drawings.all_figures, peaks, outcomes)}
+
+    async def report(self, chosen: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
+        """All of it as one HTML file; what each part contributes and the figures are by the default readings.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        found = await self.reproduction(chosen, roads, client)
+        parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
+        with self._admission.computing(client, Scenario(), ()):
+            return await made(partial(paper_report.report, found, parts, drawn["figures"], compressed=compressed))
+
+    async def _study(self, study: str, roads: range, client: str) -> list[Any]:
+        wanted = work.requests_of_study(study, roads)
+        rows = await self._get(client, {study: wanted}, patience=None)
+        return [rows.by_key[request.key] for request in wanted]
+
+    async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
+        """These rows; one road's worth of runs has to be within what a request may cost."""
+        self._admission.check(Scenario(), paper.STRATEGIES)
+        with self._admission.reading(client):
+            every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
+            return await self._rows.get(every, patience)
+
+
+async def _requests(chosen: Mapping[str, str], roads: range) -> Requests:
+    return await asyncio.to_thread(work.requests_under, chosen, roads)

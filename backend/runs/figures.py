@@ -1,0 +1,212 @@
+"""Every time-history figure, defined once with plotly.graph_objects.
+
+A template holds the layout and one empty trace for each signal of each strategy (`meta` names them); the browser
+fills it with series, `filled` does the same here. Values are SI in series and references; `layout.meta.scale` makes
+them the unit shown.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+import plotly.graph_objects as go
+
+from backend.runs.series import ROWS, packed
+from backend.runs.work import Outcome
+from sim_core.catalogue import REFERENCES, SIGNALS, STAGES
+from sim_core.strategies import STRATEGIES
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Style:
+    """How one strategy is drawn everywhere."""
+
+    colour: str
+    dash: str
+
+
+# 0.13 or more apart in OKLab with normal, protan and deutan vision, and each 3:1 or more on white and on #1a1b1e (a
+# search under these bounds; Okabe and Ito's colours come as near as 0.03 there). A dash of its own besides.
+STYLES: dict[str, Style] = {
+    "lv": Style(colour="#1C5FDF", dash="solid"),
+    "lv_hil": Style(colour="#C0300C", dash="longdashdot"),
+    "lqr": Style(colour="#FF5F00", dash="dash"),
+    "suspension_only": Style(colour="#16A87C", dash="dashdot"),
+    "speed_only": Style(colour="#A882D9", dash="longdash"),
+    "passive": Style(colour="#666873", dash="dot"),
+}
+
+# SI unit -> the unit a plot shows and the factor to it.
+SHOWN_UNITS: dict[str, tuple[str, float]] = {"m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
+NEUTRAL = "#868E96"  # reference lines and stages: 3:1 on white and on #1a1b1e
+STAGE_FILLS = {"brake": "rgba(213, 94, 0, 0.10)", "bump": "rgba(0, 114, 178, 0.13)"}  # cruise stays clear
+BAND_FILL = "rgba(134, 142, 150, 0.2)"
+AXES = ("position", "time")
+_AXIS = {"zeroline": True, "gridcolor": "rgba(134, 142, 150, 0.25)", "zerolinecolor": "rgba(134, 142, 150, 0.5)"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Panel:
+    """One figure: a signal, the unit it is shown in, and the reference lines at `factor` times their value."""
+
+    signal: str
+    unit: str | None = None
+    scale: float | None = None
+    title: str | None = None
+    references: tuple[tuple[str, tuple[float, ...]], ...] = ()
+    band: tuple[str, str] | None = None  # centre and half width
+
+    @property
+    def shown(self) -> tuple[str, float]:
+        """Unit shown and the factor from SI to it."""
+        unit = SIGNALS[self.signal].unit
+        if self.unit is not None and self.scale is not None:
+            return self.unit, self.scale
+        return SHOWN_UNITS.get(unit, (unit.replace("^2", "²"), 1.0))
+
+
+_TRAVEL = (("deflection_limit", (-1.0, 1.0)),)
+_FORCE = (("force_limit", (-1.0, 1.0)),)
+
+PANELS: dict[str, Panel] = {
+    "road": Panel(signal="front_road", unit="mm", scale=1000.0, title="Road"),
+    "speed": Panel(signal="speed", references=(("target_speed", (1.0,)),), band=("target_speed", "target_band")),
+    "brake_pressure": Panel(signal="brake_pressure"),
+    "body_acceleration": Panel(signal="body_acceleration"),
+    "pitch_acceleration": Panel(signal="pitch_acceleration"),
+    "front_tyre_load": Panel(signal="front_tyre_load", references=(("front_static_load", (-1.0,)),)),
+    "rear_tyre_load": Panel(signal="rear_tyre_load", references=(("rear_static_load", (-1.0,)),)),
+    "front_deflection": Panel(signal="front_deflection", unit="mm", scale=1000.0, references=_TRAVEL),
+    "rear_deflection": Panel(signal="rear_deflection", unit="mm", scale=1000.0, references=_TRAVEL),
+    "front_force": Panel(signal="front_force", references=_FORCE),
+    "rear_force": Panel(signal="rear_force", references=_FORCE),
+}
+
+
+@cache
+def templates() -> dict[str, Any]:
+    """Figure name -> plotly figure as plain JSON values, traces without data; in the order of display."""
+    return {name: _template(panel) for name, panel in PANELS.items()}
+
+
+def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> dict[str, Any]:
+    """One figure with a run's data, its stages shaded and its reference lines drawn.
+
+    Args:
+        name: A key of `PANELS`.
+        outcomes: By strategy; those without series are left out.
+        axis: `position` or `time`, for x.
+    """
+    panel, template = PANELS[name], templates()[name]
+    members = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
+    summaries = {name: outcomes[name].summary for name in members}
+    scale = np.float32(panel.shown[1])
+    traces = [
+        {
+            **trace,
+            "x": packed(members[strategy][ROWS[axis]]),
+            "y": packed(members[strategy][ROWS[panel.signal]] * scale),
+        }
+        for trace in template["data"]
+        if (strategy := trace["meta"]["strategy"]) in members
+    ]
+    shapes = [*_stages(summaries, axis), *_references(panel, summaries)]
+    x_axis = {**template["layout"]["xaxis"], "title": {"text": _axis_title(axis)}}
+    return {"data": traces, "layout": {**template["layout"], "xaxis": x_axis, "shapes": shapes}}
+
+
+def _template(panel: Panel) -> dict[str, Any]:
+    unit, scale = panel.shown
+    title = panel.title or SIGNALS[panel.signal].label
+    figure = go.Figure(layout={"template": go.layout.Template()})
+    for strategy in STRATEGIES.values():
+        style = STYLES[strategy.id]
+        figure.add_scatter(
+            name=strategy.label,
+            mode="lines",
+            line={"color": style.colour, "dash": style.dash, "width": 1.5},
+            legendgroup=strategy.id,
+            hovertemplate=f"%{{y:.4~g}} {unit}" if unit != "1" else "%{y:.4~g}",
+            meta={"strategy": strategy.id, "signal": panel.signal},
+        )
+    figure.update_layout(
+        title={"text": title},
+        meta={
+            "title": title,
+            "unit": unit,
+            "scale": scale,
+            "signal": panel.signal,
+            "reference": [key for key, _ in panel.references],
+            "reference_factors": {key: list(factors) for key, factors in panel.references},
+            "reference_labels": {key: REFERENCES[key].label for key, _ in panel.references},
+            "band": list(panel.band) if panel.band else None,
+            "axes": {key: _axis_title(key) for key in AXES},
+            "stage_fills": STAGE_FILLS,
+            "band_fill": BAND_FILL,
+            "neutral": NEUTRAL,
+        },
+        xaxis={"title": {"text": _axis_title(AXES[0])}, **_AXIS},
+        yaxis={"title": {"text": f"{title} [{unit}]"}, **_AXIS},
+        hovermode="x unified",
+        showlegend=True,
+        legend={"orientation": "h", "y": 1.02, "yanchor": "bottom"},
+        margin={"l": 64, "r": 16, "t": 48, "b": 48},
+        paper_bgcolor="rgba(0,0,0,0)",
+        plot_bgcolor="rgba(0,0,0,0)",
+    )
+    plain: dict[str, Any] = figure.to_plotly_json()
+    return {"data": list(plain["data"]), "layout": plain["layout"]}
+
+
+def _axis_title(axis: str) -> str:
+    return f"{SIGNALS[axis].label} [{SIGNALS[axis].unit}]"
+
+
+def _stages(summaries: Mapping[str, Mapping[str, Any]], axis: str) -> list[dict[str, Any]]:
+    """Shaded bands, from the strategy with most stages: they lie at the same places, if not at the same times."""
+    spans: list[dict[str, Any]] = max((summary["stages"] for summary in summaries.values()), key=len, default=[])
+    return [
+        {
+            "type": "rect",
+            "xref": "x",
+            "yref": "paper",
+            "x0": span[f"start_{axis}"],
+            "x1": span[f"end_{axis}"],
+            "y0": 0,
+            "y1": 1,
+            "layer": "below",
+            "line": {"width": 0},
+            "fillcolor": STAGE_FILLS[span["stage"]],
+            "name": STAGES[span["stage"]].label,
+        }
+        for span in spans
+        if span["stage"] in STAGE_FILLS
+    ]
+
+
+def _references(panel: Panel, summaries: Mapping[str, Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Horizontal lines, each distinct value once, and the band around one of them."""
+    scale = panel.shown[1]
+    common: dict[str, float] = {}
+    for summary in summaries.values():
+        common |= {key: value for key, value in summary["reference"].items() if value is not None}
+    lines = [
+        _across(factor * common[key] * scale, factor * common[key] * scale, REFERENCES[key].label)
+        for key, factors in panel.references
+        if key in common
+        for factor in factors
+    ]
+    if panel.band and all(key in common for key in panel.band):
+        centre, half = (common[key] * scale for key in panel.band)
+        lines.append(_across(centre - half, centre + half, f"{REFERENCES[panel.band[0]].label} ± {half:.3g}"))
+    return lines
+
+
+def _across(low: float, high: float, label: str) -> dict[str, Any]:
+    """A line over the whole width, or a band where the two values differ."""
+    shape = {"xref": "paper", "yref": "y", "x0": 0, "x1": 1, "y0": low, "y1": high, "layer": "below", "name": label}
+    if low == high:
+        return {**shape, "type": "line", "line": {"color": NEUTRAL, "dash": "dash", "width": 1}}
+    return {**shape, "type": "rect", "line": {"width": 0}, "fillcolor": BAND_FILL}

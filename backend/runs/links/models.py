@@ -1,0 +1,111 @@
+"""The shapes of share links: what is asked for, and what a link opens."""
+
+from datetime import datetime
+from typing import Annotated, Literal, Self
+
+from pydantic import AfterValidator, Field, model_validator
+from pydantic_core import PydanticCustomError
+
+from backend.jobs.sweep.models import Batch
+from backend.models import Answer, RequestModel, Run, StrategyName
+from backend.runs.roads_models import RoadsRun
+from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
+from sim_core.scenario import Scenario
+from sim_core.strategies import STRATEGIES
+
+SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Names = Annotated[list[StrategyName], Field(max_length=len(STRATEGIES))]
+Id = Annotated[str, Field(pattern=SLUG_PATTERN)]
+
+
+def _ascending(ends: tuple[float, float]) -> tuple[float, float]:
+    if ends[0] >= ends[1]:
+        raise PydanticCustomError("not_ascending", "The first end has to be less than the second")
+    return ends
+
+
+def _known_column(name: str) -> str:
+    if name not in METRICS:
+        raise PydanticCustomError(
+            "unknown_column",
+            "Unknown figure; there are window.signal.statistic with {windows}, {signals} and {statistics}, "
+            "comfort.*, events.* and {figures}",
+            {
+                "windows": "|".join(WINDOWS),
+                "signals": "|".join(METRIC_SIGNALS),
+                "statistics": "|".join(STATISTICS),
+                "figures": ", ".join(RUN_FIGURES),
+            },
+        )
+    return name
+
+
+class LinkView(RequestModel):
+    """How a run or a batch is looked at; what is left out is as the page opens it. Comes back as it was sent."""
+
+    strategies: Names | None = Field(None, description="Shown, in this order.")
+    hidden: Names | None = Field(None, description="Of those shown, the ones switched off in the plots.")
+    baseline: StrategyName | None = Field(None, description="What changes in % are against.")
+    axis: Literal["distance", "time"] | None = Field(None, description="What is on the x axis.")
+    # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
+    zoom: Annotated[tuple[Finite, Finite], Field(strict=False), AfterValidator(_ascending)] | None = Field(
+        None, description="Range of the x axis, [m] or [s]; null is all."
+    )
+    cursor: Finite | None = Field(None, description="Place on the x axis, [m] or [s]; null is none.")
+    x: str | None = Field(None, max_length=255, description="Of a batch only: the field on the x axis, dotted.")
+    y: Annotated[str, AfterValidator(_known_column)] | None = Field(
+        None, description="Of a batch only: the figure on the y axis, window.signal.statistic."
+    )
+
+
+class LinkRequest(RequestModel):
+    """What to share: a stored run or a batch, and how it is looked at."""
+
+    run_id: Id | None = None
+    batch_id: Id | None = None
+    view: LinkView = LinkView()
+
+    @model_validator(mode="after")
+    def _one_target(self) -> Self:
+        if (self.run_id is None) == (self.batch_id is None):
+            raise _at("run_id", "Exactly one of run_id and batch_id has to be given")
+        for name in ("x", "y"):
+            if self.batch_id is None and getattr(self.view, name) is not None:
+                raise _at(f"view.{name}", "Only the view of a batch has this field")
+        return self
+
+
+def _at(field: str, message: str) -> PydanticCustomError:
+    """An error of the whole request that belongs to one field, dotted."""
+    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})
+
+
+class CreatedLink(Answer):
+    """A new link."""
+
+    slug: str = Field(description="22 characters, 128 random bits")
+    url: str = Field(description="Path of the page that opens it")
+    series_pinned: bool = Field(
+        description="Whether time histories are kept for ever too. Never of a batch; of a run of another core version "
+        "only where an earlier link pinned them. Metrics always are."
+    )
+
+
+class Link(Answer):
+    """What a link opens."""
+
+    slug: str
+    url: str
+    created_at: datetime = Field(description="When the link was made")
+    kind: Literal["run", "batch"]
+    core_version: str = Field(description="Which computed it")
+    computed_at: datetime = Field(description="When; of a batch that still runs, when it was accepted")
+    current_core_version: str = Field(description="Which the service runs")
+    schema_version: int = Field(description="Which the scenario was stored under; `scenario` is today's")
+    scenario: Scenario
+    view: LinkView = Field(description="As it was sent")
+    run: Run | RoadsRun | None
+    batch: Batch | None
+    series_pinned: bool

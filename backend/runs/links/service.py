@@ -1,0 +1,170 @@
+"""Share links: an unguessable slug that opens a run or a batch as it was computed, in the view it was shared in."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import UTC, datetime
+from typing import Any
+
+from backend import digest
+from backend.compute.workers import Workers
+from backend.errors import InvalidError, NotFoundError
+from backend.http.admission import Admission
+from backend.jobs.sweep.models import Batch
+from backend.runs import pins
+from backend.runs.answers import run_answer
+from backend.runs.links import preview
+from backend.runs.links.models import SLUG_PATTERN
+from backend.runs.links.preview import Preview
+from backend.runs.service import upgraded_scenario
+from backend.store import Store, StoredJob, StoredLink, StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
+
+
+class Links:
+    """The one service of links; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, workers: Workers, admission: Admission) -> None:
+        self._store = store
+        self._workers = workers
+        self._admission = admission
+
+    async def share_run(self, run_id: str, view: Mapping[str, Any], client: str) -> dict[str, Any]:
+        """A new link to a run, as `CreatedLink`; its time histories are pinned with it.
+
+        Raises:
+            InvalidError: No such run.
+            TemporaryError: Too many new links, or too much is being computed.
+        """
+        stored = await self._store.read(self._store.runs.load, run_id)
+        if stored is None:
+            raise _unknown("run_id", "There is no run of this id")
+        self._admission.linking(client)
+        keys = _histories(stored)
+        present = await self._store.read(self._store.links.pinned, keys.values())
+        missing = {name: key for name, key in keys.items() if key not in present}
+        made = await self._pin(stored, missing, client)
+        slug = await self._save("run", run_id, view, made)
+        return {"slug": slug, "url": url(slug), "series_pinned": bool(keys) and set(missing.values()) <= made.keys()}
+
+    async def share_batch(self, batch_id: str, view: Mapping[str, Any], client: str) -> dict[str, Any]:
+        """A new link to a batch, as `CreatedLink`.
+
+        Raises:
+            InvalidError: No such batch, or a view of a field that it does not sweep.
+            TooManyRequestsError: Too many new links.
+        """
+        stored = await self._store.read(self._store.jobs.load, batch_id)
+        if stored is None or stored.kind != "sweep":
+            raise _unknown("batch_id", "There is no batch of this id")
+        if view.get("x") not in (None, *stored.request["fields"]):
+            raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
+        self._admission.linking(client)
+        slug = await self._save("batch", batch_id, view, {})
+        return {"slug": slug, "url": url(slug), "series_pinned": False}
+
+    async def get(self, slug: str) -> dict[str, Any]:
+        """What a link opens, as `Link`.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        link = await self._load(slug)
+        if link is None:
+            raise NotFoundError("There is no link of this slug.")
+        head = {
+            "slug": link.slug,
+            "url": url(link.slug),
+            "created_at": link.created_at,
+            "kind": link.kind,
+            "current_core_version": CORE_VERSION,
+            "view": link.view,
+        }
+        if link.kind == "batch":
+            return {**head, **_opened_batch(await self._job(link))}
+        stored = await self._run(link)
+        keys = set(_histories(stored).values())
+        pinned = await self._store.read(self._store.links.pinned, keys)
+        return {
+            **head,
+            "core_version": stored.core_version,
+            "computed_at": stored.created_at,
+            "schema_version": stored.schema_version,
+            "scenario": stored.scenario,
+            "run": run_answer(stored),
+            "batch": None,
+            "series_pinned": bool(keys) and keys <= pinned,
+        }
+
+    async def preview(self, slug: str) -> Preview | None:
+        """What a chat program shows of the link; None where there is none."""
+        link = await self._load(slug)
+        if link is None:
+            return None
+        if link.kind == "batch":
+            batch = await self._job(link)
+            return preview.of_batch(_batch_answer(batch), batch.finished_at or batch.created_at)
+        run = await self._run(link)
+        return preview.of_run(run_answer(run), link.view, run.created_at)
+
+    async def _pin(self, stored: StoredRun, missing: Mapping[str, str], client: str) -> dict[str, bytes]:
+        """By result key the time histories; nothing where another core version would make others."""
+        if not missing or stored.core_version != CORE_VERSION:
+            return {}
+        scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
+        with self._admission.computing(client, scenario, missing):
+            made = await self._workers.call(pins.make, scenario, list(missing))
+        return {missing[name]: content for name, content in made.items()}
+
+    async def _save(self, kind: Any, target: str, view: Mapping[str, Any], made: Mapping[str, bytes]) -> str:
+        slug = digest.random_id()
+        link = StoredLink(slug=slug, kind=kind, target=target, view=dict(view), created_at=datetime.now(UTC))
+        await self._store.write(self._store.links.save, link, made)
+        return slug
+
+    async def _load(self, slug: str) -> StoredLink | None:
+        return await self._store.read(self._store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
+
+    async def _run(self, link: StoredLink) -> StoredRun:
+        stored = await self._store.read(self._store.runs.load, link.target)
+        if stored is None:
+            raise RuntimeError("A link's run is not there, though nothing removes runs")
+        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
+
+    async def _job(self, link: StoredLink) -> StoredJob:
+        stored = await self._store.read(self._store.jobs.load, link.target)
+        if stored is None:
+            raise RuntimeError("A link's batch is not there, though nothing removes it")
+        scenario = upgraded_scenario(stored.request["scenario"], stored.schema_version)
+        return replace(stored, request={**stored.request, "scenario": scenario})
+
+
+def url(slug: str) -> str:
+    """Path of the page that opens the link."""
+    return f"/s/{slug}"
+
+
+def _histories(stored: StoredRun) -> dict[str, str]:
+    """Result keys of the strategies that have time histories."""
+    return {item.strategy: item.key for item in stored.shown}
+
+
+def _opened_batch(stored: StoredJob) -> dict[str, Any]:
+    return {
+        "core_version": stored.core_version,
+        "computed_at": stored.finished_at or stored.created_at,
+        "schema_version": stored.schema_version,
+        "scenario": stored.request["scenario"],
+        "run": None,
+        "batch": _batch_answer(stored),
+        "series_pinned": False,
+    }
+
+
+def _unknown(field: str, message: str) -> InvalidError:
+    return InvalidError(f"{message}.", kind="unknown", pointer=f"/{field}")
+
+
+def _batch_answer(stored: StoredJob) -> dict[str, Any]:
+    return Batch.of(stored, 0).model_dump()

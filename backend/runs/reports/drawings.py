@@ -1,0 +1,65 @@
+"""Figures of a report: the part of each axis that is shown, and the words below it."""
+
+import base64
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from backend.runs.reports.keys import line_of
+from backend.runs.reports.numbers import NOTHING, significant, with_unit
+
+REACH = 0.6  # how far beyond the curves, in spans of theirs, a reference line is still brought into view
+PADDING = 0.05
+
+
+def framed(figure: dict[str, Any]) -> dict[str, Any]:
+    """A filled figure with its y axis around the curves and those reference lines that are near them.
+
+    The axis has no title: the heading above the figure says signal and unit.
+    """
+    values = [_unpacked(trace["y"]) for trace in figure["data"]]
+    values = [each for each in values if len(each)]
+    if not values:
+        return figure
+    low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
+    reach = REACH * max(high - low, NOTHING)
+    for shape in figure["layout"].get("shapes", ()):
+        if shape["yref"] == "y" and low - reach <= shape["y0"] and shape["y1"] <= high + reach:
+            low, high = min(low, shape["y0"]), max(high, shape["y1"])
+    room = PADDING * (high - low) if high > low else max(abs(high), 1.0)
+    y_axis = {**figure["layout"]["yaxis"], "range": [low - room, high + room], "title": None}
+    return {**figure, "layout": {**figure["layout"], "yaxis": y_axis}}
+
+
+def caption(name: str, figure: Mapping[str, Any]) -> dict[str, Any]:
+    """A figure's title, unit, key of lines, and what is shaded, dashed, or too far away to be seen."""
+    layout = figure["layout"]
+    low, high = layout["yaxis"].get("range", (0.0, 0.0))
+    shapes = layout.get("shapes", ())
+    shaded = {shape["name"] for shape in shapes if shape["xref"] == "x"}
+    lines = [shape for shape in shapes if shape["yref"] == "y"]
+    near = {shape["name"] for shape in lines if low <= shape["y0"] and shape["y1"] <= high}
+    far: dict[str, list[float]] = {}
+    for shape in lines:
+        if shape["name"] not in near:
+            far.setdefault(shape["name"], []).append(shape["y0"])
+    unit = layout["meta"]["unit"]
+    notes = [f"shaded: {', '.join(sorted(shaded)).lower()}"] if shaded else []
+    notes += [f"grey: {', '.join(sorted(near)).lower()}"] if near else []
+    notes += [
+        f"beyond the plot: {each.lower()} ({', '.join(with_unit(significant(value), unit) for value in values)})"
+        for each, values in sorted(far.items())
+    ]
+    return {
+        "name": name,
+        "title": layout["meta"]["title"],
+        "unit": unit,
+        "keys": [line_of(trace) for trace in figure["data"]],
+        "notes": "; ".join(notes),
+    }
+
+
+def _unpacked(values: Mapping[str, str]) -> NDArray[np.float32]:
+    return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")

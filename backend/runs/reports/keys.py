@@ -1,0 +1,36 @@
+"""What a strategy is called, and its line in a figure's key."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from backend.runs import figures
+from sim_core.strategies import STRATEGIES
+
+# Plotly's dashes as SVG's, for lines two wide.
+_DASHES = {
+    "solid": "",
+    "dash": "7 3",
+    "dashdot": "7 3 2 3",
+    "longdash": "11 3",
+    "longdashdot": "11 3 2 3",
+    "dot": "2 3",
+}
+
+
+def label(strategy: str) -> str:
+    """What a strategy is called; its id where today's catalogue no longer has it."""
+    return STRATEGIES[strategy].label if strategy in STRATEGIES else strategy
+
+
+def key_of(strategy: str) -> dict[str, str]:
+    """A strategy's name and how it is drawn."""
+    style = figures.STYLES.get(strategy, figures.Style(colour=figures.NEUTRAL, dash="solid"))
+    return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _DASHES[style.dash]}
+
+
+def line_of(trace: Mapping[str, Any]) -> dict[str, str]:
+    """The key of a line, or of a filled band, as its trace has it."""
+    if "fillcolor" in trace:
+        return {"label": trace["name"], "colour": trace["fillcolor"], "dash": "", "width": "10"}
+    line = trace["line"]
+    return {"label": trace["name"], "colour": line["color"], "dash": _DASHES[line["dash"]]}

@@ -1,0 +1,128 @@
+"""One HTML file: a template filled, its style and scripts inside, and the policy under which it is shown.
+
+Every script is in the file and named in the policy by its hash; nothing else runs, and nothing is loaded from anywhere.
+The policy is in the file too, for whoever opens a saved copy.
+"""
+
+import base64
+import gzip
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import orjson
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+from plotly.offline import get_plotlyjs
+
+from backend.runs.reports import numbers
+
+TEMPLATES = Path(__file__).parent / "templates"
+COMPRESSION = 1  # the same as the service's other answers
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Report:
+    """A report as it is sent: `content` in that `encoding` (None as it is), under that content security policy."""
+
+    content: bytes
+    encoding: str | None
+    policy: str
+
+    @property
+    def headers(self) -> dict[str, str]:
+        """What goes with it."""
+        encoded = {} if self.encoding is None else {"Content-Encoding": self.encoding}
+        # A document that may be shown in no frame says so in a header; in a document's own head it would be ignored.
+        return {
+            "Content-Security-Policy": f"{self.policy}; frame-ancestors 'none'",
+            "Vary": "Accept-Encoding",
+            **encoded,
+        }
+
+
+def render(template: str, values: Mapping[str, Any], figures: Mapping[str, Any], *, compressed: bool) -> Report:
+    """Fill a template.
+
+    Args:
+        template: Its file name.
+        values: What it shows; text, escaped there.
+        figures: Plotly figures by name; without any the file has no script.
+        compressed: Whether whoever asked takes gzip.
+    """
+    text = (
+        _environment()
+        .get_template(template)
+        .render(
+            **values,
+            policy=policy(bool(figures)),
+            style=Markup(_file("report.css")),  # noqa: S704  # our own file
+            scripts=[Markup(script) for script in scripts()] if figures else [],  # noqa: S704  # our own, and plotly's
+            data=_data(figures) if figures else None,
+        )
+    )
+    content = text.encode()
+    if not compressed:
+        return Report(content=content, encoding=None, policy=policy(bool(figures)))
+    return Report(content=gzip.compress(content, COMPRESSION, mtime=0), encoding="gzip", policy=policy(bool(figures)))
+
+
+@cache
+def scripts() -> tuple[str, str]:
+    """Plotly, and what draws with it, as they stand between their tags."""
+    return get_plotlyjs().replace("\r\n", "\n"), _file("report.js")
+
+
+@cache
+def policy(drawing: bool) -> str:
+    """The content security policy of a report with figures, or of one without any script.
+
+    Styles are inline in what plotly draws, as on every page of the service.
+    """
+    hashes = [base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() for script in scripts()]
+    allowed = " ".join(f"'sha256-{each}'" for each in hashes) if drawing else "'none'"
+    return "; ".join(
+        (
+            "default-src 'none'",
+            f"script-src {allowed}",
+            "style-src 'unsafe-inline'",
+            "img-src data:",
+            "base-uri 'none'",
+            "form-action 'none'",
+        )
+    )
+
+
+def marked(text: str) -> Markup:
+    """Text in which `backticks` stand around code, as HTML."""
+    pieces = text.split("`")
+    return Markup("").join(
+        Markup("<code>{}</code>").format(piece) if index % 2 else piece for index, piece in enumerate(pieces)
+    )
+
+
+@cache
+def _environment() -> Environment:
+    environment = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    shown = (numbers.significant, numbers.exact, numbers.percent, numbers.told, numbers.pretty_unit, numbers.with_unit)
+    environment.filters |= {each.__name__: each for each in shown} | {"marked": marked}
+    return environment
+
+
+@cache
+def _file(name: str) -> str:
+    return (TEMPLATES / name).read_text(encoding="utf-8")
+
+
+def _data(figures: Mapping[str, Any]) -> Markup:
+    """JSON that can stand in a script element: nothing in it ends one."""
+    return Markup(orjson.dumps(figures).decode().replace("<", "\\u003c"))  # noqa: S704  # JSON without any "<"

@@ -1,0 +1,312 @@
+"""Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
+
+import logging
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, Literal
+
+from sqlalchemy.exc import SQLAlchemyError
+
+from backend import digest
+from backend.compute.workers import Workers
+from backend.errors import GoneError, InvalidError, NewerSchemaError, NotFoundError
+from backend.http.admission import Admission
+from backend.metrics import CACHE
+from backend.runs import exports, figures, pins, series
+from backend.runs.answers import default_baseline, entry_answer, run_answer
+from backend.runs.reports import run as run_report
+from backend.runs.reports.making import made
+from backend.runs.reports.page import Report
+from backend.runs.results import Results
+from backend.runs.work import Outcome
+from backend.store import Store, StoredResult, StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.versions import NewerScenarioError, restored
+from sim_core.strategies import STRATEGIES
+from sim_core.study.roads import seeded
+
+logger = logging.getLogger(__name__)
+
+FIGURE_POINTS = 2000
+
+
+class Runs:
+    """The one service of runs; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission) -> None:
+        self._store = store
+        self._workers = workers
+        self._results = results
+        self._admission = admission
+        self._store_usable = True
+
+    async def store_usable(self) -> bool:
+        """Whether the database answers and can be written to; the log has why not, once."""
+        try:
+            await self._store.read(self._store.ping)
+        except SQLAlchemyError as error:
+            if self._store_usable:
+                logger.error("Not ready: %s", getattr(error, "orig", None) or type(error).__name__)
+            self._store_usable = False
+        else:
+            self._store_usable = True
+        return self._store_usable
+
+    async def create(
+        self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
+    ) -> dict[str, Any]:
+        """The run of that scenario, computed where it was not stored, as `CreatedRun` or `CreatedRoadsRun`.
+
+        Args:
+            scenario: What to drive, on the first road.
+            strategies: Ids.
+            client: Who asks.
+            roads: How many roads; their seeds follow the scenario's.
+            baseline: Which strategy the changes over several roads refer to; None is passive, or the first where
+                passive does not run.
+        """
+        names = ordered(strategies)
+        self._admission.check(scenario, names * roads)
+        against = None if roads == 1 else baseline or default_baseline(names)
+        run_id = digest.run_id(scenario, names, roads, against)
+        stored = await self._store.read(self._store.runs.load, run_id)
+        if stored is not None:
+            CACHE.labels("hit").inc(len(names) * roads)
+            return run_answer(stored, cached=dict.fromkeys(names, True))
+        driven = seeded(scenario, roads)
+        found = await self._results.on_roads(driven, names, client, points=None)
+        outcomes = [
+            _to_store(road, name, each[name].outcome)
+            for road, each in zip(driven, found, strict=True)
+            for name in names
+        ]
+        if not all(item.outcome.lasting for each in found for item in each.values()):  # asked again, it is tried again
+            run_id = digest.random_id()
+        saved = await self._store.write(
+            self._store.runs.save,
+            run_id=run_id,
+            core_version=CORE_VERSION,
+            schema_version=SCHEMA_VERSION,
+            scenario=scenario.model_dump(mode="json"),
+            outcomes=outcomes,
+            roads=roads,
+            baseline=against,
+        )
+        return run_answer(saved, cached={name: all(each[name].cached for each in found) for name in names})
+
+    async def get(self, run_id: str) -> dict[str, Any]:
+        """The stored run, as `Run` or `RoadsRun`.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        return run_answer(await self._stored(run_id))
+
+    async def live(
+        self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
+    ) -> dict[str, Any]:
+        """Figures and decimated time histories of that scenario, as `LiveRun`; nothing is stored."""
+        names = ordered(strategies)
+        self._admission.check(scenario, names)
+        found = await self._results.get(scenario, names, client, points=points)
+        keys = series.chosen(signals)
+        entries = {}
+        for name, item in found.items():
+            entry = entry_answer(item.outcome, cached=item.cached)
+            if item.outcome.series is not None:
+                entry["series"] = series.as_json(item.outcome.series, keys, "base64")
+            entries[name] = entry
+        return {
+            "core_version": CORE_VERSION,
+            "scenario": scenario.model_dump(mode="json"),
+            "strategies": entries,
+        }
+
+    async def series(
+        self,
+        run_id: str,
+        client: str,
+        *,
+        strategies: Sequence[str] | None,
+        signals: Sequence[str] | None,
+        points: int | None,
+        file_format: Literal["json", "csv", "parquet"],
+        encoding: Literal["list", "base64"],
+    ) -> bytes:
+        """Time histories of a stored run in one of the formats.
+
+        Args:
+            run_id: The run.
+            client: Who asks.
+            strategies: Which of the run's; None where it has one.
+            signals: Which; None is all.
+            points: About how many samples; None is all.
+            file_format: The format.
+            encoding: How JSON holds numbers.
+
+        Raises:
+            NotFoundError: No such run.
+            GoneError: Its time histories are gone.
+            InvalidError: Strategies it does not have.
+        """
+        stored = await self._stored(run_id)
+        keys = await self._with_histories(stored)
+        names = list(keys) if strategies is None else ordered(strategies)
+        if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
+            message = f"This run has time histories of {', '.join(keys) or 'no strategy'}; name some of them"
+            raise InvalidError(message, parameter="strategy")
+        export = exports.Export(
+            strategies=names,
+            signals=series.chosen(signals),
+            points=points,
+            file_format=file_format,
+            encoding=encoding,
+            provenance={"run": stored.id, "core_version": stored.core_version},
+        )
+        pinned = await self._pinned({name: keys[name] for name in names})
+        scenario = Scenario.model_validate(stored.scenario)
+        if pinned is not None:
+            with self._admission.computing(client, scenario, ()):  # a place, but next to no work
+                return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
+        with self._admission.computing(client, scenario, names):
+            return await self._workers.call(exports.render, scenario, export)
+
+    async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> dict[str, Any]:
+        """One figure of a stored run, or all of them by name, with data.
+
+        Raises:
+            NotFoundError: No such run or figure.
+            GoneError: Its time histories are gone.
+        """
+        if name is not None and name not in figures.PANELS:
+            raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
+        stored = await self._stored(run_id)
+        outcomes = await self._outcomes(stored, await self._with_histories(stored), client)
+        if name is not None:
+            return figures.filled(name, outcomes, axis)
+        return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
+
+    async def report(self, run_id: str, client: str, *, baseline: str | None, axis: str, compressed: bool) -> Report:
+        """A stored run as one HTML file; without figures where its time histories are gone.
+
+        Args:
+            run_id: The run.
+            client: Who asks.
+            baseline: Whose figures the changes refer to; None is the run's own, or passive, or the first.
+            axis: `position` or `time`, for x of the figures.
+            compressed: Whether whoever asked takes gzip.
+
+        Raises:
+            NotFoundError: No such run.
+            InvalidError: It has no such strategy as `baseline`.
+        """
+        stored = await self._stored(run_id)
+        names = list(stored.by_strategy)
+        if baseline is not None and baseline not in names:
+            message = f"This run has {', '.join(names)}; the baseline is one of them"
+            raise InvalidError(message, parameter="baseline")
+        outcomes: Mapping[str, Outcome] = {}
+        gone = False
+        try:
+            keys = await self._with_histories(stored)
+            outcomes = await self._outcomes(stored, keys, client) if keys else {}
+        except GoneError:
+            gone = True
+        against = baseline or stored.baseline or default_baseline(names)
+        facts = run_report.RunFacts(
+            answer=run_answer(stored, baseline=against),
+            created_at=stored.created_at,
+            baseline=against,
+            outcomes=outcomes,
+            axis=axis,
+            gone=gone,
+        )
+        with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
+            return await made(partial(run_report.report, facts, compressed=compressed))
+
+    async def _outcomes(self, stored: StoredRun, keys: Mapping[str, str], client: str) -> dict[str, Outcome]:
+        """Those strategies with time histories for figures, by result keys given."""
+        pinned = await self._pinned(keys)
+        scenario = Scenario.model_validate(stored.scenario)
+        if pinned is None:
+            found = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
+            return {strategy: item.outcome for strategy, item in found.items()}
+        with self._admission.computing(client, scenario, ()):
+            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
+        return {
+            item.strategy: Outcome(
+                status=item.status,
+                summary=item.summary,
+                compute_ms=item.compute_ms,
+                points=FIGURE_POINTS,
+                series=arrays[item.strategy],
+            )
+            for item in stored.shown
+            if item.strategy in arrays
+        }
+
+    async def _stored(self, run_id: str) -> StoredRun:
+        stored = await self._store.read(self._store.runs.load, run_id)
+        if stored is None:
+            raise NotFoundError("There is no run of this id.")
+        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
+
+    async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
+        """Result keys of those strategies whose time histories are there just as they were, or can be made so.
+
+        Of a run over several roads they are the first road's.
+
+        Raises:
+            GoneError: Another core version computed the run and nothing is pinned.
+        """
+        keys = {item.strategy: item.key for item in stored.shown}
+        if stored.core_version == CORE_VERSION:
+            return keys
+        pinned = await self._store.read(self._store.links.pinned, keys.values())
+        if not pinned:
+            raise GoneError(
+                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
+                "histories cannot be made again, and no link pinned them. Its metrics stay; post its scenario to run "
+                "it on this version."
+            )
+        return {name: key for name, key in keys.items() if key in pinned}
+
+    async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
+        """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
+        found = await self._store.read(self._store.links.load_pins, keys.values())
+        return {name: found[key] for name, key in keys.items()} if set(keys.values()) <= set(found) else None
+
+
+def ordered(strategies: Iterable[str]) -> list[str]:
+    """Each once, in the catalogue's order."""
+    asked = set(strategies)
+    return [name for name in STRATEGIES if name in asked]
+
+
+def upgraded_scenario(scenario: Mapping[str, Any], schema_version: int) -> dict[str, Any]:
+    """A stored scenario as today's schema has it.
+
+    Raises:
+        NewerSchemaError: A newer version of the service stored it.
+    """
+    try:
+        return restored(dict(scenario), schema_version).model_dump(mode="json")
+    except NewerScenarioError as error:
+        raise NewerSchemaError(f"{error.message}.") from None
+
+
+def _breaks(stored: StoredRun) -> dict[str, list[float]]:
+    """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
+    return {item.strategy: [span["start_time"] for span in item.summary["stages"][1:]] for item in stored.shown}
+
+
+def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:
+    return StoredResult(
+        key=digest.result_key(scenario, name) if outcome.lasting else digest.passing_key(),
+        strategy=name,
+        status=outcome.status,
+        summary=outcome.summary,
+        compute_ms=outcome.compute_ms,
+    )

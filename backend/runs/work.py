@@ -1,0 +1,87 @@
+"""What runs inside a worker process: simulations and their decimated time histories.
+
+Nothing of the web is imported here, so that a worker starts quickly and stays small.
+"""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import orjson
+
+from backend.ecu.drive import simulate
+from backend.errors import EcuUnavailableError
+from backend.runs.series import SeriesArray, pack
+from sim_core.errors import RidelabError, TooExpensiveError
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+
+SUMMARY_BYTES = 20 * 1024  # a summary's dictionaries and numbers as Python holds them
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outcome:
+    """One strategy's computed result.
+
+    Attributes:
+        summary: `StrategyResult.summary()` as plain JSON values, or `refusal` where the core refused.
+        compute_ms: The worker's own time [ms]; work shared between strategies is counted at the first.
+        lasting: Whether the scenario is to blame for a failure; else it is not kept, and tried again when asked again.
+        points: About how many samples `series` has; None where none were asked for.
+        series: See `backend.runs.series`; None where none were asked for, or where it failed.
+    """
+
+    status: str
+    summary: dict[str, Any]
+    compute_ms: float
+    lasting: bool = True
+    points: int | None = None
+    series: SeriesArray | None = None
+
+    @property
+    def size(self) -> int:
+        """Memory it takes, roughly [bytes]."""
+        return SUMMARY_BYTES + (self.series.nbytes if self.series is not None else 0)
+
+
+def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, Outcome]:
+    """Simulate the strategies one after the other, so that what they share is worked out once.
+
+    Args:
+        scenario: What to drive.
+        strategies: Ids.
+        points: About how many samples of each time history to return; None is no series at all.
+    """
+    return {strategy: _run_one(scenario, strategy, points) for strategy in strategies}
+
+
+def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
+    begin = time.perf_counter()
+    try:
+        result = simulate(scenario, strategy)
+    except RidelabError as error:
+        elapsed, lasting = elapsed_ms(begin), not isinstance(error, EcuUnavailableError)
+        summary = refusal(error)
+        return Outcome(status="failed", summary=summary, compute_ms=elapsed, lasting=lasting, points=points)
+    summary = orjson.loads(summary_json(result))
+    elapsed = elapsed_ms(begin)
+    series = None if points is None else pack(result, points)
+    return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
+
+
+def refusal(error: RidelabError) -> dict[str, Any]:
+    """Why there is no result, as it is stored: the reason; of a run that is too expensive also `kind` and `fields`."""
+    if isinstance(error, TooExpensiveError):
+        return {"reason": error.message, "kind": "too-expensive", "fields": list(error.fields)}
+    return {"reason": error.message}
+
+
+def summary_json(result: StrategyResult) -> bytes:
+    """A result without its series as JSON."""
+    return orjson.dumps(result.summary(), option=orjson.OPT_SERIALIZE_NUMPY, default=dict)
+
+
+def elapsed_ms(begin: float) -> float:
+    """Time since `time.perf_counter()` gave `begin` [ms]."""
+    return round(1000 * (time.perf_counter() - begin), 2)
