@@ -18,7 +18,7 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from backend.http.connections import Connections, Decision
-from backend.http.guard import HEADERS, HEALTH_ONLY
+from backend.http.guard import CLOSE, HEADERS, HEALTH_ONLY
 from backend.http.problems import RETRY_SOON, problem
 from backend.http.request_log import HEADER
 from backend.settings import Settings
@@ -143,15 +143,13 @@ class GuardedProtocol(H11Protocol):
             self.transport.abort()  # in the middle of another answer
             return
         name = uuid4().hex
-        response = problem(kind, detail, name=name)
-        body = bytes(response.body)
-        headers = {**HEADERS, HEADER: name, "Content-Type": str(response.media_type), "Cache-Control": "no-store"}
-        headers |= {"Content-Length": str(len(body)), "Connection": "close"}
-        if response.status_code == 503:
+        headers = {**HEADERS, HEADER: name, "Cache-Control": "no-store", **CLOSE}
+        if kind == "connections":
             headers |= RETRY_SOON
+        response = problem(kind, detail, headers=headers, name=name)
         logger.warning("Refused a connection: %s", kind, extra={"request_id": name})
-        head = h11.Response(status_code=response.status_code, headers=list(headers.items()))
-        for event in (head, h11.Data(data=body), h11.EndOfMessage()):
+        head = h11.Response(status_code=response.status_code, headers=response.raw_headers)
+        for event in (head, h11.Data(data=bytes(response.body)), h11.EndOfMessage()):
             self.transport.write(self.conn.send(event) or b"")
         self.transport.close()
 
