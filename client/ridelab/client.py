@@ -213,6 +213,7 @@ class Ridelab:
         strategies: Sequence[str],
         sweep: Mapping[str, Any],
         idempotency_key: str | None = None,
+        label: str | None = None,
     ) -> Batch:
         """Hand in a batch; it is committed when this returns.
 
@@ -222,8 +223,9 @@ class Ridelab:
             sweep: One of `{"grid": {field: values}}`, `{"latin_hypercube": {"ranges": {field: [lo, hi]}, "samples":
                 n, "seed": s}}` and `{"list": [{field: value}, ..]}`, fields by dotted name.
             idempotency_key: The same key never makes a second batch; None is a key of this call's own.
+            label: What to call it; lists find it by that.
         """
-        body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep}
+        body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep, "label": label}
         return Batch(self._http, self._submit("/batches", body, idempotency_key))
 
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
@@ -244,7 +246,7 @@ class Ridelab:
 
         Args:
             request: `{"scenario", "strategy", "objectives", "limits", "search", "seeds", "fresh_seeds", "trials",
-                "population", "seed"}`, each of which may be left out (docs/api.md).
+                "population", "seed", "label"}`, each of which may be left out (docs/api.md).
             idempotency_key: The same key never begins a second one; None is a key of this call's own.
         """
         return Tuning(self._http, self._submit("/tunings", request, idempotency_key))

@@ -167,14 +167,15 @@ def test_a_runs_time_histories_and_figures_are_exported(cli: Cli, scenario: Path
 
 
 def test_jobs_are_listed_shown_followed_and_stopped(cli: Cli, scenario: Path) -> None:
-    batch_id = cli("sweep", scenario, "--grid", "road.seed=31:40:10", "-s", "passive", "--detach").strip()
+    words = ("--grid", "road.seed=31:40:10", "-s", "passive", "--detach", "--label", "ten roads")
+    batch_id = cli("sweep", scenario, *words).strip()
     cli("jobs", "follow", batch_id)
     assert cli.error == f"batch {batch_id}: done, 10 of 10 done, 0 failed\n"
     tuning_id = cli("tune", scenario, "--strategy", "lqr", "--trials", "4000", "--detach").strip()
     cli("jobs", "follow", tuning_id, "--timeout", "0.2", code=3)
     assert re.match(f"The tuning {tuning_id} is (queued|running) after 0.2 s", cli.error)
     cli("jobs", "delete", tuning_id, code=2)
-    assert "cancel it first" in cli.error
+    assert cli.error.startswith("It has not ended, or a link shows it: cancel it first")
     cli("jobs", "cancel", tuning_id)
     assert cli.error.startswith(f"tuning {tuning_id}: cancelled, ")
     listed = cli("jobs", "list").splitlines()
@@ -186,7 +187,16 @@ def test_jobs_are_listed_shown_followed_and_stopped(cli: Cli, scenario: Path) ->
     shown = cli("jobs", "show", batch_id)
     assert re.search(r"^swept: +road\.seed$", shown, re.MULTILINE)
     assert f"ridelab export {batch_id} --wait --out FILE" in shown
-    cli("jobs", "show", "A" * 22, code=2)
+    assert cli("jobs", "list", "--label", "ten roads").splitlines()[1].endswith("ten roads")
+    cli("jobs", "label", batch_id, "")
+    cli("jobs", "list", "--label", "ten roads")
+    assert cli.error == "There are none\n"
+    cli("jobs", "resume", tuning_id)
+    assert re.match(f"tuning {tuning_id}: (queued|running), ", cli.error)
+    cli("jobs", "cancel", tuning_id)
+    cli("jobs", "delete", tuning_id, batch_id)
+    assert cli.error == f"tuning {tuning_id}: deleted\nbatch {batch_id}: deleted\n"
+    cli("jobs", "show", batch_id, code=2)
     assert "no batch or tuning of this id" in cli.error
 
 

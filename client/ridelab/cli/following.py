@@ -37,13 +37,12 @@ def may_detach(detach: bool, services: Services) -> None:
         raise InputError("--detach needs --server: a private service ends with this command")
 
 
-def submitted(submit: Callable[[str], AnyJob], services: Services, label: str | None, *options: str) -> AnyJob:
+def submitted(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
     """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends.
 
     Args:
         submit: Hands it in under that key.
         services: Where.
-        label: What to call it.
         options: Those of the command that takes its results later.
 
     Raises:
@@ -51,8 +50,7 @@ def submitted(submit: Callable[[str], AnyJob], services: Services, label: str | 
     """
     key = uuid.uuid4().hex
     try:
-        job = submit(key)
-        return job.rename(label) if label is not None else job
+        return submit(key)
     except KeyboardInterrupt as interrupt:
         job = submit(key)
         raise typer.Exit(_stopped(job, interrupt, later(job, services, *options), ours=True)) from None

@@ -7,7 +7,7 @@ import typer
 
 from ridelab.cli import options, targets
 from ridelab.cli.following import followed, later, say_end
-from ridelab.cli.reporting import InputError, note, print_json
+from ridelab.cli.reporting import note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 from ridelab.jobs import Job
@@ -107,8 +107,6 @@ def delete(
     """Remove jobs that have ended and that no link shows."""
     for each in job_ids:
         job = targets.job_of(each, services)
-        if not job.finished:
-            raise InputError(f"The {job.NAME} {job.id} is {job.state}; cancel it first")
         job.delete()
         note(f"{job.NAME} {job.id}: deleted")
 

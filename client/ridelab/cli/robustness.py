@@ -48,7 +48,7 @@ def robustness(
     given = fields.ranges_of(ranges or [], "--range", services)
     varied = _ranges([] if only else usual["ranges"], given, options.listed(exact))
     sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
-    batch = submitted(lambda key: ridelab.submit(start, names, sweep, key), services, label)
+    batch = submitted(lambda key: ridelab.submit(start, names, sweep, key, label), services)
     code = followed(batch, services)
     if batch.state != "failed":
         summary = batch.summary(baseline=baseline)

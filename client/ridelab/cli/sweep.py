@@ -77,7 +77,7 @@ def sweep(
         show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
     again = file_options(out, file_format)
-    batch = submitted(lambda key: ridelab.submit(start, names, swept, key), services, label, *again)
+    batch = submitted(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
     if detach:
         print_json(batch.answer) if as_json else typer.echo(batch.id)
         note(f"{batch.total} runs; {later(batch, services, *again)}")

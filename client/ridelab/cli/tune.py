@@ -71,6 +71,7 @@ def tune(
             "fresh_seeds": tuned.seeds(fresh, "--fresh"),
             "trials": trials,
             "population": population,
+            "label": label,
         }
         start = fields.scenario_of(scenario, changes, services)
         request = {"scenario": start, "strategy": strategy, "seed": seed}
@@ -78,7 +79,7 @@ def tune(
         if dry_run:
             show_estimate(ridelab.estimate_tuning(request), "runs", "generations", as_json=as_json)
             return
-        tuning = submitted(lambda key: ridelab.tune(request, key), services, label)
+        tuning = submitted(lambda key: ridelab.tune(request, key), services)
     if detach:
         print_json(tuning.answer) if as_json else typer.echo(tuning.id)
         note(f"{tuning.total} trials; {later(tuning, services)} shows how it ended")
