@@ -59,7 +59,7 @@ def show_run(run: RunResult, baseline: str, names: Names) -> None:
                 f"{outcome.events['airborne_ms']:.0f} ms",
                 f"{outcome.events['travel_exceeded_mm']:.1f} mm",
                 str(outcome.events["qp_solves"]),
-                f"{outcome.compute_ms:.1f} ms",
+                f"{outcome.compute_ms:8.1f} ms",  # a width that how busy the machine is does not change
             ]
             for outcome in ran
         ],
