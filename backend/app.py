@@ -113,7 +113,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.controllers = Controllers(
             workers=workers, admission=admission, max_request_cost=settings.max_request_cost
         )
-        app.state.links = Links(store=store, workers=workers, admission=admission)
+        app.state.links = Links(store=store, workers=workers, runs=app.state.runs, admission=admission)
         sweeps = Sweeps(store=store, background=background, admission=admission, settings=settings)
         app.state.sweeps = sweeps
         app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)

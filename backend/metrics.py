@@ -39,6 +39,12 @@ BATCHES = Gauge(
     "ridelab_batches", "Batches by state, as the replica that drives them sees it", ["state"], registry=REGISTRY
 )
 BATCH_QUEUE = Gauge("ridelab_batch_queue_runs", "Runs of open batches by state", ["state"], registry=REGISTRY)
+REMOVED = Counter("ridelab_removed", "Jobs and results removed by age or size", ["what"], registry=REGISTRY)
+STORED_BYTES = Gauge(
+    "ridelab_stored_bytes",
+    "Results and jobs in the database, as the replica that removes old ones sees it",
+    registry=REGISTRY,
+)
 BUILD = Gauge("ridelab_build_info", "Always 1; the labels say what runs", ["version", "python"], registry=REGISTRY)
 
 for _kind in ("interactive", "batch"):
@@ -48,6 +54,8 @@ for _outcome in ("hit", "miss"):
     CACHE.labels(_outcome)
 for _reason in ("died", "timeout"):
     WORKER_FAILURES.labels(_reason)
+for _what in ("jobs", "results"):
+    REMOVED.labels(_what)
 BUILD.labels(__version__, python_version()).set(1)
 
 

@@ -102,6 +102,12 @@ class Settings(BaseModel):
         None, description="Without one text on a terminal, else JSON."
     )
     log_level: Literal["debug", "info", "warning", "error"] = Field("info", description="Least level that is logged.")
+    retention_days: float | None = Field(
+        None, gt=0, description="Jobs and results older than this are removed [days]; none are where it is not set."
+    )
+    retention_bytes: int | None = Field(
+        None, ge=MEBIBYTE, description="The oldest jobs and results are removed where all take more than this [bytes]."
+    )
     series_cache_bytes: int = Field(256 * MEBIBYTE, ge=0, description="Memory for time histories.")
     ecu_dir: NewFolder | None = Field(
         None, description="Where the ECU's program is built and kept; without one below the system's temporary folder."

@@ -51,9 +51,9 @@ async def live(body: models.LiveRequest, request: Request, service: RunsService,
     response_model=models.Run | RoadsRun,
     responses={304: {"description": "Not changed"}},
 )
-async def get_run(run_id: RunId, request: Request, service: RunsService) -> Response:
-    """A stored run; it never changes."""
-    answer = await service.get(run_id)
+async def get_run(run_id: RunId, request: Request, service: RunsService, client: Client) -> Response:
+    """A stored run; it changes only where its results were removed and another core version computes them again."""
+    answer = await service.get(run_id, client)
     return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
 
 

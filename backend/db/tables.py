@@ -100,7 +100,7 @@ job_runs = Table(
     Column("status", String(16), nullable=False),
     Column("result_key", String(43), nullable=True),
     Column("reason", Text, nullable=True),
-    Index("ix_job_runs_job_id_result_key", "job_id", "result_key"),
+    Index("ix_job_runs_result_key_job_id", "result_key", "job_id"),
 )
 
 job_events = Table(

@@ -140,6 +140,9 @@ class Admission:
         """A long request body, while it is received and worked on."""
         return self._bodies.acquired(client)
 
-    def linking(self, client: str) -> None:
-        """Count a new link of that client: links are kept for ever, so nobody makes them by the thousand."""
-        self._links.take(client)
+    def linking(self, client: str, pinned: int) -> None:
+        """Count a new link of that client, and the strategies whose time histories it pins (0.8 MB each).
+
+        Links are kept for ever, so nobody makes them by the thousand.
+        """
+        self._links.take(client, 1 + 3 * pinned)

@@ -83,14 +83,14 @@ class TokenBucket:
         # By client when its bucket is full again; after that it is as good as unknown.
         self._full_at: TTLCache[str, float] = TTLCache(MOST_CLIENTS, burst / each_second, clock)
 
-    def take(self, client: str) -> None:
-        """Take a token.
+    def take(self, client: str, tokens: int = 1) -> None:
+        """Take a token, or several.
 
         Raises:
             TooManyRequestsError: With the time after which there is a token again.
         """
         key, now = client_key(client), self._clock()
-        full_at = max(now, self._full_at.get(key, now)) + 1 / self._each_second
+        full_at = max(now, self._full_at.get(key, now)) + tokens / self._each_second
         wait = full_at - now - self._burst / self._each_second
         if wait > 1e-9:
             message = f"Too many {self._what}: {self._burst} at once, then {self._each_second:g} a second."

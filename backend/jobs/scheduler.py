@@ -20,6 +20,7 @@ from backend.errors import CHEAPER_RUN, TemporaryError, WorkerTimeoutError
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
 from backend.jobs.handout import HandOut
 from backend.jobs.leadership import Leadership, LeadershipLostError
+from backend.jobs.retention import Retention
 from backend.jobs.sweep.plan import rekeyed
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -79,6 +80,7 @@ class Scheduler:
         self._store = store
         self._settings = settings
         self._steppers = steppers
+        self._retention = Retention(store, settings)
         self._task: asyncio.Task[None] | None = None
         self._cluster: Cluster | None = None
         self._handed_out: dict[str, HandOut] = {}
@@ -129,6 +131,7 @@ class Scheduler:
                 await self._look()
                 await self._hand_out()
                 await self._report()
+                await self._retention.apply()
             except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
                 logger.warning("The jobs rest: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE)

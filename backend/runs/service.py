@@ -72,7 +72,7 @@ class Runs:
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
         stored = await self._store.read(self._store.runs.load, run_id)
-        if stored is not None:
+        if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return run_answer(stored, cached=dict.fromkeys(names, True))
         driven = seeded(scenario, roads)
@@ -96,13 +96,13 @@ class Runs:
         )
         return run_answer(saved, cached={name: all(each[name].cached for each in found) for name in names})
 
-    async def get(self, run_id: str) -> dict[str, Any]:
+    async def get(self, run_id: str, client: str) -> dict[str, Any]:
         """The stored run, as `Run` or `RoadsRun`.
 
         Raises:
             NotFoundError: There is none.
         """
-        return run_answer(await self._stored(run_id))
+        return run_answer(await self.stored(run_id, client))
 
     async def live(
         self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
@@ -151,7 +151,7 @@ class Runs:
             GoneError: Its time histories are gone.
             InvalidError: Strategies it does not have.
         """
-        stored = await self._stored(run_id)
+        stored = await self.stored(run_id, client)
         keys = await self._with_histories(stored)
         names = list(keys) if strategies is None else ordered(strategies)
         if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
@@ -182,7 +182,7 @@ class Runs:
         """
         if name is not None and name not in figures.PANELS:
             raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
-        stored = await self._stored(run_id)
+        stored = await self.stored(run_id, client)
         outcomes = await self._outcomes(stored, await self._with_histories(stored), client)
         if name is not None:
             return figures.filled(name, outcomes, axis)
@@ -202,7 +202,7 @@ class Runs:
             NotFoundError: No such run.
             InvalidError: It has no such strategy as `baseline`.
         """
-        stored = await self._stored(run_id)
+        stored = await self.stored(run_id, client)
         names = list(stored.by_strategy)
         if baseline is not None and baseline not in names:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
@@ -247,11 +247,32 @@ class Runs:
             if item.strategy in arrays
         }
 
-    async def _stored(self, run_id: str) -> StoredRun:
+    async def stored(self, run_id: str, client: str) -> StoredRun:
+        """The run; one whose results were removed is computed again.
+
+        Raises:
+            NotFoundError: There is none.
+            TemporaryError: Too much is being computed.
+        """
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is None:
             raise NotFoundError("There is no run of this id.")
-        return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
+        scenario = upgraded_scenario(stored.scenario, stored.schema_version)
+        stored = replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
+        return await self._computed_again(stored, client) if stored.expired else stored
+
+    async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
+        """A run whose results were removed, by this core version, which it then names."""
+        scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
+        driven = seeded(scenario, stored.roads)
+        found = await self._results.on_roads(driven, names, client, points=None)
+        outcomes = [
+            _to_store(road, name, each[name].outcome)
+            for road, each in zip(driven, found, strict=True)
+            for name in names
+        ]
+        await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
+        return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
 
     async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of those strategies whose time histories are there just as they were, or can be made so.

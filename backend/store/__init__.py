@@ -7,6 +7,7 @@ from backend.db.database import Database
 from backend.store.job_runs import JobRunStore
 from backend.store.jobs import JobStore, StoredJob
 from backend.store.links import LinkStore, StoredLink
+from backend.store.retention import RetentionStore
 from backend.store.runs import RunStore, StoredResult, StoredRun
 from backend.store.trials import TrialStore
 
@@ -23,3 +24,4 @@ class Store(Database):
         self.job_runs = JobRunStore(self)
         self.trials = TrialStore(self)
         self.links = LinkStore(self)
+        self.retention = RetentionStore(self)

@@ -7,10 +7,11 @@ from typing import Any
 
 from sqlalchemy import Connection, Select, Update, select, update
 
-from backend.db.database import Database, insert_new
+from backend.db.database import Database
 from backend.db.tables import job_runs, jobs, results
 from backend.jobs.chunk import ComputedRun, WaitingRun
 from backend.store.jobs import lock, tell
+from backend.store.runs import EXPIRED, insert_results
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +46,8 @@ class JobRunStore:
                 for row in connection.execute(query).all()
             ]
             keys = [run.key for run in runs]
-            there = set(connection.execute(select(results.c.key).where(results.c.key.in_(keys))).scalars())
+            stored = select(results.c.key).where(results.c.key.in_(keys), results.c.status != EXPIRED)
+            there = set(connection.execute(stored).scalars())
         if there:
             with self._database.writing() as connection:
                 lock(connection, job_id)
@@ -76,8 +78,7 @@ class JobRunStore:
         ]
         with self._database.writing() as connection:
             lock(connection, job_id)
-            if rows:
-                insert_new(connection, results, rows)
+            insert_results(connection, rows)
             failed = 0
             for position, reason in (failures or {}).items():
                 at = _update_waiting(job_id).where(job_runs.c.position == position)

@@ -6,10 +6,13 @@ from datetime import UTC, datetime
 from typing import Any
 
 import orjson
-from sqlalchemy import Connection, Row, select
+from sqlalchemy import Connection, Row, delete, insert, select, update
+from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import results, run_results, runs
+
+EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,6 +44,11 @@ class StoredRun:
     created_at: datetime
     roads: int = 1
     baseline: str | None = None
+
+    @property
+    def expired(self) -> bool:
+        """Whether a result's summary is gone, and has to be computed again."""
+        return any(item.status == EXPIRED for item in self.results)
 
     @property
     def first_road(self) -> tuple[StoredResult, ...]:
@@ -75,14 +83,15 @@ class RunStore:
 
     def load_results(self, keys: Iterable[str]) -> dict[str, StoredResult]:
         """Those of the results that are stored, by key."""
+        query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
-            rows = connection.execute(select(results).where(results.c.key.in_(list(keys)))).all()
+            rows = connection.execute(query).all()
         return {row.key: _result(row) for row in rows}
 
     def save_result(self, item: StoredResult, core_version: str) -> None:
         """Commit one result that belongs to no run; where it is stored already, that one stays."""
         with self._database.writing() as connection:
-            insert_new(connection, results, [result_row(item, core_version, datetime.now(UTC))])
+            insert_results(connection, [result_row(item, core_version, datetime.now(UTC))])
 
     def save(
         self,
@@ -103,7 +112,7 @@ class RunStore:
         """
         now = datetime.now(UTC)
         with self._database.writing() as connection:
-            insert_new(connection, results, [result_row(item, core_version, now) for item in outcomes])
+            insert_results(connection, [result_row(item, core_version, now) for item in outcomes])
             insert_new(
                 connection,
                 runs,
@@ -128,6 +137,31 @@ class RunStore:
         if stored is None:
             raise RuntimeError("A run was not there right after it was stored")
         return stored
+
+    def recompute(self, run_id: str, core_version: str, outcomes: Sequence[StoredResult]) -> None:
+        """Give a run whose results have expired these, which that core version computed."""
+        members = [
+            {"run_id": run_id, "position": position, "result_key": item.key} for position, item in enumerate(outcomes)
+        ]
+        with self._database.writing() as connection:
+            insert_results(connection, [result_row(item, core_version, datetime.now(UTC)) for item in outcomes])
+            connection.execute(delete(run_results).where(run_results.c.run_id == run_id))
+            connection.execute(insert(run_results), members)
+            connection.execute(update(runs).where(runs.c.id == run_id).values(core_version=core_version))
+
+
+def insert_results(connection: Connection, rows: Sequence[dict[str, Any]]) -> None:
+    """Insert the results that are not there, or have expired; in the key's order, as `insert_new`."""
+    if not rows:
+        return
+    new = postgresql.insert(results) if connection.dialect.name == "postgresql" else sqlite.insert(results)
+    columns = ("core_version", "status", "summary", "compute_ms", "created_at")
+    replacing = new.on_conflict_do_update(
+        index_elements=[results.c.key],
+        set_={name: new.excluded[name] for name in columns},
+        where=results.c.status == EXPIRED,
+    )
+    connection.execute(replacing, sorted(rows, key=lambda row: str(row["key"])))
 
 
 def _load_run(connection: Connection, run_id: str) -> StoredRun | None:

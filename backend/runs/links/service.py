@@ -16,7 +16,7 @@ from backend.runs.answers import run_answer
 from backend.runs.links import preview
 from backend.runs.links.models import SLUG_PATTERN
 from backend.runs.links.preview import Preview
-from backend.runs.service import upgraded_scenario
+from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -25,7 +25,8 @@ from sim_core.scenario import Scenario
 class Links:
     """The one service of links; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, admission: Admission) -> None:
+    def __init__(self, *, store: Store, workers: Workers, runs: Runs, admission: Admission) -> None:
+        self._runs = runs
         self._store = store
         self._workers = workers
         self._admission = admission
@@ -37,13 +38,14 @@ class Links:
             InvalidError: No such run.
             TemporaryError: Too many new links, or too much is being computed.
         """
-        stored = await self._store.read(self._store.runs.load, run_id)
-        if stored is None:
-            raise _unknown("run_id", "There is no run of this id")
-        self._admission.linking(client)
+        try:
+            stored = await self._runs.stored(run_id, client)
+        except NotFoundError:
+            raise _unknown("run_id", "There is no run of this id") from None
         keys = _histories(stored)
         present = await self._store.read(self._store.links.pinned, keys.values())
         missing = {name: key for name, key in keys.items() if key not in present}
+        self._admission.linking(client, pinned=len(missing))
         made = await self._pin(stored, missing, client)
         slug = await self._save("run", run_id, view, made)
         return {"slug": slug, "url": url(slug), "series_pinned": bool(keys) and set(missing.values()) <= made.keys()}
@@ -60,7 +62,7 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.get("x") not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
-        self._admission.linking(client)
+        self._admission.linking(client, pinned=0)
         slug = await self._save("batch", batch_id, view, {})
         return {"slug": slug, "url": url(slug), "series_pinned": False}
 

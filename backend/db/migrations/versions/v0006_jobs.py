@@ -81,7 +81,7 @@ def _create_tables() -> None:
         sa.Column("status", sa.String(16), nullable=False),
         sa.Column("result_key", sa.String(43)),
         sa.Column("reason", sa.Text()),
-        sa.Index("ix_job_runs_job_id_result_key", "job_id", "result_key"),
+        sa.Index("ix_job_runs_result_key_job_id", "result_key", "job_id"),
     )
     op.create_table(
         "job_events",

@@ -1,0 +1,87 @@
+"""What is removed when it is old: jobs that nobody named or linked, and results that nothing shows.
+
+A run stays with its scenario and its strategies, so that it can be computed again; of its results the summaries go.
+"""
+
+from datetime import datetime
+
+from sqlalchemy import Select, and_, delete, exists, func, or_, select, update
+
+from backend.db.database import Database
+from backend.db.tables import job_events, job_runs, jobs, links, pinned_series, results, run_results, trials
+from backend.store.jobs import FINAL
+from backend.store.runs import EXPIRED
+
+PAGE = 500  # jobs or results in one transaction
+
+
+class RetentionStore:
+    """Removes what is old; every method is one short transaction."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def size(self) -> int:
+        """Results, pinned time histories and rows of jobs [bytes]; what the database needs beside them comes on top."""
+        columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep)
+        with self._database.reading() as connection:
+            sizes = [
+                connection.execute(select(func.coalesce(func.sum(func.length(column)), 0))).scalar_one()
+                for column in columns
+            ]
+        return int(sum(sizes))
+
+    def oldest(self) -> datetime | None:
+        """When the last of the oldest page of what may be removed was made; None where nothing may."""
+        with self._database.reading() as connection:
+            pages = [
+                connection.execute(select(func.max(page.c.made))).scalar_one()
+                for page in (_removable_jobs(None).subquery(), _removable_results(None).subquery())
+            ]
+        return min((made for made in pages if made is not None), default=None)
+
+    def remove_jobs(self, before: datetime) -> int:
+        """Remove a page of jobs that ended before then, with what they submitted; how many."""
+        with self._database.writing() as connection:
+            ids = list(connection.execute(select(_removable_jobs(before).subquery().c.id)).scalars())
+            family = select(jobs.c.id).where(or_(jobs.c.id.in_(ids), jobs.c.parent_id.in_(ids)))
+            members = list(connection.execute(family).scalars())
+            for table in (job_runs, job_events, trials):
+                connection.execute(delete(table).where(table.c.job_id.in_(members)))
+            connection.execute(delete(jobs).where(jobs.c.parent_id.in_(ids)))
+            connection.execute(delete(jobs).where(jobs.c.id.in_(ids)))
+        return len(ids)
+
+    def remove_results(self, before: datetime) -> int:
+        """Remove a page of results made before then that no job and no link needs; how many.
+
+        Of a result that runs have, the summary alone is removed.
+        """
+        with self._database.writing() as connection:
+            keys = list(connection.execute(select(_removable_results(before).subquery().c.key)).scalars())
+            in_runs = select(run_results.c.result_key).where(run_results.c.result_key.in_(keys))
+            kept = list(connection.execute(in_runs.distinct()).scalars())
+            connection.execute(
+                update(results).where(results.c.key.in_(kept)).values(status=EXPIRED, summary="{}", compute_ms=0)
+            )
+            connection.execute(delete(results).where(results.c.key.in_(set(keys) - set(kept))))
+        return len(keys)
+
+
+def _removable_jobs(before: datetime | None) -> Select[tuple[str, datetime]]:
+    linked = exists().where(links.c.job_id == jobs.c.id)
+    query = select(jobs.c.id, jobs.c.finished_at.label("made")).where(
+        jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), jobs.c.label.is_(None), ~linked
+    )
+    return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("made").limit(PAGE)
+
+
+def _removable_results(before: datetime | None) -> Select[tuple[str, datetime]]:
+    shown = exists().where(and_(links.c.run_id == run_results.c.run_id, run_results.c.result_key == results.c.key))
+    query = select(results.c.key, results.c.created_at.label("made")).where(
+        results.c.status != EXPIRED,
+        ~exists().where(job_runs.c.result_key == results.c.key),
+        ~exists().where(pinned_series.c.result_key == results.c.key),
+        ~shown,
+    )
+    return (query if before is None else query.where(results.c.created_at < before)).order_by("made").limit(PAGE)

@@ -1,0 +1,105 @@
+"""Old jobs and results are removed where the operator says so; runs, links and labels keep what they name."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+from sqlalchemy import update
+
+from backend.db.tables import jobs, results
+from backend.jobs.retention import Retention
+from backend.settings import Settings
+from backend.store import Store, StoredLink
+from tests.api.conftest import serve
+from tests.api.test_job_store import BATCH, computed, rows
+from tests.api.test_store import outcomes, save
+from tests.servers import loops
+
+LONG_AGO = datetime.now(UTC) - timedelta(days=40)
+
+
+@pytest.fixture
+def store(migrated_url: str) -> Iterator[Store]:
+    """Runs `plain`, `linked` and `pinned`, jobs `plain`, `labelled` and `linked` with a child, all of them long ago."""
+    store = Store(migrated_url)
+    for name in ("plain", "linked"):
+        save(store, name, f"{name}-1", "shared")
+    link = StoredLink(slug="r" * 22, kind="run", target="linked", view={}, created_at=LONG_AGO)
+    store.links.save(link, {"linked-1": b"histories"})
+    for name in ("plain", "labelled", "linked"):
+        store.jobs.create(replace(BATCH, id=name), rows(name))
+        store.job_runs.save(name, computed(*(f"{name}-{number}" for number in range(12))), "1")
+        assert store.jobs.finish(name)
+    store.jobs.set_label("labelled", "winter")
+    store.links.save(StoredLink(slug="j" * 22, kind="batch", target="linked", view={}, created_at=LONG_AGO), {})
+    store.jobs.create(replace(BATCH, id="child", parent_id="plain"), rows("child"))
+    store.job_runs.save("child", computed("child-0"), "1")
+    store.jobs.cancel("child")
+    with store.writing() as connection:
+        connection.execute(update(jobs).values(finished_at=LONG_AGO))
+        connection.execute(update(results).values(created_at=LONG_AGO))
+    yield store
+    store.close()
+
+
+def apply(store: Store, **limits: float) -> None:
+    loops.run(Retention(store, Settings(data_dir=Path("unused"), **limits)).apply)  # type: ignore[arg-type]  # numbers
+
+
+def test_what_is_old_goes_and_what_is_named_stays(store: Store) -> None:
+    apply(store)
+    assert store.jobs.load("plain") is not None, "off by default"
+    apply(store, retention_days=50)
+    assert store.jobs.load("plain") is not None, "not so old"
+    apply(store, retention_days=30)
+    assert store.jobs.load("plain") is store.jobs.load("child") is None
+    assert store.jobs.load("labelled") is not None
+    assert store.jobs.load("linked") is not None
+    assert len(store.job_runs.rows("labelled", -1, 20)) == 12
+    stored = store.runs.load_results(["plain-0", "plain-1", "labelled-0", "linked-0", "linked-1", "shared", "child-0"])
+    assert sorted(stored) == ["labelled-0", "linked-0", "linked-1", "shared"], "a run with a link keeps all its results"
+    run = store.runs.load("plain")
+    assert run is not None
+    assert run.expired
+    assert run.scenario == {"road": "ä 😀"}
+    assert [item.strategy for item in run.results] == ["lv", "lv"], "what it was is known"
+
+
+def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> None:
+    apply(store, retention_days=30)
+    store.jobs.create(replace(BATCH, id="again"), [{**rows()[0], "result_key": "plain-1"}])
+    assert [run.key for run in store.job_runs.waiting("again", -1, 9)[1]] == ["plain-1"], "it is not there"
+    store.runs.recompute("plain", "2", outcomes("plain-1", "other"))
+    run = store.runs.load("plain")
+    assert run is not None
+    assert (run.expired, run.core_version) == (False, "2")
+    assert store.job_runs.waiting("again", -1, 9)[1] == []
+
+
+def test_the_oldest_goes_first_where_all_is_too_large(store: Store) -> None:
+    with store.writing() as connection:
+        for key, size, when in (("plain-3", 3_000_000, LONG_AGO), ("labelled-3", 100_000, datetime.now(UTC))):
+            changed = {"summary": f'{{"text": "{size * "x"}"}}', "created_at": when}
+            connection.execute(update(results).where(results.c.key == key).values(**changed))
+    apply(store, retention_bytes=2 * 1024 * 1024)
+    assert store.retention.size() < 2 * 1024 * 1024
+    assert store.jobs.load("plain") is None
+    assert "labelled-3" in store.runs.load_results(["labelled-3"])
+
+
+def test_a_run_whose_results_were_removed_is_computed_again_and_says_its_version(tmp_path: Path) -> None:
+    body = {"scenario": {"road": {"length": 12, "bump": {"start": 5, "width": 2}}}, "strategies": ["passive", "lqr"]}
+    for service in serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1, retention_days=0.001)):
+        first = service.client.post("/api/v1/runs", json=body).json()
+        with service.app.state.store.writing() as connection:
+            connection.execute(update(results).values(created_at=LONG_AGO))
+        loops.run(Retention(service.app.state.store, service.app.state.settings).apply)
+        assert service.app.state.store.runs.load(first["id"]).expired
+        assert 'ridelab_removed_total{what="results"}' in service.client.get("/metrics").text
+        again = service.client.get(f"/api/v1/runs/{first['id']}").json()
+        assert again["core_version"] == first["core_version"]
+        for name, strategy in again["strategies"].items():
+            assert strategy["metrics"] == first["strategies"][name]["metrics"]
+        assert not service.app.state.store.runs.load(first["id"]).expired
