@@ -39,15 +39,6 @@ def test_lv_hil_runs_the_program_in_a_process_of_its_own_which_is_gone_afterward
     assert not [name for name in names if name.startswith("ridelab_ecu")]
 
 
-def test_the_live_answer_and_the_time_histories_have_it_too(service: Service) -> None:
-    live = service.live(["lv_hil"], SMALL, points=50).json()["strategies"]["lv_hil"]
-    assert live["status"] == "ok"
-    run_id = service.run(["lv_hil"], SMALL).json()["id"]
-    series = service.client.get(f"/api/v1/runs/{run_id}/series", params={"format": "csv"})
-    assert series.status_code == 200
-    assert len(series.text.splitlines()) > 1000
-
-
 def test_the_archive_is_complete_and_the_same_every_time(service: Service) -> None:
     first = post(service, "")
     assert first.status_code == 200

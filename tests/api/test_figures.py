@@ -9,7 +9,7 @@ import plotly.graph_objects as go
 import pytest
 
 from backend.models import Figures
-from backend.runs.figures import PANELS, STYLES, templates
+from backend.runs.figures import PANELS, STYLES
 from sim_core.catalogue import REFERENCES, SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -83,18 +83,6 @@ def test_templates_name_what_fills_them(client: httpx.Client) -> None:
         assert meta["title"]
         assert meta["unit"] in figure["layout"]["yaxis"]["title"]["text"], name
         assert meta["scale"] > 0
-
-
-def test_shown_units_are_the_si_unit_times_the_scale() -> None:
-    scales = {
-        name: (figure["layout"]["meta"]["unit"], figure["layout"]["meta"]["scale"])
-        for name, figure in templates().items()
-    }
-    assert scales["speed"] == ("km/h", 3.6)
-    assert scales["brake_pressure"] == ("MPa", 1e-6)
-    assert scales["front_deflection"] == ("mm", 1000)
-    assert scales["front_tyre_load"] == ("kN", 0.001)
-    assert scales["body_acceleration"] == ("m/s²", 1)
 
 
 def numbers(packed: dict[str, str]) -> np.ndarray:

@@ -223,10 +223,3 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(stor
     assert store.jobs.load("child") is None
     assert store.job_runs.rows(batch.id, -1, 9) == []
     assert "key-0" in store.runs.load_results(["key-0"]), "others may share a result"
-
-
-def test_counts_are_by_state(store: Store, batch: StoredJob) -> None:
-    store.jobs.create(replace(BATCH, id="second"), rows("other"), None)
-    store.jobs.start("second")
-    store.job_runs.save("second", computed("other-3"), "1")
-    assert store.jobs.counts() == {("sweep", "queued"): (1, RUNS), ("sweep", "running"): (1, RUNS - 1)}

@@ -17,57 +17,6 @@ from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
 
 ROOT = Path(__file__).parents[2]
-OPERATIONS = {
-    "createRun": ("post", "/api/v1/runs"),
-    "getRun": ("get", "/api/v1/runs/{id}"),
-    "getSeries": ("get", "/api/v1/runs/{id}/series"),
-    "getRunFigures": ("get", "/api/v1/runs/{id}/figures"),
-    "getRunFigure": ("get", "/api/v1/runs/{id}/figures/{name}"),
-    "getRunReport": ("get", "/api/v1/runs/{id}/report.html"),
-    "createBatch": ("post", "/api/v1/batches"),
-    "listBatches": ("get", "/api/v1/batches"),
-    "getBatch": ("get", "/api/v1/batches/{id}"),
-    "cancelBatch": ("post", "/api/v1/batches/{id}/cancel"),
-    "resumeBatch": ("post", "/api/v1/batches/{id}/resume"),
-    "labelBatch": ("patch", "/api/v1/batches/{id}"),
-    "deleteBatch": ("delete", "/api/v1/batches/{id}"),
-    "labelTuning": ("patch", "/api/v1/tunings/{id}"),
-    "deleteTuning": ("delete", "/api/v1/tunings/{id}"),
-    "getBatchEvents": ("get", "/api/v1/batches/{id}/events"),
-    "getBatchResults": ("get", "/api/v1/batches/{id}/results"),
-    "getBatchTable": ("get", "/api/v1/batches/{id}/table"),
-    "createTuning": ("post", "/api/v1/tunings"),
-    "listTunings": ("get", "/api/v1/tunings"),
-    "getTuning": ("get", "/api/v1/tunings/{id}"),
-    "getTuningTrials": ("get", "/api/v1/tunings/{id}/trials"),
-    "cancelTuning": ("post", "/api/v1/tunings/{id}/cancel"),
-    "resumeTuning": ("post", "/api/v1/tunings/{id}/resume"),
-    "getTuningEvents": ("get", "/api/v1/tunings/{id}/events"),
-    "createLink": ("post", "/api/v1/links"),
-    "getLink": ("get", "/api/v1/links/{slug}"),
-    "live": ("post", "/api/v1/live"),
-    "getBatchSummary": ("get", "/api/v1/batches/{id}/summary"),
-    "getRobustnessDefaults": ("get", "/api/v1/robustness"),
-    "getPaper": ("get", "/api/v1/paper"),
-    "getPaperReadings": ("get", "/api/v1/paper/readings"),
-    "getPaperAttribution": ("get", "/api/v1/paper/attribution"),
-    "getPaperFigures": ("get", "/api/v1/paper/figures"),
-    "getPaperReport": ("get", "/api/v1/paper/report.html"),
-    "exportController": ("post", "/api/v1/controller"),
-    "reportController": ("post", "/api/v1/controller/report"),
-    "driveByClock": ("post", "/api/v1/controller/realtime"),
-    "getSchema": ("get", "/api/v1/schema"),
-    "getPresets": ("get", "/api/v1/presets"),
-    "getStrategies": ("get", "/api/v1/strategies"),
-    "getCatalogue": ("get", "/api/v1/catalogue"),
-    "getFigures": ("get", "/api/v1/figures"),
-    "getLogin": ("get", "/api/v1/login"),
-    "logIn": ("post", "/api/v1/login"),
-    "logOut": ("delete", "/api/v1/login"),
-    "getHealth": ("get", "/healthz"),
-    "getReadiness": ("get", "/readyz"),
-    "getMetrics": ("get", "/metrics"),
-}
 
 
 @pytest.fixture(scope="module")
@@ -78,17 +27,14 @@ def description(client: httpx.Client) -> dict[str, Any]:
     return content
 
 
-def test_operations_have_clean_names(description: dict[str, Any]) -> None:
+def test_operations_have_names_of_their_own(description: dict[str, Any]) -> None:
+    """Programs that others generate call them so; which addresses there are docs/api.md says."""
     assert description["openapi"].startswith("3.1")
-    found = {
-        operation["operationId"]: (method, path)
-        for path, operations in description["paths"].items()
-        for method, operation in operations.items()
-    }
-    assert found == OPERATIONS
-    for operations in description["paths"].values():
-        for operation in operations.values():
-            assert operation["description"]
+    operations = [each for methods in description["paths"].values() for each in methods.values()]
+    names = [operation["operationId"] for operation in operations]
+    assert len(set(names)) == len(names)
+    assert all(re.fullmatch("[a-z]+[A-Za-z]*", name) for name in names)
+    assert all(operation["description"] for operation in operations)
 
 
 def test_errors_are_described_as_problems(description: dict[str, Any]) -> None:
@@ -186,7 +132,7 @@ def visitor(settings: Settings) -> httpx.AsyncClient:
 @pytest.mark.anyio
 async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
     async with visitor(Settings(frontend_dir=built)) as client:
-        for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA"):
+        for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/b/AAAAAAAAAAAAAAAAAAAAAA"):
             page = await client.get(path)
             assert page.status_code == 200
             assert page.headers["content-type"].startswith("text/html")
@@ -197,7 +143,7 @@ async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
         assert hashed.headers["content-type"].startswith("text/javascript")
         assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
         assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
-        for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s"):
+        for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s", "/b"):
             assert (await client.get(path)).status_code == 404
 
 

@@ -2,7 +2,7 @@
 
 import socket
 import statistics
-from collections.abc import Awaitable, Iterator, Mapping
+from collections.abc import Awaitable, Mapping
 from typing import Any
 
 import httpx
@@ -14,7 +14,7 @@ from sim_core.study.interpretations import DEFAULT
 from sim_core.study.paper import FIGURES
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
-from tests.servers.reproduction import ROADS, computed, requests, rows
+from tests.servers.reproduction import ROADS, rows
 
 PAPER = "/api/v1/paper"
 FEW = 2  # roads that are driven anew
@@ -46,27 +46,6 @@ def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str
 def anew(service: Service) -> dict[str, Any]:
     """The reproduction on a few roads, which the workers drive now."""
     return service.inside(service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
-
-
-def test_what_is_computed_now_is_what_was_cached(service: Service, anew: dict[str, Any]) -> None:
-    """A worker of the service and this process compute the same."""
-    rows_now = service.app.state.store.runs.load_results([row.key for row in requests(range(1, FEW + 1))])
-    service.inside(service.app.state.paper.attribution(range(1, FEW + 1), "192.0.2.1"))
-    assert anew["complete"]
-    for row in requests(range(1, FEW + 1)):
-        if row.key in rows_now:
-            # Another process, the same arithmetic: only the blocks a law is computed in may differ in their last bits.
-            again = list(numbers(computed(row)))
-            assert list(numbers(rows_now[row.key].summary)) == pytest.approx(again, rel=1e-9), row
-
-
-def numbers(value: Any) -> Iterator[float]:
-    """All of them, in order, however they are nested."""
-    if isinstance(value, dict | list):
-        for item in value.values() if isinstance(value, dict) else value:
-            yield from numbers(item)
-    else:
-        yield value
 
 
 def test_a_cell_is_the_change_of_the_means_of_single_runs(service: Service, anew: dict[str, Any]) -> None:

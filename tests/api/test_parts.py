@@ -5,7 +5,6 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from hypothesis import given
@@ -13,7 +12,7 @@ from hypothesis import strategies as st
 
 from backend import digest
 from backend.runs.memory import Memory
-from backend.runs.work import Outcome, run
+from backend.runs.work import Outcome
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 
@@ -103,14 +102,3 @@ def test_memory_answers_only_for_the_points_it_has() -> None:
     assert memory.get("a", 2000) is not None
     memory.put("a", Outcome(status="ok", summary={}, compute_ms=1.0))
     assert memory.get("a", 2000) is not None, "one without series does not drive out one with"
-
-
-def test_a_result_counts_as_much_as_python_takes_for_it() -> None:
-    """Else results without time histories take twice what the limit allows."""
-
-    def held(value: Any) -> int:
-        parts = [*value, *value.values()] if isinstance(value, dict) else value if isinstance(value, list) else []
-        return sys.getsizeof(value) + sum(map(held, parts))
-
-    outcome = run(Scenario(), ["lv"], None)["lv"]
-    assert 0.5 * outcome.size < held(outcome.summary) <= outcome.size

@@ -124,20 +124,6 @@ def test_its_figures_are_the_runs(client: httpx.Client, page: Element, run: dict
     assert "Time" in figures["speed"]["layout"]["xaxis"]["title"]["text"]
 
 
-@pytest.mark.parametrize(
-    ("query", "status"),
-    [({"baseline": "speed_only"}, 422), ({"baseline": "<script>"}, 422), ({"x": "sideways"}, 422), ({}, 404)],
-)
-def test_what_cannot_be_shown_is_a_problem(
-    client: httpx.Client, run: dict[str, Any], query: dict[str, str], status: int
-) -> None:
-    run_id = run["id"] if query else "n" * 22
-    response = client.get(f"/api/v1/runs/{run_id}/report.html", params=query)
-    assert response.status_code == status
-    assert response.headers["content-type"] == "application/problem+json"
-    assert "<script>" not in response.text
-
-
 def test_it_is_compressed_where_that_is_taken(
     client: httpx.Client, run: dict[str, Any], answer: httpx.Response
 ) -> None:

@@ -59,20 +59,6 @@ def test_json_is_read_in_one_way_or_not_at_all(status: int, texts: list[str]) ->
         assert found == status, text[:40]
 
 
-NUMBERS = st.integers(-(2**63), 2**63) | st.floats(allow_nan=False, allow_infinity=False)
-TEXTS = st.text(st.characters(exclude_categories=["Cs"]))  # halves of surrogate pairs
-JSON_VALUES = st.recursive(
-    st.none() | st.booleans() | NUMBERS | TEXTS,
-    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(TEXTS, inner, max_size=4),
-    max_leaves=20,
-)
-
-
-@given(JSON_VALUES)
-def test_what_json_writes_is_read(value: Any) -> None:
-    assert parse(json.dumps(value).encode()) == value
-
-
 @given(st.binary(max_size=200))
 def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
     with contextlib.suppress(StrictJSONError):
@@ -84,21 +70,14 @@ def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
     [
         (scenario('{"road": {"seed": 1, "seed": 2}}'), ""),
         (scenario('{"road": {"length": "150"}}'), "/scenario/road/length"),
-        (scenario('{"road": {"length": null}}'), "/scenario/road/length"),
-        (scenario('{"road": {"seed": 1.5}}'), "/scenario/road/seed"),
         (scenario('{"road": {"length": ' + "9" * 308 + "}}"), "/scenario/road/length"),
-        (scenario('{"road": {"bump": {"height": 3}}}'), "/scenario/road/bump/height"),
-        (scenario('{"road": {"bump": {"shape": "cube"}}}'), "/scenario/road/bump/shape"),
         (scenario('{"road": {"bump": {"my colour": 1}}}'), "/scenario/road/bump"),
         (scenario('{"road": {"bump": {"start": 149}}}'), "/scenario/road/bump/start"),
-        (scenario('{"lqr": {"weights": [0, 0, 0]}}'), "/scenario/lqr/weights"),
         (scenario('{"lqr": {"weights": [1, 1]}}'), "/scenario/lqr/weights/2"),
-        (scenario('{"lqr": {"weights": {"0": 1}}}'), "/scenario/lqr/weights"),
         (scenario("[]"), "/scenario"),
         ('{"strategies": []}', "/strategies"),
         ('{"strategies": ["teleport"]}', "/strategies/0"),
         ("{}", "/strategies"),
-        ("[]", ""),
         ("null", ""),
         ("", ""),
     ],
@@ -111,19 +90,6 @@ def test_a_bad_body_is_refused_at_its_place(client: httpx.Client, body: str, poi
     assert problem.errors[0].message
 
 
-@pytest.mark.parametrize("number", ["9" * 308, "-" + "9" * 308, "1e-999", "1" + "0" * 300 + ".5"], ids=str)
-def test_numbers_beyond_every_limit_are_refused_wherever_a_number_is(client: httpx.Client, number: str) -> None:
-    ranges = f'{{"road.length": [100, {number}]}}'
-    for path, body in (
-        ("runs", scenario(f'{{"vehicle": {{"body_mass": {number}}}}}')),
-        ("live", f'{{"strategies": ["passive"], "points": {number}}}'),
-        ("batches", f'{{"strategies": ["passive"], "sweep": {{"grid": {{"road.length": [{number}]}}}}}}'),
-        ("batches", f'{{"strategies": ["passive"], "sweep": {{"list": [{{"vehicle.body_mass": {number}}}]}}}}'),
-        ("batches", f'{{"strategies": ["lv"], "sweep": {{"latin_hypercube": {{"ranges": {ranges}, "samples": 2}}}}}}'),
-    ):
-        assert check(post(client, body, path), 422, "invalid-request").errors
-
-
 def test_every_error_is_told_at_once_but_not_thousands(client: httpx.Client) -> None:
     body = scenario('{"road": {"length": 1, "seed": -1}, "vehicle": {"body_mass": "heavy"}}')
     pointers = {error["pointer"] for error in post(client, body).json()["errors"]}
@@ -132,18 +98,6 @@ def test_every_error_is_told_at_once_but_not_thousands(client: httpx.Client) -> 
     response = post(client, scenario(json.dumps(parts)))
     assert len(response.json()["errors"]) == 50
     assert len(response.content) < 100_000
-
-
-@pytest.mark.parametrize(
-    ("body", "named"),
-    [
-        (scenario('{"road": {"length": 5000}}'), "3000"),
-        (scenario('{"road": {"bump": {"shape": "cube"}}}'), "cosine"),
-        ('{"strategies": ["teleport"]}', "suspension_only"),
-    ],
-)
-def test_a_message_names_the_limit_and_the_values_there_are(client: httpx.Client, body: str, named: str) -> None:
-    assert named in post(client, body).json()["errors"][0]["message"]
 
 
 @pytest.mark.parametrize(
@@ -234,41 +188,6 @@ def test_compressed_bodies_are_not_unpacked(client: httpx.Client, encoding: str)
 def test_every_body_has_to_be_json(client: httpx.Client, kind: str) -> None:
     check(post(client, GOOD, **{"Content-Type": kind}), 415, "unsupported-media-type")
     assert post(client, GOOD, **{"Content-Type": "application/json; charset=utf-8"}).status_code == 200
-
-
-def test_a_flood_of_hostile_bodies_leaves_the_others_served(service: Any, client: httpx.Client) -> None:
-    """Three senders go on until each was answered; meanwhile others ask again and again, and are all answered."""
-    bodies = [
-        ("[" + ",".join(["[1]"] * 120_000) + "]", 422),
-        ("{" + ",".join(f'"{index:x}":1' for index in range(90_000)) + "}", 422),
-        ("[" * 1_000_000, 413),
-    ]
-    stop = threading.Event()
-    answers: list[set[int]] = [set() for _ in bodies]
-
-    def send(body: str, statuses: set[int]) -> None:
-        with httpx.Client(base_url=client.base_url, timeout=60) as sender:
-            while not stop.is_set():
-                statuses.add(post(sender, body, "batches").status_code)
-
-    senders = [
-        threading.Thread(target=send, args=[body, seen]) for (body, _), seen in zip(bodies, answers, strict=True)
-    ]
-    for sender in senders:
-        sender.start()
-
-    def others_are_served_until_all_were_answered() -> bool:
-        assert client.get("/healthz").status_code == 200
-        assert service.run(["passive"]).status_code == 200
-        return all(expected in statuses for (_, expected), statuses in zip(bodies, answers, strict=True))
-
-    try:
-        wait_until(others_are_served_until_all_were_answered, "each hostile body is answered")
-    finally:
-        stop.set()
-        for sender in senders:
-            sender.join()
-    assert set().union(*answers) <= {413, 422, 429, 503}
 
 
 @pytest.fixture(scope="module")

@@ -104,11 +104,6 @@ def test_another_baseline_is_another_run_of_the_same_results(
     assert all(entry["cached"] for entry in other["strategies"].values())
 
 
-def test_without_passive_changes_are_against_the_first(service: Any, scenario: dict[str, Any]) -> None:
-    answer = post(service, scenario=scenario, strategies=["speed_only", "lqr"], roads=2).json()
-    assert answer["baseline"] == "lqr", "in the catalogue's order"
-
-
 def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
     stored = service.client.get(f"/api/v1/runs/{three['id']}").json()
     before = {name: entry["compute_ms"] for name, entry in stored["strategies"].items()}
@@ -125,12 +120,8 @@ def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any]
     [
         ({"roads": 0}, "/roads", "greater"),
         ({"roads": 51}, "/roads", "50"),
-        ({"roads": "3"}, "/roads", "integer"),
-        ({"roads": 2.5}, "/roads", "integer"),
-        ({"roads": None}, "/roads", "integer"),
         ({"roads": 2, "baseline": "lv"}, "/baseline", "lqr, passive"),
         ({"baseline": "lv"}, "/baseline", "lqr, passive"),
-        ({"roads": 2, "baseline": "rolling"}, "/baseline", "Unknown strategy"),
         ({"roads": 2, "scenario": {"road": {"seed": 2**32 - 1}}}, "/roads", "seed"),
     ],
 )

@@ -97,18 +97,6 @@ def test_a_whole_number_is_the_same_run_with_and_without_a_point(service: Any, c
     assert [answer["strategies"]["passive"]["cached"] for answer in answers] == [False, True, True]
 
 
-def test_editing_a_weight_computes_only_what_reads_it(service: Any, run: dict[str, Any]) -> None:
-    scenario = {**run["scenario"], "mpc": {**run["scenario"]["mpc"], "stage_weights": {"cruise": [7, 1, 1]}}}
-    edited = service.run(["lv", "lqr", "passive"], scenario).json()
-    assert edited["id"] != run["id"]
-    assert {name: entry["cached"] for name, entry in edited["strategies"].items()} == {
-        "lv": False,
-        "lqr": True,
-        "passive": True,
-    }
-    assert edited["strategies"]["passive"] == {**run["strategies"]["passive"], "cached": True}
-
-
 def test_equal_requests_at_once_are_computed_once(
     service: Any, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -64,13 +64,6 @@ def test_json_csv_and_parquet_hold_the_same_numbers(client: httpx.Client, addres
     np.testing.assert_array_equal(np.array([unpack(answer["series"][key]) for key in SIGNALS]), numbers)
 
 
-def test_parquet_keeps_its_provenance(client: httpx.Client, address: str, run: dict[str, Any]) -> None:
-    content = client.get(address, params={"strategy": "lv", "format": "parquet"}).content
-    metadata = parquet.read_schema(io.BytesIO(content)).metadata
-    assert metadata[b"ridelab.run"].decode() == run["id"]
-    assert metadata[b"ridelab.core_version"].decode() == run["core_version"]
-
-
 def test_chosen_signals_come_with_time_and_position(client: httpx.Client, address: str) -> None:
     answer = client.get(address, params={"strategy": "lv", "signals": "rear_force,speed"}).json()
     assert list(answer["series"]) == ["time", "position", "speed", "rear_force"]
@@ -105,13 +98,9 @@ def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, client: ht
     [
         ({"strategy": "lv,teleport"}, "strategy"),
         ({"strategy": "speed_only"}, "strategy"),
-        ({"strategy": ""}, "strategy"),
         ({"strategy": "lv", "signals": "speed,colour"}, "signals"),
         ({"strategy": "lv", "points": "1"}, "points"),
-        ({"strategy": "lv", "points": "many"}, "points"),
-        ({"strategy": "lv", "points": "1000000"}, "points"),
         ({"strategy": "lv", "format": "xls"}, "format"),
-        ({"strategy": "lv", "encoding": "hex"}, "encoding"),
     ],
 )
 def test_a_bad_query_names_its_parameter(
@@ -171,16 +160,3 @@ def test_decimation_keeps_ends_and_extremes(rows: np.ndarray, points: int, break
     assert (kept[0], kept[-1]) == (0, series.shape[1] - 1)
     np.testing.assert_array_equal(few.max(axis=1), series.max(axis=1))
     np.testing.assert_array_equal(few.min(axis=1), series.min(axis=1))
-
-
-def test_decimation_follows_a_spike_better_than_every_nth_sample() -> None:
-    time = np.linspace(0, 20, 20_000, dtype=np.float32)
-    curve = np.sin(2 * np.pi * 1.3 * time) + np.exp(-(((time - 5.013) / 0.01) ** 2))
-    series = np.vstack([time, curve]).astype(np.float32)
-
-    def error(indices: np.ndarray) -> float:
-        missed = np.interp(time, time[indices], series[1][indices]) - series[1]
-        return float(np.sqrt((missed**2).mean()))
-
-    few = np.searchsorted(time, decimate(series, 800)[0])
-    assert error(few) < 0.8 * error(np.linspace(0, len(time) - 1, len(few)).astype(int))

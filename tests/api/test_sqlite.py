@@ -90,16 +90,6 @@ def test_a_short_lock_fails_nothing(store: Store, path: Path, begin: str, monkey
         together(work)
 
 
-def test_a_lock_against_reading_is_an_error(store: Store, path: Path) -> None:
-    async def work() -> None:
-        found = await asyncio.gather(*(store.read(store.ping) for _ in range(16)), return_exceptions=True)
-        assert {type(error) for error in found} == {DatabaseLockedError}
-
-    with foreign(path, READ_WRITE):
-        together(work)
-    store.ping()
-
-
 def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
     """It outgrows SQLite's cache, which once locked every reader out until it ended."""
     begun, may_end = threading.Event(), threading.Event()

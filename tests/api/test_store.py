@@ -140,26 +140,6 @@ def test_a_database_of_release_0_2_0_keeps_every_row(open_store: OpenStore) -> N
         assert (job.kind, job.parent_id) == ("tuning", None)
 
 
-def test_each_step_goes_up_alone_and_the_last_is_what_the_code_uses(open_at: Callable[[str], Store]) -> None:
-    script = ScriptDirectory(str(Path(backend.db.migrations.__file__).parent))
-    for step in reversed(list(script.walk_revisions())):
-        store = open_at(step.revision)
-    with store.engine.connect() as connection:
-        assert compare_metadata(MigrationContext.configure(connection), metadata) == []
-
-
-@pytest.fixture
-def open_at(open_store: OpenStore) -> Callable[[str], Store]:
-    """Opens the database and brings it up to that step only."""
-
-    def open_one(revision: str) -> Store:
-        store = open_store()
-        store.migrate(revision)
-        return store
-
-    return open_one
-
-
 def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:
     stores = [open_store() for _ in range(4)]
     assert not in_threads(*(store.migrate for store in stores))
@@ -189,13 +169,6 @@ def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
     assert second.results == first.results[:1]
     again = store.runs.save(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
     assert again == first == store.runs.load("one")
-
-
-def test_unknown_runs_and_results_are_absent(store: Store) -> None:
-    save(store, "one", "a")
-    assert store.runs.load("none") is None
-    assert set(store.runs.load_results(["a", "none"])) == {"a"}
-    assert store.runs.load_results([]) == {}
 
 
 def test_links_keep_their_view_and_each_results_first_pin(store: Store) -> None:

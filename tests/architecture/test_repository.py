@@ -45,10 +45,6 @@ def pages() -> list[Path]:
     return [path for path in tracked("*.md") if "node_modules" not in path.parts]
 
 
-def test_there_is_a_readme() -> None:
-    assert ROOT / "README.md" in pages()
-
-
 @pytest.mark.parametrize("page", pages(), ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_to_files_and_headings_resolve(page: Path) -> None:
     text = page.read_text()

@@ -137,20 +137,3 @@ def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
     page.unroute(refused)
     dashboard.expect_curves()
     expect(page.get_by_test_id("connection")).to_have_count(0)
-
-
-def test_results_no_real_car_would_have_are_marked(dashboard: Dashboard) -> None:
-    """The passive car's linear tyre pulls on the road, and it is everybody's baseline."""
-    dashboard.open()
-    events = {strategy: result["events"] for strategy, result in dashboard.stored_run()["strategies"].items()}
-    assert events["passive"]["airborne_ms"] > 0
-    assert events["lv"]["airborne_ms"] == 0
-    for strategy, found in events.items():
-        airborne = dashboard.row(strategy).locator("[data-doubt=airborne_ms]")
-        expect(airborne).to_have_count(int(found["airborne_ms"] > 0))
-        travel = dashboard.row(strategy).locator("[data-doubt=travel_exceeded_mm]")
-        expect(travel).to_have_count(int(found["travel_exceeded_mm"] > 1e-9))
-    mark = dashboard.row("passive").get_by_role("button", name="airborne")
-    expect(mark).to_have_text(f"airborne {events['passive']['airborne_ms']:.0f}\u00a0ms")
-    mark.focus()
-    expect(dashboard.page.get_by_role("tooltip")).to_contain_text("the linear tyre then pulls")

@@ -1,12 +1,11 @@
 """The pages of a service that finds no C compiler: what needs one says so where its result would stand."""
 
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.ecu.build import NO_COMPILER
 from tests.browser.dashboard import LAPTOP, Dashboard
 from tests.servers.api import Api
 from tests.servers.compilers import Bare
@@ -70,43 +69,3 @@ def test_the_paper_counts_what_is_available_and_names_the_rest(visitor: Dashboar
     figure = page.locator("#figure-19")
     expect(figure).to_contain_text(typeset(NO_COMPILER), timeout=LONG_MS)
     expect(page.locator("#figure-14")).not_to_contain_text("compiler")
-    for part in ("#count", "#table-9", "nav[aria-label='On this page']"):
-        visitor.expect_accessible(page.locator(part))
-    page.set_viewport_size({"width": 400, "height": 800})
-    assert page.evaluate("document.documentElement.scrollWidth") == 400
-    reason = page.locator("table[data-table='9']").get_by_text(typeset(NO_COMPILER))
-    reason.scroll_into_view_if_needed()
-    expect(reason).to_be_in_viewport(ratio=1)
-
-
-def test_the_ecu_s_page_shows_the_rest_and_exports(visitor: Dashboard) -> None:
-    page = visitor.page
-    page.goto("/ecu")
-    expect(page.get_by_role("alert")).to_have_text(
-        f"LV as ECU code could not be driven: {NO_COMPILER}", timeout=LONG_MS
-    )
-    expect(page.locator("tr[data-cell]").first).to_contain_text("0.146")
-    histories = page.get_by_role("region", name="Time histories")
-    histories.locator("section").first.scroll_into_view_if_needed()
-    expect(histories.locator(".scatterlayer .trace").first).to_be_visible()
-    expect(histories).not_to_contain_text("LV as ECU code")
-    report = page.get_by_role("region", name="Build report")
-    report.get_by_role("button", name="Build and measure").click()
-    expect(report.get_by_role("alert")).to_have_text(f"{NO_CROSS_COMPILER}.", timeout=LONG_MS)
-    clock = page.get_by_role("region", name="In real time")
-    clock.get_by_role("button", name="Drive in real time").click()
-    expect(clock.get_by_role("alert")).to_have_text(f"{NO_COMPILER}.", timeout=LONG_MS)
-    # The server is not busy: nobody is asked to wait.
-    expect(page.get_by_test_id("connection")).to_have_count(0)
-    with page.expect_download() as download:
-        page.get_by_role("button", name="Export controller (C)").click()
-    assert Path(download.value.path()).read_bytes()[:2] == b"PK"
-    visitor.expect_accessible(page.get_by_role("alert").first)
-
-
-def test_in_the_lab_the_other_strategies_stay(visitor: Dashboard) -> None:
-    page = visitor.page
-    visitor.open()
-    visitor.chip("LV as ECU code").click()
-    expect(page.get_by_text(f"LV as ECU code could not be computed: {NO_COMPILER}")).to_be_visible(timeout=LONG_MS)
-    visitor.expect_curves()

@@ -95,11 +95,3 @@ def test_on_a_phone_the_form_leaves_the_plots_in_sight(dashboard: Dashboard) -> 
     box = page.get_by_role("dialog").bounding_box()
     assert box is not None
     assert box["y"] > 0.4 * 844
-
-
-def test_the_api_documentation_needs_no_other_server(dashboard: Dashboard) -> None:
-    asked: list[str] = []
-    dashboard.page.on("request", lambda request: asked.append(request.url))
-    dashboard.page.goto("/docs")
-    expect(dashboard.page.locator("#swagger-ui .opblock").first).to_be_visible()
-    assert [url for url in asked if not url.startswith((dashboard.url, "data:"))] == []

@@ -61,12 +61,3 @@ def test_the_number_of_roads_is_chosen_in_the_lab(dashboard: Dashboard) -> None:
     dashboard.expect_curves()
     dashboard.page.get_by_label("Roads").select_option("1")
     expect(note).to_have_count(0)
-
-
-def test_a_shared_link_shows_the_same(dashboard: Dashboard, server: Server, run_id: str) -> None:
-    slug = server.post("/links", {"run_id": run_id})["slug"]
-    dashboard.open(f"/s/{slug}")
-    expect(dashboard.page.get_by_test_id("roads")).to_contain_text("Mean of 3 roads")
-    expect(dashboard.page.get_by_label("Roads")).to_be_disabled()
-    dashboard.page.get_by_role("button", name="Run again on this version").click()
-    expect(dashboard.page.get_by_text("No differences")).to_be_visible()

@@ -126,15 +126,8 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
     expect(dashboard.entry("Height")).to_be_disabled()
 
 
-def older_run(server: Server, run_id: str, *, factor: float, pinned: bool) -> str:
-    """A stored run as a version before this one would have left it; its id.
-
-    Args:
-        server: Whose database it is written to.
-        run_id: A run of today, which is copied.
-        factor: The copy's peak of LV's body acceleration on the bump is so many times as large.
-        pinned: Whether its time histories are kept.
-    """
+def older_run(server: Server, run_id: str, *, factor: float) -> str:
+    """A copy of a run as an older version left it, LV's peak body acceleration so many times as large; its id."""
     old_id = secrets.token_urlsafe(16)
     with sqlite3.connect(server.database, timeout=20) as connection:
         connection.execute(
@@ -157,11 +150,10 @@ def older_run(server: Server, run_id: str, *, factor: float, pinned: bool) -> st
                 [old_key, OLD_VERSION, json.dumps(summary), key],
             )
             connection.execute("INSERT INTO run_results VALUES (?, ?, ?)", [old_id, position, old_key])
-            if pinned:
-                connection.execute(
-                    "INSERT INTO pinned_series SELECT ?, content, created_at FROM pinned_series WHERE result_key = ?",
-                    [old_key, key],
-                )
+            connection.execute(
+                "INSERT INTO pinned_series SELECT ?, content, created_at FROM pinned_series WHERE result_key = ?",
+                [old_key, key],
+            )
     return old_id
 
 
@@ -175,7 +167,7 @@ def test_running_an_older_result_again_shows_what_differs(dashboard: Dashboard, 
     run = server.post("/runs", PAPER)
     link_to(server, run["id"])  # which pins the time histories
     peak = run["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
-    old_id = older_run(server, run["id"], factor=1.25, pinned=True)
+    old_id = older_run(server, run["id"], factor=1.25)
 
     dashboard.open(link_to(server, old_id))
     page = dashboard.page
@@ -191,16 +183,6 @@ def test_running_an_older_result_again_shows_what_differs(dashboard: Dashboard, 
     dashboard.expect_accessible(differences)
     for text in ("LV control", "Body acceleration: Peak, bump", f"{1.25 * peak:#.6g}", f"{peak:#.6g}", "−20.0"):
         expect(row).to_contain_text(text)
-
-
-def test_tables_stand_where_time_histories_are_lost(dashboard: Dashboard, server: Server) -> None:
-    old_id = older_run(server, server.post("/runs", PAPER)["id"], factor=1, pinned=False)
-    dashboard.page.goto(link_to(server, old_id))
-    expect(dashboard.row("lv")).to_be_visible()
-    expect(
-        dashboard.page.get_by_role("heading", name="The time histories of this result are not there")
-    ).to_be_visible()
-    expect(dashboard.page.locator("section[data-figure]")).to_have_count(0)
 
 
 def test_an_unknown_link_says_so(dashboard: Dashboard) -> None:

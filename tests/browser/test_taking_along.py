@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import REFUSE_COPYING, Dashboard
+from tests.browser.dashboard import Dashboard
 from tests.servers.process import ROOT
 
 
@@ -83,18 +83,6 @@ def test_files_of_every_kind(dashboard: Dashboard) -> None:
     assert files["parquet"][:4] == b"PAR1"
     assert files["png"][:4] == b"\x89PNG"
     assert dashboard.run_id in files["svg"].decode()
-
-
-def test_a_command_stands_there_where_copying_is_refused(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    dashboard.open()
-    page.evaluate(REFUSE_COPYING)
-    page.get_by_role("button", name="Export").click()
-    page.get_by_role("menuitem", name="Copy as command line").click()
-    dialog = page.get_by_role("dialog", name="Here it is: select and copy it")
-    expect(dialog.get_by_role("textbox")).to_have_value(
-        f"ridelab run --strategy lv,lqr,passive --server {dashboard.url}"
-    )
 
 
 def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> None:

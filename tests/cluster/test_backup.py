@@ -15,8 +15,6 @@ from pathlib import Path
 import pytest
 from sqlalchemy import make_url
 
-from backend.db.backup import BackupError, back_up
-from backend.settings import Settings
 from backend.store import Store, StoredResult, StoredRun
 from tests.api.cli import Cli
 from tests.servers.postgres import Postgres, program
@@ -101,25 +99,6 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     database.write_bytes(whole)
     backup("--force")
     assert (tmp_path / "copy.sqlite").stat().st_size == len(whole)
-    assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
-
-
-def test_of_two_backups_to_one_file_one_is_refused(
-    sqlite_store: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    save(sqlite_store, "before")
-    copy = tmp_path / "copy.sqlite"
-    fsync = os.fsync
-
-    def be_overtaken(handle: int) -> None:
-        """The other one is complete after this one looked whether there is a file."""
-        fsync(handle)
-        copy.write_text("of the other one")
-
-    monkeypatch.setattr(os, "fsync", be_overtaken)
-    with pytest.raises(BackupError, match="is there already; --force replaces it"):
-        back_up(Settings(data_dir=tmp_path / "data"), copy, overwrite=False)
-    assert copy.read_text() == "of the other one"
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
 
 

@@ -1,6 +1,5 @@
 """The container files, read as text and YAML: no container engine is needed."""
 
-import importlib.util
 import os
 import re
 import shlex
@@ -168,20 +167,6 @@ def test_data_outlives_the_containers(instructions: list[list[str]]) -> None:
     assert ["VOLUME", "/data"] in instructions
 
 
-@pytest.mark.parametrize("certificate", [False, True])
-def test_the_proxy_takes_its_configuration(certificate: bool, tmp_path: Path) -> None:
-    environment = os.environ.copy()
-    if certificate:
-        make_secrets(tmp_path)
-        environment |= {"PROXY_CERTIFICATE": f"{tmp_path}/secrets/proxy.pem", "PROXY_REDIRECT": "https://x"}
-    targets = {item["target"]: COMPOSE["configs"][item["source"]]["file"] for item in SERVICES["proxy"]["configs"]}
-    words = [targets.get(word, word) for word in SERVICES["proxy"]["command"][1:]]
-    command = [find("haproxy", package="haproxy"), "-c", *words]
-    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    assert "WARNING" not in done.stderr
-
-
 def test_the_proxy_waits_longer_than_the_service_and_takes_bodies_as_long() -> None:
     text = (ROOT / "backend/deploy/haproxy.cfg").read_text()
     timeout = re.search(r"timeout server (\d+)s", text)
@@ -224,10 +209,3 @@ def test_a_linter_finds_nothing_in_the_dockerfile() -> None:
     linter = Path(sys.executable).with_name("hadolint")
     found = subprocess.run([linter, ROOT / "Dockerfile"], capture_output=True, text=True, check=False)
     assert (found.returncode, found.stdout) == (0, ""), found.stdout
-
-
-def test_what_is_loaded_before_the_first_chunk_exists() -> None:
-    words = [word for service in SERVICES.values() for word in service.get("command", [])]
-    loaded = [word.removeprefix("--preload=") for word in words if word.startswith("--preload=")]
-    assert loaded
-    assert all(importlib.util.find_spec(name) for name in loaded), loaded

@@ -12,7 +12,7 @@ import psutil
 import pytest
 from distributed import Client
 
-from backend.jobs.chunk import Answer, Chunk, WaitingRun
+from backend.jobs.chunk import Chunk, ChunkOutcome, WaitingRun
 from backend.jobs.cluster import Cluster
 from backend.settings import Settings
 from sim_core import __version__
@@ -63,7 +63,7 @@ def chunk(seed: int) -> Chunk:
     )
 
 
-async def compute(address: str, seeds: list[int]) -> list[Answer]:
+async def compute(address: str, seeds: list[int]) -> list[ChunkOutcome]:
     """What a service set to that scheduler gets for a chunk each."""
     cluster = Cluster(Settings(dask_scheduler=address))
     for _ in range(60):

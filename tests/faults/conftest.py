@@ -1,12 +1,7 @@
 """The service as its users start it: `python -m backend` in a process of its own."""
 
 import contextlib
-import os
-import re
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
@@ -15,32 +10,23 @@ import pytest
 
 from backend.store import Store
 from tests.data import release
-from tests.servers.process import ROOT, wait_until
+from tests.servers.api import Api
+from tests.servers.process import wait_until
 
 PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
 
 
-@dataclass
-class Process:
+class Process(Api):
     """A started service."""
 
-    process: subprocess.Popen[str]
-    client: httpx.Client
-    log_file: Path
-
-    @property
-    def log(self) -> str:
-        """All it logged so far."""
-        return self.log_file.read_text(errors="replace")
-
-    def family(self) -> list[psutil.Process]:
-        """The processes it started, and theirs."""
-        return psutil.Process(self.process.pid).children(recursive=True)
+    def __init__(self, folder: Path, name: str, **environment: str) -> None:
+        super().__init__(folder, name=name, **{"PYTHONWARNINGS": "error", **environment})
+        self.client = httpx.Client(base_url=self.url, timeout=90)
 
     def workers(self, nice: int = 0) -> list[psutil.Process]:
         """Its processes for interactive runs, or (`NICE`) those for batches."""
         found = []
-        for child in self.family():
+        for child in self.children():
             with contextlib.suppress(psutil.Error):  # it may end meanwhile
                 if "spawn_main" in " ".join(child.cmdline()) and child.nice() == nice:
                     found.append(child)
@@ -82,57 +68,29 @@ class Process:
         wait_until(look, "a worker computes", pause=0.01)
         return busy[0]
 
-    def is_ready(self) -> bool:
-        """Whether it says so now."""
-        with contextlib.suppress(httpx.TransportError):
-            return self.client.get("/readyz").status_code == 200
-        return False
-
     def is_idle(self) -> bool:
         """Whether no job waits or runs."""
         lists = [(kind, state) for kind in ("batches", "tunings") for state in ("queued", "running")]
         return not any(self.client.get(f"/api/v1/{kind}?state={state}").json()[kind] for kind, state in lists)
-
-    def end(self) -> None:
-        """Kill it and all it started, whatever became of it."""
-        self.client.close()
-        for process in self.family() if self.process.poll() is None else ():
-            with contextlib.suppress(psutil.NoSuchProcess):
-                process.kill()
-        self.process.kill()
-        self.process.wait()
-        assert self.process.stdout is not None
-        self.process.stdout.close()
 
 
 Start = Callable[..., Process]
 
 
 def starter(folder: Path) -> Iterator[Start]:
-    """Starts services on free ports and one data directory, and ends what is left of them."""
+    """Starts services on one data directory, and ends what is left of them."""
     started: list[Process] = []
 
     def start_one(**environment: str) -> Process:
-        command = [sys.executable, "-W", "error", "-m", "backend", "--port", "0", "--data-dir", str(folder / "data")]
-        log = folder / f"log-{len(started)}"
-        with log.open("w") as sink:
-            process = subprocess.Popen(
-                command, cwd=ROOT, env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=sink, text=True
-            )
-        service = Process(process=process, client=httpx.Client(timeout=90), log_file=log)
-        started.append(service)
-        assert process.stdout is not None
-        line = process.stdout.readline()
-        address = re.fullmatch(r"Ridelab is at (http://127\.0\.0\.1:\d+)\n", line)
-        assert address, f"{line!r} {service.log}"
-        service.client.base_url = httpx.URL(address[1])
-        wait_until(service.is_ready, "the service is ready", 90)
-        return service
+        started.append(Process(folder, f"api-{len(started)}", **environment))
+        started[-1].wait_until_ready()
+        return started[-1]
 
     try:
         yield start_one
     finally:
         for service in started:
+            service.client.close()
             service.end()
 
 

@@ -39,13 +39,13 @@ def finished(service: Process, batch_id: str, runs: int) -> None:
 
 def test_batches_open_no_port(service: Process) -> None:
     finished(service, submit(service, {"road": {"length": 127.3}}, 12), 12)
-    pids = {service.process.pid, *(process.pid for process in service.family())}
+    pids = {service.pid, *(process.pid for process in service.children())}
     ports = {
         connection.laddr.port
         for connection in psutil.net_connections("inet")
         if connection.pid in pids and connection.status == psutil.CONN_LISTEN
     }
-    assert ports == {service.client.base_url.port}
+    assert ports == {service.port}
 
 
 def test_heavy_runs_stop_when_their_batch_is_cancelled(service: Process) -> None:

@@ -9,7 +9,7 @@ import httpx
 import pytest
 
 from backend.__main__ import main
-from tests.faults.conftest import Process, Start
+from tests.faults.conftest import Process
 
 # A second or two of one core: long enough to kill a worker in the middle.
 LONG: dict[str, Any] = {"road": {"length": 60.3, "bump": {"start": 30}}, "mpc": {"solver": "osqp", "force_limit": 500}}
@@ -62,27 +62,7 @@ def test_workers_killed_while_idle_are_replaced_unnoticed(service: Process) -> N
     assert post(service, {"road": {"length": 131.6}}, "passive").status_code == 200
     service.wait_until_warm(2)
     assert not set(killed) & set(service.workers())
-    assert service.is_ready()
-
-
-def test_two_services_share_one_database_file(service: Process, start_beside: Start) -> None:
-    other = start_beside(RIDELAB_WORKERS="1")
-    scenarios = [{"road": {"length": 131.7, "seed": seed}} for seed in range(8)]
-    jobs = [(each, scenario) for scenario in scenarios for each in (service, other)]
-    try:
-        with ThreadPoolExecutor(2) as threads:  # more of one client would be refused where the machine is busy
-            answers = list(threads.map(lambda job: post(*job, "passive", "speed_only"), jobs))
-        assert [answer.status_code for answer in answers] == [200] * len(jobs)
-        runs = [answer.json() for answer in answers]
-        for one, two in zip(runs[::2], runs[1::2], strict=True):
-            assert one["id"] == two["id"]
-            stored = [each.client.get(f"/api/v1/runs/{one['id']}").json() for each in (service, other)]
-            assert stored[0] == stored[1]
-            for run in (one, two):
-                for name, entry in run["strategies"].items():
-                    assert {k: v for k, v in entry.items() if k != "cached"} == stored[0]["strategies"][name]
-    finally:
-        other.end()
+    assert service.ready
 
 
 def test_a_start_that_cannot_work_says_why(

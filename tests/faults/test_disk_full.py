@@ -25,7 +25,7 @@ COUNTER = "ridelab_store_errors_total "
 @contextlib.contextmanager
 def full(service: Process, database: Path) -> Iterator[None]:
     """The service's files may not grow any more, as if the disk were full; on a disk of one's own it would be."""
-    process = psutil.Process(service.process.pid)
+    process = psutil.Process(service.pid)
     process.rlimit(psutil.RLIMIT_FSIZE, (database.stat().st_size, resource.RLIM_INFINITY))
     try:
         yield

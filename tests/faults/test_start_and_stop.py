@@ -11,7 +11,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tests.servers.process import ROOT, wait_until
+from tests.servers.process import wait_until
 
 
 @pytest.mark.parametrize("port", ["99999", "-1", "http"])
@@ -21,24 +21,6 @@ def test_a_port_that_is_none_is_named(port: str) -> None:
     )
     assert ended.returncode == 2
     assert ended.stderr.splitlines()[-1].endswith("error: argument --port: a number from 0 to 65535")
-
-
-def test_a_setting_that_is_none_ends_the_start_with_one_sentence(tmp_path: Path) -> None:
-    environment = {**os.environ, "RIDELAB_DATA_DIR": "", "PYTHONPATH": str(ROOT)}
-    ended = subprocess.run(
-        [sys.executable, "-m", "backend"], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
-    )
-    said = "Ridelab does not start: RIDELAB_DATA_DIR: it is empty; leave it out for the default\n"
-    assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
-    assert list(tmp_path.iterdir()) == [], "nothing is written to where it was started"
-
-
-def test_a_database_that_cannot_be_used_ends_the_start_with_one_sentence(tmp_path: Path) -> None:
-    (tmp_path / "ridelab.sqlite").write_text("no database at all")
-    command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
-    ended = subprocess.run(command, capture_output=True, text=True, check=False)
-    said = f"Ridelab does not start: {tmp_path}/ridelab.sqlite: it is no SQLite database; put a backup in its place\n"
-    assert (ended.returncode, ended.stdout, ended.stderr) == (2, "", said)
 
 
 def test_ctrl_c_ends_a_start_that_waits(tmp_path: Path) -> None:

@@ -44,7 +44,7 @@ def test_while_it_is_away_answers_are_503_and_then_as_before(service: Process, p
     live = service.client.post("/api/v1/live", json={"scenario": SHORT, "strategies": ["lqr"], "points": 50})
     assert live.status_code == 200, "dragging needs no database"
     postgres.start()
-    wait_until(service.is_ready, "it is ready again", 120)
+    service.wait_until_ready()
     again = service.client.get(f"/api/v1/runs/{kept['id']}")
     assert again.status_code == 200
     assert {**again.json(), "strategies": None} == {**kept, "strategies": None}
@@ -62,7 +62,7 @@ def test_a_batch_under_way_goes_on_when_it_is_back(service: Process, postgres: P
     assert service.client.get("/healthz").status_code == 200
     check_refused(service.client.get(f"/api/v1/batches/{batch_id}"))
     postgres.start()
-    wait_until(service.is_ready, "it is ready again", 120)
+    service.wait_until_ready()
     assert 0 < state(service, batch_id)["done"] < LONG_BATCH
     finished(service, batch_id, LONG_BATCH)
 

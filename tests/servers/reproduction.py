@@ -13,7 +13,7 @@ Tests ask for the fixture `reproduction` (tests/servers/fixtures.py), which give
 import hashlib
 import platform
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
@@ -119,20 +119,13 @@ def store_in_database(url: str, *, ecu: bool = True) -> None:
         store.close()
 
 
-def digest(root: Path = ROOT, sources: Iterable[str] = SOURCES) -> str:
+def digest() -> str:
     """Of all the numbers depend on: sources, installed packages, Python and machine."""
-    found = hashlib.sha256(repr([sys.version, platform.machine(), packages(sys.path)]).encode())
-    for path in files(root, sources):
-        found.update(f"{path.relative_to(root)}\0".encode() + hashlib.sha256(path.read_bytes()).digest())
+    packages = sorted({path.name for place in sys.path for path in Path(place).glob("*.dist-info")})
+    found = hashlib.sha256(repr([sys.version, platform.machine(), packages]).encode())
+    for name in SOURCES:
+        assert (ROOT / name).exists(), name
+        for path in sorted([ROOT / name, *(ROOT / name).rglob("*")]):
+            if path.is_file() and "__pycache__" not in path.parts:
+                found.update(f"{path.relative_to(ROOT)}\0".encode() + path.read_bytes())
     return found.hexdigest()[:24]
-
-
-def files(root: Path, sources: Iterable[str]) -> list[Path]:
-    """Every file named or below a folder named, but for what Python compiled."""
-    below = [path for name in sources for path in (root / name, *(root / name).rglob("*"))]
-    return sorted(path for path in below if path.is_file() and "__pycache__" not in path.parts)
-
-
-def packages(places: Sequence[str]) -> list[str]:
-    """Names and versions of what is installed in these folders."""
-    return sorted({path.name for place in places for path in Path(place).glob("*.dist-info")})

@@ -7,22 +7,9 @@ import numpy as np
 
 from sim_core import caching
 from sim_core.arrays import FloatArray
-from sim_core.caching import MEBIBYTE, Cache, buffers
+from sim_core.caching import MEBIBYTE, Cache
 from sim_core.scenario import Mpc, Scenario, Vehicle
 from sim_core.simulate import simulate
-
-
-@dataclass(frozen=True)
-class _Pair:
-    first: FloatArray
-    more: dict[str, tuple[FloatArray, ...]]
-    name: str = "pair"
-
-
-def test_every_array_inside_counts_once_and_a_view_as_what_it_shows() -> None:
-    first = np.zeros(10)
-    held = buffers(_Pair(first, {"a": (np.zeros(5), first[:1], np.zeros(1))}))
-    assert sorted(held.values()) == [8, 40, 80]
 
 
 def test_latest_results_are_kept_while_they_fit() -> None:
@@ -45,25 +32,6 @@ def test_latest_results_are_kept_while_they_fit() -> None:
     make(8, 6)
     make(8, 6)  # larger than the whole cache: made again each time
     assert calls[-2:] == [6, 6]
-
-
-def test_functions_share_the_room_and_what_several_hold_counts_once() -> None:
-    cache = Cache(MEBIBYTE)
-
-    @cache.cached
-    def road(number: int) -> FloatArray:
-        return np.full(MEBIBYTE // 2 // 8, float(number))
-
-    @cache.cached
-    def window(number: int, first: int) -> FloatArray:
-        return road(number)[first:]
-
-    for first in range(50):
-        window(1, first)
-    assert cache.size < 0.6 * MEBIBYTE
-    for number in range(5):
-        window(number, 0)
-    assert cache.size <= MEBIBYTE
 
 
 def test_the_arrays_of_arguments_count_because_an_entry_keeps_them_alive() -> None:

@@ -9,7 +9,7 @@ import pytest
 from backend.jobs import work
 from backend.jobs.chunk import WaitingRun
 from backend.jobs.sweep.plan import plan
-from backend.jobs.sweep.sweeps import Sweep, SweepError, points
+from backend.jobs.sweep.sweeps import Sweep, SweepError
 from sim_core.errors import TooExpensiveError, UnstableVehicleError
 from sim_core.scenario import Scenario
 
@@ -64,14 +64,3 @@ def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
     again = pickle.loads(pickle.dumps(caught.value))  # noqa: S301 - our own
     assert again.errors == caught.value.errors
     assert [path for path, _ in again.errors] == [["grid", "road.bmp"], ["grid", "road.seed", 0]]
-
-
-def test_a_hypercubes_points_are_those_of_its_seed_for_ever() -> None:
-    """They are kept with a batch, but a script that sends the same sweep again expects the same points."""
-    ranges = {"road.bump.height": [0.0, 0.2], "mpc.prediction_horizon": [20, 40]}
-    sweep = {"latin_hypercube": {"ranges": ranges, "samples": 2, "seed": 7}}
-    _, found = points(Sweep.model_validate(sweep), BASE)
-    assert found == points(Sweep.model_validate(sweep), BASE)[1]
-    assert {type(point["mpc.prediction_horizon"]) for point in found} == {int}
-    other = {"latin_hypercube": {**sweep["latin_hypercube"], "seed": 8}}
-    assert found != points(Sweep.model_validate(other), BASE)[1]

@@ -20,9 +20,8 @@ from backend.ecu import build, effort, export, firmware, tables
 from backend.ecu.link import connected
 from backend.ecu.realtime import PacedEcu, Timing, spread
 from backend.ecu.report import Variant
-from benchmarks.cortex_m3 import CortexM3, measured
+from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.channels import PREVIEW, SENSORS
 from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.sources import FLAGS, SOURCES
@@ -76,29 +75,6 @@ def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: P
         build.compiled([*build.compilers()[0], *options, "-c", str(source), "-o", str(tmp_path / "o")], tmp_path)
         is None
     )
-
-
-def test_numbers_survive_being_written_as_c(calibration: Calibration) -> None:
-    text = tables.tables_source(calibration)
-    for name, values in (
-        ("a", calibration.A),
-        ("bump_gram", calibration.stages[2].gram),
-        ("cruise_effects", calibration.stages[0].rows),
-    ):
-        body = re.search(rf"float {name}\[(\d+)\] = {{(.*?)}};", text, re.DOTALL)
-        assert body is not None
-        numbers = [np.float32(number.rstrip("f")) for number in re.findall(r"[-+.\de]+f", body[2])]
-        assert len(numbers) == int(body[1]) == values.size
-        assert np.array_equal(np.array(numbers), values.astype(np.float32).ravel())
-
-
-def test_the_header_names_every_channel_with_its_range(calibration: Calibration) -> None:
-    header = tables.calibration_header(calibration)
-    for channel in (*SENSORS, *PREVIEW):
-        assert f"{channel.label.lower()}, +-{channel.reach:g} {channel.unit}" in header
-    assert f"0x{tables.fingerprint(calibration):08x}u" in header
-    other = ecu_calibration(SMALL.model_copy(update={"hil": Hil(bits=15)}))
-    assert tables.fingerprint(other) != tables.fingerprint(calibration)
 
 
 def test_the_c_code_keeps_the_habits_it_claims() -> None:
@@ -162,20 +138,6 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
         assert spent.instructions < spent.cycles < 2 * spent.instructions
     assert max(abs(ratio - 1) for ratio in ratios) <= effort.SPREAD
     assert deepest <= effort.STM32F103.stack
-
-
-def test_instructions_are_timed_as_the_manual_has_them() -> None:
-    """ADDS 1; LDR 2; PUSH of four 5; UMULL 5; UDIV 12; LDRD 3."""
-    calibration = {
-        "0818": (1, 1),
-        "0868": (1, 2),
-        "70b5": (1, 5),
-        "a0fb0301": (1, 5),
-        "b0fbf1f0": (1, 12),
-        "d0e90012": (1, 3),
-    }
-    for code, expected in calibration.items():
-        assert measured(bytes.fromhex(code)) == expected, code
 
 
 def test_a_variant_is_never_more_than_the_scenarios_own() -> None:

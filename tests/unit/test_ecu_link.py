@@ -3,8 +3,6 @@
 import os
 import re
 import signal
-import socket
-import struct
 import subprocess
 import sys
 import time
@@ -107,40 +105,12 @@ def test_a_peer_that_misbehaves_is_an_error_and_never_a_wait(
     assert time.monotonic() - begin < 8
 
 
-def test_a_program_that_does_not_start_is_an_error(tmp_path: Path, calibration: Calibration) -> None:
-    with pytest.raises(EcuError, match="does not start"), connected(calibration, tmp_path / "none"):
-        pass
-
-
-def test_a_stage_that_is_none_is_misuse(calibration: Calibration) -> None:
-    with pytest.raises(EcuError, match="nobody asked"), connected(calibration) as ecu:
-        ecu.exchange(frame(calibration, stage=3))
-
-
 def test_a_stranger_is_turned_away_while_the_program_is_awaited(tmp_path: Path, calibration: Calibration) -> None:
     """Somebody else on this machine connects first; the program with the token is served all the same."""
     stranger = "socket.create_connection(link.getpeername()).sendall(b'RIDELAB1' + bytes(36))"
     body = f"{stranger}\nhello(token, FINGERPRINT)\nframe(); answer(0); frame()"
     with connected(calibration, peer(tmp_path, calibration, body)) as ecu:
         assert ecu.exchange(frame(calibration)).commands == (0, 0)
-
-
-def test_the_port_is_closed_once_the_program_is_there(
-    calibration: Calibration, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    ports = []
-    create = socket.create_server
-
-    def noted(*arguments: Any, **options: Any) -> socket.socket:
-        listener = create(*arguments, **options)
-        ports.append(listener.getsockname())
-        return listener
-
-    monkeypatch.setattr(socket, "create_server", noted)
-    with connected(calibration):
-        assert ports[0][0] == "127.0.0.1"
-        with pytest.raises(ConnectionRefusedError):
-            socket.create_connection(ports[0], timeout=1)
 
 
 def test_the_program_ends_with_a_plant_that_was_killed() -> None:
@@ -168,24 +138,6 @@ def test_the_program_ends_with_a_plant_that_was_killed() -> None:
         time.sleep(0.02)
 
 
-def test_bad_tables_and_bad_arguments_end_the_program() -> None:
-    program = build.program()
-
-    def code(arguments: list[str], content: bytes) -> int:
-        return subprocess.run(
-            [program, *arguments], input=content, capture_output=True, check=False, timeout=10
-        ).returncode
-
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port = str(listener.getsockname()[1])
-        assert code([], b"") == 2
-        assert code(["0"], bytes(32)) == 2
-        assert code([port], bytes(31)) == 2
-        assert code([port], bytes(32)) == 3
-        huge = struct.pack("<I6i4f", 0, 10_000, 10_000, 10_000, 0, 30, 2047, 1, 5, 1, 1)
-        assert code([port], bytes(32) + huge + bytes(4096)) == 3
-
-
 def test_without_a_compiler_the_strategy_cannot_take_part(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv(build.FOLDER, str(tmp_path))
     monkeypatch.setattr(build, "has_zig", bool)
@@ -208,13 +160,6 @@ def test_without_a_compiler_the_strategy_cannot_take_part(monkeypatch: pytest.Mo
             drive.simulate(SMALL, "lv_hil")
     finally:
         build.program.cache_clear()
-
-
-def test_without_a_folder_the_strategy_cannot_take_part(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    (tmp_path / "file").touch()
-    monkeypatch.setenv(build.FOLDER, str(tmp_path / "file" / "below"))
-    with pytest.raises(EcuError, match="no folder for the ECU's program: Not a directory"):
-        build.folder()
 
 
 def test_a_folder_of_somebody_else_is_not_used(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

@@ -43,14 +43,6 @@ def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], breaks: dic
         assert array.dtype == np.float32
 
 
-@pytest.mark.parametrize("points", [50, 700])
-def test_a_pin_is_decimated_as_a_computed_series_is(
-    pinned: dict[str, bytes], breaks: dict[str, list[float]], points: int
-) -> None:
-    for name, array in pins.opened(pinned, breaks, points).items():
-        np.testing.assert_array_equal(array, pack(simulate(SCENARIO, name), points))
-
-
 @pytest.mark.parametrize("file_format", ["json", "csv", "parquet"])
 @pytest.mark.parametrize("points", [None, 90])
 def test_files_from_pins_are_those_made_again(
@@ -103,8 +95,3 @@ def test_another_catalogue_reads_what_it_knows(breaks: dict[str, list[float]], p
     assert list(answer["series"]) == list(answer["units"]) == known
     text = exports.render_pinned({"lv": old}, breaks, export(strategies=["lv"], file_format="csv")).decode()
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in known]
-
-
-def test_pins_are_smaller_than_their_numbers(pinned: dict[str, bytes], breaks: dict[str, list[float]]) -> None:
-    arrays = pins.opened(pinned, breaks, None).values()
-    assert sum(map(len, pinned.values())) < 0.75 * sum(array.nbytes for array in arrays)

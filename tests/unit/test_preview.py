@@ -86,15 +86,6 @@ def test_what_is_told_is_what_the_view_compares(view: dict[str, Any], title: str
     assert preview.of_run(run(members), view, WHEN).title == title
 
 
-def test_without_a_bump_the_whole_run_counts() -> None:
-    found = preview.of_run(run({"lv": entry(1, 1, "whole"), "passive": entry(2, 2, "whole")}, height=0.0), {}, WHEN)
-    assert found.title == "LV control against passive: 50 % less peak body acceleration"
-    assert "no bump, 50 → 22.5 km/h" in found.description
-    hole = preview.of_run(run({"passive": entry(3.14159, 2)}, height=-0.125, width=0.5), {}, WHEN)
-    assert hole.title == "Passive: peak body acceleration 3.14 m/s² on the bump"
-    assert "pothole 0.125 m × 0.5 m" in hole.description
-
-
 @pytest.mark.parametrize(
     "strategies", [{}, {"lv": {"status": "failed", "reason": "x"}}, {"lv": {"status": "ok", "metrics": {"other": {}}}}]
 )

@@ -8,11 +8,9 @@ import pytest
 
 from backend.runs.reports import inputs, numbers
 from backend.runs.reports.doubts import doubts
-from backend.runs.reports.keys import key_of
 from backend.runs.reports.run import RunFacts, report
 from backend.runs.work import Outcome, run
 from sim_core.scenario import Scenario, dotted
-from sim_core.strategies import STRATEGIES
 from tests.html import check, read
 
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&{{7*7}}"
@@ -64,12 +62,6 @@ def test_inputs_keep_every_digit(value: float, shown: str) -> None:
 )
 def test_changes_always_have_a_sign(change: float, shown: str) -> None:
     assert numbers.percent(change) == shown
-
-
-def test_every_strategy_has_a_key_of_its_own() -> None:
-    keys = [key_of(name) for name in STRATEGIES]
-    assert len({key["dash"] for key in keys}) == len(keys)
-    assert key_of("of-another-version")["label"] == "of-another-version"
 
 
 def test_units_are_raised() -> None:
@@ -167,13 +159,3 @@ def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
     assert not list(root.all("img"))
     assert root.text.count("alert(1)") >= 10, "it is there, as text"
     assert "{{7*7}}" in next(root.all("h1")).text
-
-
-def test_without_histories_there_is_no_script_at_all(outcomes: dict[str, Outcome]) -> None:
-    made = report(replace(facts(outcomes), outcomes={}, gone=True), compressed=False)
-    root = read(made.content.decode())
-    check(root)
-    assert not list(root.all("script"))
-    assert "script-src 'none'" in made.policy
-    assert "They are gone: core 1.2.3 computed this run" in root.text
-    assert len(made.content) < 200_000

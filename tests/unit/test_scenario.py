@@ -92,10 +92,3 @@ def test_presets_are_valid_and_the_papers_comes_first() -> None:
     assert PRESETS["paper"].scenario == Scenario()
     for preset in PRESETS.values():
         assert Scenario.model_validate(json.loads(preset.scenario.model_dump_json())) == preset.scenario
-
-
-def test_half_car_preset_is_half_the_papers_masses() -> None:
-    whole, half = Scenario().vehicle, PRESETS["half_car_consistent"].scenario.vehicle
-    assert 2 * half.total_mass == pytest.approx(whole.total_mass)
-    assert 2 * half.pitch_inertia == whole.pitch_inertia
-    assert half.front_spring == whole.front_spring

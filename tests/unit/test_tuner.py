@@ -122,16 +122,6 @@ def test_dominated_shares_with_known_answers() -> None:
     assert front.dominated_share([trial(0, 1)], None) is None
 
 
-def test_a_dominated_share_against_random_points() -> None:
-    """30 points in three dimensions, against 40,000 random ones: the share's standard error is at most 0.0025."""
-    generator = np.random.default_rng(3)
-    members = front.front([trial(n, *generator.random(3)) for n in range(30)])
-    points = generator.random((40_000, 3))
-    dominated = [np.all(points >= np.array(each.values), axis=1) for each in members]
-    inside = np.any(dominated, axis=0).mean()
-    assert front.dominated_share(members, [1, 1, 1]) == pytest.approx(inside, abs=0.01)  # 4 of them
-
-
 @pytest.mark.parametrize("strategy", space.STRATEGIES)
 def test_weights_are_points_and_points_weights(strategy: str) -> None:
     search = space.default_search(strategy)
@@ -200,17 +190,6 @@ def test_what_is_asked_next_lies_in_range_and_where_trials_were_good() -> None:
 def test_optuna_is_imported_for_a_tuning_only() -> None:
     code = "import backend.app, backend.runs.work, backend.jobs.work, sys; sys.exit('optuna' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
-
-
-def test_points_worth_comparing_are_named_once() -> None:
-    trials = [trial(0, 3, 3), trial(1, 1, 3), trial(2, 2, 2), trial(3, 3, 1)]
-    assert comparison.roles(trials, 2, own=True) == {
-        0: ["paper"],
-        1: ["scenario", "best.0"],
-        3: ["best.1"],
-        2: ["knee"],
-    }
-    assert comparison.roles([trial(0, 1), trial(1, 2)], 1, own=False) == {0: ["paper", "best.0"]}
 
 
 def roads(values: dict[int, float]) -> dict[int, Any]:

@@ -6,7 +6,7 @@ import pytest
 from pydantic import BaseModel, Field
 
 from backend.http.validation import locate_in_body
-from backend.unknown_names import is_name, pointer, unknown_name
+from backend.unknown_names import pointer
 
 
 class Circle(BaseModel):
@@ -40,17 +40,6 @@ def test_the_place_is_the_bodys_own_and_names_are_those_in_json(
     path: list[str | int], shown: list[str | int], known: list[str]
 ) -> None:
     assert locate_in_body(Drawing, path) == (shown, known)
-
-
-def test_only_what_looks_like_a_name_is_repeated() -> None:
-    assert (
-        unknown_name("field", "hight", ["height", "seed"])
-        == "Unknown field hight, perhaps height; there are height, seed"
-    )
-    assert unknown_name("field", "<b>hight", ["height"]) == "Unknown field; there are height"
-    assert unknown_name("parameter", "x", []) == "Unknown parameter x; there are none"
-    assert is_name("road.bump_2")
-    assert not any(is_name(text) for text in ("", "a b", "a/b", "ä", "a" * 81, "a\n"))
 
 
 def test_a_json_pointer_is_escaped() -> None:

@@ -119,21 +119,6 @@ def test_asking_the_solver_in_every_step_changes_nothing() -> None:
     assert gap < 1e-6
 
 
-@pytest.mark.parametrize("strategy", ["lv", "suspension_only"])
-@pytest.mark.parametrize("mpc", [Mpc(), TIGHT], ids=["paper", "tight"])
-def test_either_solver_gives_the_same_run(strategy: str, mpc: Mpc) -> None:
-    """Both accept 1e-6 residuals; peaks and RMS agree to 1e-5."""
-    runs = [
-        simulate(Scenario(road=ROAD, mpc=mpc.model_copy(update={"solver": solver})), strategy)
-        for solver in ("daqp", "osqp")
-    ]
-    for name in (*OUTPUTS, "front_force", "rear_force"):
-        first, second = (run.series[name] for run in runs)
-        assert np.abs(first - second).max() <= 1e-4 * np.abs(first).max(), name
-    assert [run.events["qp_failures"] for run in runs] == [0, 0]
-    assert runs[0].events["qp_fallbacks"] == 0
-
-
 @pytest.mark.parametrize("horizon", [1, 5, 30])
 @pytest.mark.parametrize("travel", [3.0, 0.5])
 def test_mpc_without_extras_is_lqr_at_any_horizon(horizon: int, travel: float) -> None:
