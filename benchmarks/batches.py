@@ -18,7 +18,7 @@ from benchmarks.timing import table
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 
-FEW, MANY = 1000, 10_000
+FEW, MANY, SMALL = 1000, 10_000, 4
 SAMPLE = 300  # runs that tell the core's own rate
 PROBES = 40
 RANGES = {"road.bump.height": [0.05, 0.15], "mpc.stage_weights.cruise.0": [1, 10], "mpc.stage_weights.bump.2": [1, 10]}
@@ -65,12 +65,19 @@ def run() -> None:
             ["", "MiB", "against the first"],
             [[f"{samples} runs", peak, peak / memory[FEW]] for samples, peak in memory.items()],
         )
+        small_alone = _small_batch(client, 4)
         with _going_on(client):
             busy = probes.take(PROBES)
+            small_beside = _small_batch(client, 5)
         table(
             "POST /runs of lv + lqr + passive on a new road, medians",
             ["", "ms", "against idle"],
             [["idle", idle, 1.0], [f"while {MANY} runs go on", busy, busy / idle]],
+        )
+        table(
+            f"A batch of {SMALL} LV runs on new roads, from its 202 to its end",
+            ["", "ms", "against alone"],
+            [["alone", small_alone, 1.0], [f"behind {MANY} runs", small_beside, small_beside / small_alone]],
         )
         _exports(client, batch["id"])
 
@@ -107,6 +114,16 @@ def _submitted(client: httpx.Client, samples: int, seed: int) -> dict[str, Any]:
     answer.raise_for_status()
     batch: dict[str, Any] = answer.json()
     return batch
+
+
+def _small_batch(client: httpx.Client, seed: int) -> float:
+    """How long a small batch takes [ms]."""
+    points = [{"road.seed": 1_000_000 + seed * SMALL + number} for number in range(SMALL)]
+    begin = time.perf_counter()
+    body = {"strategies": ["lv"], "sweep": {"list": points}}
+    job = client.post("/api/v1/batches", json=body).raise_for_status().json()
+    client.get(f"/api/v1/batches/{job['id']}/events", timeout=120).raise_for_status()  # a stream that ends with it
+    return 1000 * (time.perf_counter() - begin)
 
 
 def _seconds(batch: dict[str, Any]) -> float:
