@@ -15,6 +15,7 @@ from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
 from backend.jobs import cluster, handout, scheduler
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun
+from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.plan import plan
 from backend.jobs.sweep.sweeps import Sweep
@@ -194,6 +195,33 @@ def test_results_wait_for_a_database_that_is_away(tmp_path: Path) -> None:
     assert {row.status for row in rows} == {"ok"}
     handed = sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk))
     assert handed == list(range(RUNS)), "computed once, committed when that was possible"
+
+
+def test_results_wait_where_reads_fail_too_and_the_lead_is_lost(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fails, away = threading.Semaphore(6), threading.Event()
+
+    def unreliable(save: Callable[..., None]) -> Callable[..., None]:
+        def saving(*args: Any) -> None:
+            if fails.acquire(blocking=False):
+                away.set()
+                raise OperationalError("INSERT", {}, Exception("the server is gone"))
+            away.clear()
+            save(*args)
+
+        return saving
+
+    async def confirm(_: Leadership) -> None:
+        if away.is_set():
+            raise LeadershipLostError
+
+    monkeypatch.setattr(Leadership, "confirm", confirm)
+    rows = drive(tmp_path, answered, save=unreliable)
+    assert {row.status for row in rows} == {"ok"}
+    handed = sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk))
+    assert handed == list(range(RUNS)), "computed once, committed when that was possible"
+    assert Misbehaving.starts > 1, "the lead was lost"
 
 
 def test_another_program_that_locks_the_database_stops_no_cluster(
