@@ -84,13 +84,6 @@ def _flat(value: Any, name: str = "") -> dict[str, float]:
     return {name: value}
 
 
-def test_the_same_run_posted_alone_is_stored_already(client: httpx.Client, batch: dict[str, Any]) -> None:
-    scenario = {**BASE, "road": {**BASE["road"], "bump": {"start": 88, "height": 0.06}}, "mpc": {"preview": "none"}}
-    alone = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv"]}).json()
-    assert alone["strategies"]["lv"]["cached"] is True
-    assert alone["strategies"]["lv"]["metrics"] == rows(client, batch["id"])[6]["metrics"]
-
-
 def test_files_hold_the_same_rows_with_units_and_provenance(client: httpx.Client, batch: dict[str, Any]) -> None:
     path = f"/api/v1/batches/{batch['id']}/results"
     plain = client.get(path).json()

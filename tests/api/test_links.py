@@ -174,24 +174,6 @@ def test_pinned_histories_are_the_computed_ones_to_the_byte(
     assert set(used) == {exports.render_pinned, pins.opened}, "none was computed again"
 
 
-def test_after_an_upgrade_of_the_core_a_link_opens_what_it_did(
-    service: Any, client: httpx.Client, fresh: dict[str, Any]
-) -> None:
-    link = share(client, fresh["id"], **VIEW)
-    before, made = opened(client, link["slug"]), histories(client, fresh["id"])
-    of_another_core(service.app.state.store, fresh["id"])
-    after = opened(client, link["slug"])
-    assert (after["core_version"], after["current_core_version"]) == ("0.0.8", __version__)
-    assert after["series_pinned"] is True
-    assert after["run"]["strategies"] == before["run"]["strategies"]
-    assert (after["view"], after["scenario"]) == (before["view"], before["scenario"])
-    again = histories(client, fresh["id"])
-    assert again["figures"] == made["figures"]
-    assert b'"core_version":"0.0.8"' in again["series?strategy=lv,passive"]
-    for query in ("series?strategy=lv,passive", "series?strategy=passive&format=csv&signals=speed"):
-        assert again[query].replace(b"0.0.8", __version__.encode()) == made[query]
-
-
 def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(
     service: Any, client: httpx.Client, fresh: dict[str, Any]
 ) -> None:

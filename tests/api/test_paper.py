@@ -9,12 +9,10 @@ import httpx
 import pytest
 
 from backend.jobs.reproduction import models
-from backend.jobs.reproduction.work import SPEEDS, SPEEDS_KMH, requests_of_study
 from sim_core.study.interpretations import DEFAULT
 from sim_core.study.paper import FIGURES
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
-from tests.servers.reproduction import ROADS, rows
 
 PAPER = "/api/v1/paper"
 FEW = 2  # roads that are driven anew
@@ -46,23 +44,6 @@ def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str
 def anew(service: Service) -> dict[str, Any]:
     """The reproduction on a few roads, which the workers drive now."""
     return service.inside(service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
-
-
-def test_a_cell_is_the_change_of_the_means_of_single_runs(service: Service, anew: dict[str, Any]) -> None:
-    values: dict[str, list[float]] = {"lv": [], "lqr": []}
-    for seed in range(1, FEW + 1):
-        run = service.run(list(values), {"road": {"seed": seed}}).json()
-        for name, found in values.items():
-            found.append(run["strategies"][name]["metrics"]["bump"]["rear_tyre_load"]["peak"])
-    lv, lqr = statistics.fmean(values["lv"]), statistics.fmean(values["lqr"])
-    cell = next(
-        cell
-        for cell in anew["cells"]
-        if (cell["table"], cell["strategy"], cell["signal"]) == (10, "lqr", "rear_tyre_load")
-    )
-    assert cell["our_value"] == pytest.approx(lqr, rel=1e-12)
-    assert cell["our_base"] == pytest.approx(lv, rel=1e-12)
-    assert cell["our_change"] == pytest.approx(100 * (lqr / lv - 1), rel=1e-9)
 
 
 def test_a_switch_changes_what_it_says(client: httpx.Client, answer: dict[str, Any]) -> None:
@@ -188,14 +169,6 @@ def test_what_each_part_contributes(client: httpx.Client) -> None:
     times = {row["travel_time"] for row in rows.values() if row["speed"] == "constant"}
     assert len(times) == 1
     assert len(found["equal_speed"][0]["cells"]) == len(FIGURES)
-
-
-def test_peaks_over_speed_are_those_of_the_tables_where_both_are(answer: dict[str, Any]) -> None:
-    """Figures 3-6 at 50 km/h and Table 5's passive car drive the same roads; the road ends later there."""
-    peaks = [rows()[each.key]["row"] for each in requests_of_study(SPEEDS, ROADS)]
-    at_50 = [run["rough"][SPEEDS_KMH.index(50)] for run in peaks]
-    bases = [cell["our_base"] for cell in answer["cells"] if (cell["table"], cell["strategy"]) == (5, "speed_only")]
-    assert [statistics.fmean(column) for column in zip(*at_50, strict=True)] == pytest.approx(bases, rel=1e-9)
 
 
 def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:

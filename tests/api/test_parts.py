@@ -79,19 +79,6 @@ def outcome(samples: int, points: int = 800) -> Outcome:
     return Outcome(status="ok", summary={}, compute_ms=1.0, points=points, series=series)
 
 
-def test_memory_is_bounded_and_the_least_used_goes_first() -> None:
-    item = outcome(1000)
-    memory = Memory(3 * item.size)
-    for key in "abc":
-        memory.put(key, item)
-    assert memory.get("a", 800) is item
-    memory.put("d", item)
-    assert [memory.get(key, 800) is not None for key in "abcd"] == [True, False, True, True]
-    memory.put("huge", outcome(10_000))
-    assert memory.get("huge", 800) is None
-    assert memory.get("a", 800) is item
-
-
 def test_memory_answers_only_for_the_points_it_has() -> None:
     memory = Memory(10**6)
     memory.put("a", outcome(100, 800))

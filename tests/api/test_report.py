@@ -167,31 +167,3 @@ def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, A
     assert not list(root.all("script"))
     peak = run["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     assert next(root.all("td", data_cell=CELL)).attributes["data-value"] == str(peak)
-
-
-def test_a_strategy_that_failed_is_told(service: Any, monkeypatch: pytest.MonkeyPatch, run: dict[str, Any]) -> None:
-    from dataclasses import replace
-
-    store = service.app.state.runs._store
-    stored = store.runs.load(run["id"])
-    failed = [
-        replace(item, key=f"fail-{item.key}"[:43], status="failed", summary={"reason": "no controller <b>"})
-        for item in stored.results
-    ]
-    for name, members in (
-        ("report-some-have-failed", [failed[0], *stored.results[1:]]),
-        ("report-all-have-failed", failed),
-    ):
-        store.runs.save(
-            run_id=name[:22],
-            core_version=stored.core_version,
-            schema_version=1,
-            scenario=stored.scenario,
-            outcomes=members,
-        )
-        answer = service.client.get(f"/api/v1/runs/{name[:22]}/report.html")
-        assert answer.status_code == 200, answer.text
-        root = read(answer.text)
-        check(root)
-        assert "It could not run: no controller <b>" in root.text
-        assert bool(list(root.all("td", data_cell=CELL))) == (name == "report-some-have-failed")

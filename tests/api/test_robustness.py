@@ -82,23 +82,6 @@ def test_it_says_what_the_exported_rows_say(client: httpx.Client, batch: str, ro
         assert {item["field"] for item in peak["sensitivity"]} <= {"mismatch.body_mass", "mismatch.damping"}
 
 
-def test_margins_pair_each_point_with_the_baselines_own(
-    client: httpx.Client, batch: str, rows: list[dict[str, Any]]
-) -> None:
-    found = read(client, batch, figures=PEAK, baseline="lqr")["strategies"]
-    assert found["lqr"]["figures"][PEAK]["margin"] is None
-    own, base = peaks(rows, "lv"), peaks(rows, "lqr")
-    changes = {point: 100 * (own[point][1] / base[point][1] - 1) for point in own}
-    margin = found["lv"]["figures"][PEAK]["margin"]
-    assert (margin["pairs"], margin["n"]) == (16, 16)
-    assert margin["quantiles"][3] == pytest.approx(statistics.median(changes.values()))
-    assert margin["better"] == sum(change < 0 for change in changes.values()) / 16
-    most = max(changes, key=lambda point: changes[point])
-    assert (margin["highest"]["run"], margin["highest"]["at"]) == (own[most][0], POINTS[most])
-    nominal = {name: found[name]["figures"][PEAK]["nominal"] for name in ("lv", "lqr")}
-    assert margin["nominal"] == pytest.approx(100 * (nominal["lv"] / nominal["lqr"] - 1))
-
-
 def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.Client, batch: str) -> None:
     run = client.post("/api/v1/runs", json={"scenario": BASE, "strategies": ["lv", "passive"]}).json()
     found = read(client, batch)["strategies"]

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from backend.models import MAX_POINTS, Series, SeriesOfSeveral
+from backend.models import MAX_POINTS, Series
 from backend.runs.series import decimate
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 
@@ -68,20 +68,6 @@ def test_chosen_signals_come_with_time_and_position(client: httpx.Client, addres
     answer = client.get(address, params={"strategy": "lv", "signals": "rear_force,speed"}).json()
     assert list(answer["series"]) == ["time", "position", "speed", "rear_force"]
     assert table(client, address, strategy="lv", signals="speed")[0] == ["time [s]", "position [m]", "speed [m/s]"]
-
-
-def test_several_strategies_come_side_by_side_and_in_one_table(client: httpx.Client, address: str) -> None:
-    query = {"strategy": "passive,lv", "points": 100}
-    answer = client.get(address, params=query).json()
-    SeriesOfSeveral.model_validate(answer)
-    assert set(answer) == {"core_version", "units", "strategies"}
-    assert list(answer["strategies"]) == ["lv", "passive"]
-    header, rows = table(client, address, **query)
-    assert header == ["strategy", *HEADER]
-    for name in ("lv", "passive"):
-        mine = np.array([row[1:] for row in rows if row[0] == name], dtype=np.float32).T
-        expected = np.array([answer["strategies"][name][key] for key in SIGNALS], dtype=np.float32)
-        np.testing.assert_array_equal(mine, expected)
 
 
 def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, client: httpx.Client, address: str) -> None:

@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import pytest
 from alembic.autogenerate import compare_metadata
@@ -149,17 +148,6 @@ def test_migrating_again_and_from_many_processes_changes_nothing(open_store: Ope
         assert store.runs.load("run") == saved
 
 
-def test_a_run_over_several_roads_keeps_them_in_order(store: Store) -> None:
-    items = [replace(item, strategy=name) for item, name in zip(outcomes(*"abcdef"), ["lv", "lqr"] * 3, strict=True)]
-    head = {"core_version": "1", "schema_version": 1, "scenario": {}}
-    saved = store.runs.save(run_id="three", **head, outcomes=items, roads=3, baseline="lqr")
-    assert store.runs.load("three") == saved
-    assert (saved.roads, saved.baseline) == (3, "lqr")
-    assert [item.key for item in saved.first_road] == ["a", "b"]
-    by_strategy = {name: [item.key for item in road] for name, road in saved.by_strategy.items()}
-    assert by_strategy == {"lv": ["a", "c", "e"], "lqr": ["b", "d", "f"]}
-
-
 def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
     first = save(store, "one", "a", "b")
     assert [item.key for item in first.results] == ["a", "b"]
@@ -204,14 +192,6 @@ def test_many_writers_of_the_same_results_wait_for_each_other(open_store: OpenSt
     assert all(stores[0].runs.load(f"{number}-{item}") for number in range(4) for item in rounds)
     with stores[0].reading() as connection:
         assert connection.scalar(select(func.count()).select_from(results)) == len(rounds) * (len(shared) + 4)
-
-
-def test_what_fails_half_way_leaves_nothing(store: Store) -> None:
-    nameless: Any = None  # its results fit, its own row does not
-    with pytest.raises(IntegrityError):
-        save(store, nameless, "fits")
-    assert store.runs.load_results(["fits"]) == {}
-    save(store, "run", "fits")
 
 
 def test_a_database_that_went_away_is_said_and_found_again(postgres: Postgres, server_store: Store) -> None:

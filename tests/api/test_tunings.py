@@ -141,16 +141,6 @@ def test_a_tunings_batches_are_there_but_not_among_those_that_people_handed_in(
     assert (batch["state"], batch["total"]) == ("done", len(tuning["comparison"]["points"]) * (len(SEEDS) + len(FRESH)))
 
 
-def test_the_same_request_gives_the_same_trials(client: httpx.Client, tuning: dict[str, Any]) -> None:
-    again = wait_for(client, begin(client, "another-key")["id"])
-    assert again["id"] != tuning["id"]
-    assert trials(client, again["id"]) == trials(client, tuning["id"])
-    same = ("best", "knee", "front", "history")
-    assert [again[name] for name in same] == [tuning[name] for name in same]
-    other = wait_for(client, begin(client, seed=6, trials=8)["id"])
-    assert trials(client, other["id"])[2:] != trials(client, tuning["id"])[2:8]
-
-
 def test_a_limit_nothing_keeps_leaves_the_papers_weights_alone(client: httpx.Client) -> None:
     limits = [{"figure": "events.travel_exceeded_mm", "at_most": -1}]
     found = wait_for(client, begin(client, limits=limits, trials=16)["id"])

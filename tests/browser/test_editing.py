@@ -83,25 +83,6 @@ def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
     assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("0.1", paper)
 
 
-def test_undo_redo_and_reset(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page = dashboard.page
-    first = page.url
-    dashboard.type_into("Width", "2.5")
-    expect(page).not_to_have_url(first)
-    expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
-
-    page.get_by_role("button", name="Undo").click()
-    expect(dashboard.entry("Width")).to_have_value("4")
-    expect(page).to_have_url(first)
-    page.get_by_role("button", name="Redo").click()
-    expect(dashboard.entry("Width")).to_have_value("2.5")
-
-    page.get_by_role("button", name="Reset Width to the paper's 4\u00a0m").click()
-    expect(dashboard.entry("Width")).to_have_value("4")
-    expect(page.get_by_text("The paper’s scenario")).to_be_visible()
-
-
 def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url

@@ -43,15 +43,6 @@ def test_a_stored_run_opens_with_its_statistics(dashboard: Dashboard, server: Se
     dashboard.expect_accessible()
 
 
-def test_another_baseline_is_asked_for_its_paired_changes(dashboard: Dashboard, run_id: str) -> None:
-    dashboard.open(f"/r/{run_id}")
-    dashboard.row("passive").get_by_role("button", name="Passive").click()
-    expect(dashboard.row("passive")).to_have_attribute("data-baseline", "true")
-    expect(dashboard.row("lv").locator(PEAK)).to_contain_text(re.compile(r"−[\d.]+\u2009±\u2009\d"))
-    expect(dashboard.row("lqr").locator(PEAK)).to_contain_text(re.compile(r"−[\d.]+\u2009±\u2009\d"))
-    assert run_id not in dashboard.page.url
-
-
 def test_the_number_of_roads_is_chosen_in_the_lab(dashboard: Dashboard) -> None:
     dashboard.open()
     note = dashboard.page.get_by_test_id("roads")

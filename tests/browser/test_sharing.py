@@ -1,18 +1,10 @@
 """A result is a link: made by a click, opened as it was, read-only, run again, copied to be edited."""
 
-import json
 import re
-import secrets
-import sqlite3
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.dashboard import REFUSE_COPYING, Dashboard
-from tests.browser.server import Server
-
-OLD_VERSION = "0.0.1"
-PAPER = {"scenario": {}, "strategies": ["lv", "lqr", "passive"]}
 
 
 def share(page: Page) -> str:
@@ -124,65 +116,6 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
         expect(page).to_have_url(address)
     expect(banner).to_be_visible()
     expect(dashboard.entry("Height")).to_be_disabled()
-
-
-def older_run(server: Server, run_id: str, *, factor: float) -> str:
-    """A copy of a run as an older version left it, LV's peak body acceleration so many times as large; its id."""
-    old_id = secrets.token_urlsafe(16)
-    with sqlite3.connect(server.database, timeout=20) as connection:
-        connection.execute(
-            "INSERT INTO runs (id, core_version, schema_version, scenario, created_at)"
-            " SELECT ?, ?, schema_version, scenario, created_at FROM runs WHERE id = ?",
-            [old_id, OLD_VERSION, run_id],
-        )
-        results = connection.execute(
-            "SELECT position, key, strategy, summary FROM run_results JOIN results ON key = result_key"
-            " WHERE run_id = ?",
-            [run_id],
-        ).fetchall()
-        for position, key, strategy, text in results:
-            summary, old_key = json.loads(text), secrets.token_urlsafe(32)
-            if strategy == "lv":
-                summary["metrics"]["bump"]["body_acceleration"]["peak"] *= factor
-            connection.execute(
-                "INSERT INTO results SELECT ?, strategy, ?, status, ?, compute_ms, created_at FROM results"
-                " WHERE key = ?",
-                [old_key, OLD_VERSION, json.dumps(summary), key],
-            )
-            connection.execute("INSERT INTO run_results VALUES (?, ?, ?)", [old_id, position, old_key])
-            connection.execute(
-                "INSERT INTO pinned_series SELECT ?, content, created_at FROM pinned_series WHERE result_key = ?",
-                [old_key, key],
-            )
-    return old_id
-
-
-def link_to(server: Server, run_id: str) -> str:
-    """A link as a script makes it: no word about the view."""
-    made = server.post("/links", {"run_id": run_id})
-    return f"{server.url}{made['url']}"
-
-
-def test_running_an_older_result_again_shows_what_differs(dashboard: Dashboard, server: Server) -> None:
-    run = server.post("/runs", PAPER)
-    link_to(server, run["id"])  # which pins the time histories
-    peak = run["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
-    old_id = older_run(server, run["id"], factor=1.25)
-
-    dashboard.open(link_to(server, old_id))
-    page = dashboard.page
-    assert dashboard.shown_values()["lv bump.body_acceleration.peak"] == pytest.approx(1.25 * peak)
-    banner = page.get_by_role("region", name="Shared result")
-    expect(banner).to_contain_text(f"by core {OLD_VERSION}")
-    expect(banner).to_contain_text("This server now runs core")
-    page.get_by_role("button", name="Run again on this version").click()
-    differences = page.get_by_role("region", name="Differences", exact=True)
-    expect(differences).to_contain_text(re.compile(r"1 of \d+ figures differ"))
-    row = differences.locator("tbody tr")
-    expect(row).to_have_count(1)
-    dashboard.expect_accessible(differences)
-    for text in ("LV control", "Body acceleration: Peak, bump", f"{1.25 * peak:#.6g}", f"{peak:#.6g}", "−20.0"):
-        expect(row).to_contain_text(text)
 
 
 def test_an_unknown_link_says_so(dashboard: Dashboard) -> None:

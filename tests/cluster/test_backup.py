@@ -1,6 +1,6 @@
 """The backup commands of docs/operations.md, run against a database in use.
 
-That a batch goes on from a copy is shown in tests/faults/test_restored.py.
+That a batch goes on from a copy is shown in tests/drill/test_database.py.
 """
 
 import os

@@ -146,19 +146,6 @@ def test_what_may_be_changed_is_in_the_example_with_its_default() -> None:
     assert example == variables
 
 
-def test_the_service_knows_its_settings(tmp_path: Path) -> None:
-    make_secrets(tmp_path)
-    files = {f"/run/secrets/{name}": tmp_path / secret["file"] for name, secret in COMPOSE["secrets"].items()}
-    (tmp_path / "secrets/tokens").write_text("ann 0123456789abcdef")
-    asked = {**SERVICES["api"]["environment"], "RIDELAB_TOKENS_FILE": "/run/secrets/tokens"}  # as .env may have it
-    environment = {name: str(files.get(value, VARIABLE.sub(r"\2", value))) for name, value in asked.items()}
-    settings = Settings.from_environment(environment)
-    password = (tmp_path / "secrets/database_password").read_text().strip()
-    assert settings.store_url == f"postgresql+psycopg://ridelab:{password}@database/ridelab"
-    assert settings.dask_scheduler == "tls://scheduler:8786"
-    assert settings.forwarded_allow_ips == "*"
-
-
 def test_data_outlives_the_containers(instructions: list[list[str]]) -> None:
     assert SERVICES["database"]["volumes"] == ["database:/var/lib/postgresql/data"]
     assert "database" in COMPOSE["volumes"]

@@ -78,20 +78,6 @@ def test_a_worker_computes_on_one_thread_and_is_warm(do: Do) -> None:
     do(use)
 
 
-def test_a_task_nobody_waits_for_gives_its_worker_back(do: Do) -> None:
-    async def use(workers: Workers) -> None:
-        pid = await workers.call(os.getpid)
-        task: asyncio.Task[Any] = asyncio.create_task(workers.call(time.sleep, 0.5))
-        while not workers.load["busy"]:
-            await asyncio.sleep(0.01)
-        task.cancel()
-        with pytest.raises(asyncio.CancelledError):
-            await task
-        assert await workers.call(os.getpid) == pid
-
-    do(use)
-
-
 def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
     async def use() -> None:
         workers = Workers(1, timeout=LIMIT, max_memory=1)  # any is too large

@@ -1,8 +1,5 @@
 """What runs share stays within its bytes, and large things are not kept."""
 
-from dataclasses import dataclass
-from weakref import WeakSet
-
 import numpy as np
 
 from sim_core import caching
@@ -32,25 +29,6 @@ def test_latest_results_are_kept_while_they_fit() -> None:
     make(8, 6)
     make(8, 6)  # larger than the whole cache: made again each time
     assert calls[-2:] == [6, 6]
-
-
-def test_the_arrays_of_arguments_count_because_an_entry_keeps_them_alive() -> None:
-    @dataclass(frozen=True, eq=False)
-    class Road:
-        heights: FloatArray
-
-    alive = WeakSet[Road]()
-
-    @Cache(MEBIBYTE).cached
-    def length(road: Road, *, scale: float) -> float:
-        return scale * len(road.heights)
-
-    for _ in range(20):
-        road = Road(np.zeros(MEBIBYTE // 4 // 8))
-        alive.add(road)
-        length(road, scale=2.0)
-    del road
-    assert len(alive) <= 4
 
 
 def test_runs_with_nothing_in_common_stay_within_the_limit() -> None:

@@ -10,7 +10,7 @@ from backend.jobs import work
 from backend.jobs.chunk import WaitingRun
 from backend.jobs.sweep.plan import plan
 from backend.jobs.sweep.sweeps import Sweep, SweepError
-from sim_core.errors import TooExpensiveError, UnstableVehicleError
+from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Scenario
 
 BASE = Scenario().model_dump(mode="json")
@@ -32,16 +32,6 @@ def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
 
 def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
     assert len(work.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), 0)) == 1
-
-
-def test_what_the_core_refuses_is_a_result_with_a_reason(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(*_: Any) -> None:
-        raise UnstableVehicleError("The passive car has no stationary response")
-
-    monkeypatch.setattr(work, "simulate", refuse)
-    (run,) = work.run_chunk(BASE, 1, waiting(0.05), 60)
-    assert run.status == "failed"
-    assert json.loads(run.summary) == {"reason": "The passive car has no stationary response"}
 
 
 def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,12 +10,12 @@ import pytest
 
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
-from sim_core.scenario import Road, Scenario, Vehicle
+from sim_core.scenario import Road, Scenario
 from sim_core.scenario.dotted import field
 from sim_core.simulate import simulate
 from sim_core.study import paper
 from sim_core.study.attribution import FACTORS, VARIANTS, shares
-from sim_core.study.causes import CAUSES, changes, least_change
+from sim_core.study.causes import least_change
 from sim_core.study.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
 from sim_core.study.intervals import change_with_interval
 from sim_core.study.paper import FIGURES, Verdict, judge, scenario_for, verdict
@@ -211,24 +211,6 @@ def test_load_transfer_bounds_the_front_tyre_under_every_controller() -> None:
     assert rms["speed_only"] > 200
     for name in ("lv", "lqr"):
         assert rms[name] == pytest.approx(rms["speed_only"], rel=0.03), name
-
-
-def test_a_cause_is_shown_by_runs_that_anyone_can_repeat() -> None:
-    """Table 4's front tyre without the braking moment, from two runs a road."""
-    cause, variation = CAUSES[0], CAUSES[0].variations[1]
-    assert variation.label == "`vehicle.cg_height=0`"
-    means = [
-        np.mean(
-            [
-                simulate(Scenario(road=Road(seed=seed), vehicle=Vehicle(cg_height=0)), name).metrics["rough_road"][
-                    "front_tyre_load"
-                ]["rms"]
-                for seed in (1, 2)
-            ]
-        )
-        for name in ("speed_only", "passive")
-    ]
-    assert changes(cause, variation, (1, 2)) == pytest.approx([100 * (means[0] / means[1] - 1)])
 
 
 def test_the_paper_s_strategies_are_among_the_combinations() -> None:

@@ -43,15 +43,6 @@ def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], breaks: dic
         assert array.dtype == np.float32
 
 
-@pytest.mark.parametrize("file_format", ["json", "csv", "parquet"])
-@pytest.mark.parametrize("points", [None, 90])
-def test_files_from_pins_are_those_made_again(
-    pinned: dict[str, bytes], breaks: dict[str, list[float]], file_format: str, points: int | None
-) -> None:
-    wanted = export(file_format=file_format, points=points)
-    assert exports.render_pinned(pinned, breaks, wanted) == exports.render(SCENARIO, wanted)
-
-
 def test_any_parquet_reader_learns_names_units_and_version(pinned: dict[str, bytes]) -> None:
     schema = parquet.read_schema(io.BytesIO(pinned["lv"]))
     assert schema.names == list(SIGNALS)

@@ -84,19 +84,6 @@ def test_a_password_that_cannot_be_read_ends_the_start(password: str) -> None:
         Settings.from_environment({"RIDELAB_DATABASE_URL": URL, "RIDELAB_DATABASE_PASSWORD_FILE": password})
 
 
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [
-        ("DASK_SCHEDULER", "tcp://scheduler-1.example.com:8786"),
-        ("DASK_SCHEDULER", "tcp://[::1]:8786"),
-        ("FORWARDED_ALLOW_IPS", "*"),
-        ("FORWARDED_ALLOW_IPS", "127.0.0.1, 10.0.0.0/8,::1"),
-    ],
-)
-def test_addresses_of_every_kind_are_taken(name: str, value: str) -> None:
-    assert getattr(Settings.from_environment({f"RIDELAB_{name}": value}), name.lower()) == value
-
-
 def test_tls_takes_three_readable_files_and_an_address_that_says_so(tmp_path: Path) -> None:
     find("openssl", package="openssl")
     subprocess.run([ROOT / "backend/deploy/secrets.sh", tmp_path / "secrets"], check=True, capture_output=True)

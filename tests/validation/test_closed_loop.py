@@ -111,14 +111,6 @@ def test_limits_horizons_and_actuators(name: str) -> None:
         assert limited > 10
 
 
-def test_asking_the_solver_in_every_step_changes_nothing() -> None:
-    """The unconstrained optimum that meets every limit is the QP's solution: an interior-point method agrees."""
-    road = Road(length=60, bump=Bump(start=40, width=3))
-    gap, limited = difference(Scenario(road=road, mpc=TIGHT), "suspension_only", always=True)
-    assert limited > 10
-    assert gap < 1e-6
-
-
 @pytest.mark.parametrize("horizon", [1, 5, 30])
 @pytest.mark.parametrize("travel", [3.0, 0.5])
 def test_mpc_without_extras_is_lqr_at_any_horizon(horizon: int, travel: float) -> None:

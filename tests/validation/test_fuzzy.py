@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-import skfuzzy
 from skfuzzy import control
 
 from sim_core.drive.fuzzy_speed import torque_surface
@@ -75,14 +74,3 @@ def test_inputs_are_clipped_to_their_universes() -> None:
     surface = torque_surface()
     assert surface.share(300, -5) == surface.share(30, 0)
     assert surface.share(-3, 500) == surface.share(0, 80)
-
-
-def test_a_set_built_by_hand_agrees() -> None:
-    """Mamdani min/max and centroid at one point, written out: e_v = 20 (M 1/3, L 2/3), e_s = 30 (S 1/2, M 1/2)."""
-    universe = np.linspace(0, 1, 4001)
-    strength = {"L": 1 / 3, "V": 1 / 2, "M": 1 / 3}  # S,M→L 1/3; S,L→V 1/2; M,M→M 1/3; M,L→L 1/2
-    strength["L"] = 1 / 2
-    peak = {"M": 0.5, "L": 0.75, "V": 1.0}
-    cut = [np.fmin(s, skfuzzy.trimf(universe, [peak[k] - 0.25, peak[k], peak[k] + 0.25])) for k, s in strength.items()]
-    expected = skfuzzy.defuzz(universe, np.max(cut, axis=0), "centroid")
-    assert torque_surface().share(20, 30) == pytest.approx(expected, abs=0.003)
