@@ -114,7 +114,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             workers=workers, admission=admission, max_request_cost=settings.max_request_cost
         )
         app.state.links = Links(store=store, workers=workers, runs=app.state.runs, admission=admission)
-        sweeps = Sweeps(store=store, background=background, admission=admission, settings=settings)
+        sweeps = Sweeps(store=store, workers=workers, background=background, admission=admission, settings=settings)
         app.state.sweeps = sweeps
         app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)
         steps = TuningSteps(store, sweeps)

@@ -2,14 +2,13 @@
 
 import asyncio
 from collections import Counter
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import orjson
 
 from backend.analysis import robustness, summary
-from backend.compute.workers import Workers
 from backend.jobs.sweep.plan import scenario_at
 from backend.store import StoredJob
 from backend.store.job_runs import JobRow
@@ -22,7 +21,7 @@ POINTS_A_CALL = 500  # whose stability one task of a worker reckons; each takes 
 async def summarised(
     batch: StoredJob,
     pages: AsyncIterator[list[JobRow]],
-    workers: Workers,
+    call: Callable[..., Awaitable[Any]],
     figures: Sequence[str],
     baseline: str,
 ) -> dict[str, Any]:
@@ -35,8 +34,8 @@ async def summarised(
     for first in range(0, len(ran), POINTS_A_CALL):
         some = ran[first : first + POINTS_A_CALL]
         texts = [gathered.changes[point] for point in some]
-        damping[some] = await workers.call(summary.dampings, *origin, texts, batch.request["strategies"])
-    summaries, nominal_damping = await workers.call(summary.nominal, *origin, batch.request["strategies"])
+        damping[some] = await call(summary.dampings, *origin, texts, batch.request["strategies"])
+    summaries, nominal_damping = await call(summary.nominal, *origin, batch.request["strategies"])
     study = gathered.study(damping, summaries, nominal_damping)
     return {
         "batch": batch.id,
@@ -45,7 +44,7 @@ async def summarised(
         "baseline": baseline,
         "quantiles": list(summary.QUANTILES),
         "units": {key: METRICS[key].unit for key in figures},
-        "strategies": await workers.call(summary.summarise, study, baseline),
+        "strategies": await call(summary.summarise, study, baseline),
     }
 
 

@@ -2,9 +2,10 @@
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Iterable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
+from typing import Any, TypeVar
 
 from cachetools import LRUCache
 
@@ -29,6 +30,8 @@ SUMMARIES = 16  # kept: a page that is opened again asks for the same
 REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
 SUMMARY_COST = 0.002  # of one run, its loop's stability included [s of one core]
 PLAN_COST = 0.0002  # of one run [s of one core]
+QUICK = 0.3  # what takes less needs no process in the background [s of one core]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,14 +54,18 @@ class Sweeps:
 
     Args:
         store: The database.
-        background: Processes for planning and summaries, so that they delay no interactive run.
+        workers: Processes for interactive runs; they also do what is quick.
+        background: Processes for longer planning and summaries, so that these delay no interactive run.
         admission: What is accepted at once.
         settings: Of the service.
     """
 
-    def __init__(self, *, store: Store, background: Workers, admission: Admission, settings: Settings) -> None:
+    def __init__(
+        self, *, store: Store, workers: Workers, background: Workers, admission: Admission, settings: Settings
+    ) -> None:
         self.jobs = Jobs("sweep", store=store, admission=admission, settings=settings)
         self._store = store
+        self._workers = workers
         self._background = background
         self._admission = admission
         self._settings = settings
@@ -73,7 +80,7 @@ class Sweeps:
         names, base = ordered(strategies), scenario.model_dump(mode="json")
         planned = await self._planned(base, names, sweep, client)
         with self._admission.computing(client, scenario, names):
-            seconds = await self._background.call(plan.pilot, base, names, sweep, ends_with_caller=True)
+            seconds = await self._call(planned.max_run_cost, plan.pilot, base, names, sweep)
         points = len(planned.runs) // len(names)
         if seconds is not None:
             seconds *= points / self._settings.batch_workers
@@ -195,13 +202,15 @@ class Sweeps:
         asked, ended = (job.id, against, *figures), job.done + job.failed
         clock = asyncio.get_running_loop().time
         made = self._summaries.get(asked)
-        if made is not None and (made.ended == ended or clock() < made.reusable_until):
+        goes_on = job.state not in FINAL
+        if made is not None and (made.ended == ended or (goes_on and clock() < made.reusable_until)):
             return {**made.answer, "state": job.state}
         begin = time.perf_counter()
-        with self._admission.background(client, SUMMARY_COST * ended):
-            answer = await reading.summarised(job, self.rows(job.id), self._background, figures, against)
-        reusable = 0.0 if job.state in FINAL else clock() + REUSE * (time.perf_counter() - begin)
-        self._summaries[asked] = _Summary(answer=answer, ended=ended, reusable_until=reusable)
+        cost = SUMMARY_COST * ended
+        with self._admission.background(client, cost):
+            answer = await reading.summarised(job, self.rows(job.id), partial(self._call, cost), figures, against)
+        until = clock() + REUSE * (time.perf_counter() - begin)
+        self._summaries[asked] = _Summary(answer=answer, ended=ended, reusable_until=until)
         return answer
 
     async def results(self, job_id: str, file_format: Format) -> tuple[StoredJob, AsyncIterator[bytes]]:
@@ -223,8 +232,9 @@ class Sweeps:
     async def _planned(self, base: Mapping[str, Any], names: Sequence[str], sweep: Sweep, client: str) -> plan.Plan:
         self._check_size(sweep, names)
         try:
-            with self._admission.background(client, PLAN_COST * size(sweep) * len(names)):
-                planned = await self._background.call(plan.plan, base, names, sweep, ends_with_caller=True)
+            cost = PLAN_COST * size(sweep) * len(names)
+            with self._admission.background(client, cost):
+                planned = await self._call(cost, plan.plan, base, names, sweep)
         except SweepError as error:
             raise InvalidError(
                 "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
@@ -240,6 +250,12 @@ class Sweeps:
                 f"{each:g} s; {CHEAPER_RUN}"
             )
         return planned
+
+    async def _call(self, cost: float, function: Callable[..., T], *args: Any) -> T:
+        """Run a function in a process; one that takes long in the background, where it ends with whoever asked."""
+        if cost < QUICK:
+            return await self._workers.call(function, *args)
+        return await self._background.call(function, *args, ends_with_caller=True)
 
     def _check_size(self, sweep: Sweep, names: Sequence[str]) -> None:
         total, limit = size(sweep) * len(names), self._settings.max_batch_runs
