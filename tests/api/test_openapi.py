@@ -1,7 +1,14 @@
-"""OpenAPI, its page, and the answers that describe the core."""
+"""OpenAPI, its page, and the answers that describe the core.
+
+`UPDATE_DOCS=1 python -m pytest tests/api/test_openapi.py` writes the page's types anew.
+"""
 
 import json
+import os
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -107,6 +114,17 @@ def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[s
         for method in operations if address != path else ():
             body = {"json": {"label": None}} if method == "patch" else {}
             assert client.request(method, address, **body).status_code == 404, (method, path)
+
+
+def test_the_pages_types_are_made_from_the_description(description: dict[str, Any], tmp_path: Path) -> None:
+    source, target, committed = tmp_path / "openapi.json", tmp_path / "schema.gen.ts", "frontend/src/api/schema.gen.ts"
+    source.write_text(json.dumps(description))
+    node = shutil.which("node", path=os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))
+    assert node is not None, "make development brings node"
+    made = ROOT / committed if os.environ.get("UPDATE_DOCS") else target
+    subprocess.run([node, "frontend/scripts/generate-api.mjs", source, made], cwd=ROOT, check=True, timeout=60)
+    if made == target and target.read_text() != (ROOT / committed).read_text():  # thousands of lines: no diff of them
+        pytest.fail(f"{committed} is not what the description gives: UPDATE_DOCS=1 writes it anew")
 
 
 @pytest.fixture

@@ -104,6 +104,44 @@ def test_count_and_misprints_are_what_the_tables_show_and_the_api_says(paper: Pa
     expect(paper.locator(f"{target}:target")).to_be_in_viewport()
 
 
+PENDING = {"our_change": None, "ci": None, "verdict": "pending", "certain": None}
+
+
+def early(paper: dict[str, Any], done: int) -> dict[str, Any]:
+    """The same answer while only the cells of Table 4 are there."""
+    missing = PENDING | {"our_value": None, "our_base": None, "without_preview": PENDING}
+    cells = [cell if cell["table"] == 4 else cell | missing for cell in paper["cells"]]
+    verdicts = [cell["verdict"] for cell in cells]
+    counts = {name: verdicts.count(name) for name in VERDICTS}
+    found = {"cells": cells, "counts": counts, "reached": counts["reached"]}
+    return paper | found | {"complete": False, "progress": {"done": done, "total": 300}}
+
+
+def test_cells_come_as_they_are_computed_and_nothing_jumps(dashboard: Dashboard) -> None:
+    page = dashboard.page
+
+    def answer_early(route: Route) -> None:
+        route.fulfill(json=early(route.fetch().json(), 60))
+
+    page.route("**/api/v1/paper?partial=true", answer_early)
+    page.route("**/api/v1/paper/*", lambda _: None)  # what follows the tables stays as high as it is
+    open_paper(page)
+    expect(page.get_by_test_id("progress")).to_have_text("60 of 300 runs")
+    pending = page.locator("table[data-table] tr[data-verdict=pending]")
+    expect(pending).to_have_count(40)
+    expect(page.get_by_test_id("count")).to_contain_text(re.compile(r"^\d+\s+of 48 cells reached so far"))
+    dashboard.expect_accessible(page.get_by_role("region", name="Table 5"))
+    places = "() => [...document.querySelectorAll('section[id], table[data-table]')].map(each => each.offsetTop)"
+    before = page.evaluate(places)
+    page.unroute("**/api/v1/paper?partial=true")
+    settled(page)
+    expect(pending).to_have_count(0)
+    expect(page.get_by_test_id("progress")).to_have_text("Computed from 300 runs.")
+    after = page.evaluate(places)
+    moved = max(abs(new - old) for old, new in zip(before, after, strict=True))
+    assert moved < 60  # [px]: an uncertain verdict may take a line
+
+
 def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -> None:
     before, after = answer(paper), answer(paper, "?preview=none")
     assert before["reached"] != after["reached"]

@@ -37,7 +37,7 @@ import type {
   Trial,
   Tuning,
   TuningEstimate,
-  TuningSummary,
+  TuningItem,
 } from "./types";
 
 const BASE = "/api/v1";
@@ -183,7 +183,7 @@ export const api = {
 
   estimateTuning: (wish: TuningWish, signal?: AbortSignal) => post<TuningEstimate>("/tunings", { ...wish, dry_run: true }, { signal }),
   createTuning: (wish: TuningWish, key: string) => post<Tuning>("/tunings", wish, { headers: { "idempotency-key": key } }),
-  tunings: (signal?: AbortSignal) => get<{ readonly tunings: readonly TuningSummary[] }>("/tunings?limit=50", signal),
+  tunings: (signal?: AbortSignal) => get<{ readonly tunings: readonly TuningItem[] }>("/tunings?limit=50", signal),
   tuning: (id: string, signal?: AbortSignal) => get<Tuning>(`/tunings/${encodeURIComponent(id)}`, signal),
   tuningTrials: (id: string, signal?: AbortSignal) => get<{ readonly trials: readonly Trial[] }>(`/tunings/${encodeURIComponent(id)}/trials`, signal),
   cancelTuning: (id: string) => post<Tuning>(`/tunings/${encodeURIComponent(id)}/cancel`, {}),
@@ -202,7 +202,8 @@ export const api = {
     return { ...link, run: link.run && readRun(link.run) };
   },
 
-  paper: (choices: Readonly<Record<string, string>>, signal?: AbortSignal) => get<Paper>(`/paper${asQuery(choices)}`, signal),
+  /** What is there of it; it is complete when asked often enough. */
+  paper: (choices: Readonly<Record<string, string>>, signal?: AbortSignal) => get<Paper>(`/paper${asQuery({ ...choices, partial: "true" })}`, signal),
   paperReadings: (roads: Readonly<Record<string, string>>, signal?: AbortSignal) => get<ReadingEffects>(`/paper/readings${asQuery(roads)}`, signal),
   paperAttribution: (roads: Readonly<Record<string, string>>, signal?: AbortSignal) => get<Attribution>(`/paper/attribution${asQuery(roads)}`, signal),
   paperFigures: async (roads: Readonly<Record<string, string>>, signal?: AbortSignal) =>

@@ -9,8 +9,8 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * List Batches
-         * @description The newest batches first.
+         * Page
+         * @description The newest first, page by page.
          */
         get: operations["listBatches"];
         put?: never;
@@ -33,16 +33,24 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Get Batch
-         * @description A batch as it stands.
+         * Get
+         * @description As it stands; the events tell of changes.
          */
         get: operations["getBatch"];
         put?: never;
         post?: never;
-        delete?: never;
+        /**
+         * Delete
+         * @description Remove one that has ended and that no link shows; with tokens only its owner may.
+         */
+        delete: operations["deleteBatch"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Set Label
+         * @description Name it, or take its name away.
+         */
+        patch: operations["labelBatch"];
         trace?: never;
     };
     "/api/v1/batches/{id}/cancel": {
@@ -55,8 +63,8 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Cancel Batch
-         * @description Queued and running runs stop; finished results stay. A batch that has ended is answered as it is.
+         * Cancel
+         * @description It stops; what is finished stays. One that has ended is answered as it is.
          */
         post: operations["cancelBatch"];
         delete?: never;
@@ -73,8 +81,8 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Get Batch Events
-         * @description Server-sent events `state` and `progress` with `{state, done, failed, total}`; the last is the final state.
+         * Get Events
+         * @description Server-sent events; the last one is the final state.
          */
         get: operations["getBatchEvents"];
         put?: never;
@@ -99,6 +107,26 @@ export interface paths {
         get: operations["getBatchResults"];
         put?: never;
         post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/batches/{id}/resume": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Resume Batch
+         * @description A cancelled one goes on where it stopped; one under way is answered as it is.
+         */
+        post: operations["resumeBatch"];
         delete?: never;
         options?: never;
         head?: never;
@@ -504,7 +532,7 @@ export interface paths {
         };
         /**
          * Get Run
-         * @description A stored run; it never changes.
+         * @description A stored run; it changes only where its results were removed and another core version computes them again.
          */
         get: operations["getRun"];
         put?: never;
@@ -643,8 +671,8 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * List Tunings
-         * @description The newest tunings first, without their scenarios and results.
+         * Page
+         * @description The newest first, page by page.
          */
         get: operations["listTunings"];
         put?: never;
@@ -667,16 +695,24 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Get Tuning
-         * @description A tuning as it stands: the best weights so far, the front, how it got there, in the end the comparison.
+         * Get
+         * @description As it stands; the events tell of changes.
          */
         get: operations["getTuning"];
         put?: never;
         post?: never;
-        delete?: never;
+        /**
+         * Delete
+         * @description Remove one that has ended and that no link shows; with tokens only its owner may.
+         */
+        delete: operations["deleteTuning"];
         options?: never;
         head?: never;
-        patch?: never;
+        /**
+         * Set Label
+         * @description Name it, or take its name away.
+         */
+        patch: operations["labelTuning"];
         trace?: never;
     };
     "/api/v1/tunings/{id}/cancel": {
@@ -689,8 +725,8 @@ export interface paths {
         get?: never;
         put?: never;
         /**
-         * Cancel Tuning
-         * @description It stops; what its complete generations found stays. One that has ended is answered as it is.
+         * Cancel
+         * @description It stops; what is finished stays. One that has ended is answered as it is.
          */
         post: operations["cancelTuning"];
         delete?: never;
@@ -707,8 +743,8 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Get Tuning Events
-         * @description Server-sent events `state`, `progress` (a generation) and `restart`; the last is the final state.
+         * Get Events
+         * @description Server-sent events; the last one is the final state.
          */
         get: operations["getTuningEvents"];
         put?: never;
@@ -884,7 +920,7 @@ export interface components {
         };
         /**
          * Batch
-         * @description A batch as it stands; `done` runs succeeded, `failed` runs did not and say why in their rows.
+         * @description A batch as it stands.
          */
         Batch: {
             /**
@@ -912,6 +948,13 @@ export interface components {
             finished_at: string | null;
             /** Id */
             id: string;
+            /** Label */
+            label: string | null;
+            /**
+             * Position
+             * @description Runs of batches accepted earlier that wait; they take turns with this one's
+             */
+            position: number;
             /**
              * Reason
              * @description Why the batch as a whole failed
@@ -943,7 +986,12 @@ export interface components {
          */
         Batches: {
             /** Batches */
-            batches: components["schemas"]["Batch"][];
+            batches: components["schemas"]["BatchItem"][];
+            /**
+             * Next
+             * @description Cursor of the next page; null on the last one
+             */
+            next: string | null;
         };
         /**
          * BatchField
@@ -956,6 +1004,64 @@ export interface components {
             title: string;
             /** Unit */
             unit: string;
+        };
+        /**
+         * BatchItem
+         * @description A batch in a list; `done` runs succeeded, `failed` runs did not and say why in their rows.
+         */
+        BatchItem: {
+            /**
+             * Core Version
+             * @description That accepted it; each row names the one that computed it
+             */
+            core_version: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /** Done */
+            done: number;
+            /**
+             * Estimated Cost
+             * @description Estimate [s of one core]
+             */
+            estimated_cost: number;
+            /** Failed */
+            failed: number;
+            /** Fields */
+            fields: components["schemas"]["BatchField"][];
+            /** Finished At */
+            finished_at: string | null;
+            /** Id */
+            id: string;
+            /** Label */
+            label: string | null;
+            /**
+             * Position
+             * @description Runs of batches accepted earlier that wait; they take turns with this one's
+             */
+            position: number;
+            /**
+             * Reason
+             * @description Why the batch as a whole failed
+             */
+            reason: string | null;
+            /** Scenario */
+            scenario: {
+                [key: string]: unknown;
+            };
+            /** Started At */
+            started_at: string | null;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /** Strategies */
+            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            /** Total */
+            total: number;
         };
         /**
          * BatchRequest
@@ -993,6 +1099,11 @@ export interface components {
              * @default false
              */
             dry_run: boolean;
+            /**
+             * Label
+             * @description A name for it, to find it again
+             */
+            label?: string | null;
             /**
              * @default {
              *       "vehicle": {
@@ -1526,8 +1637,11 @@ export interface components {
             ci: number[] | null;
             /** @description The verdict is then taken against `follows` */
             misprint: components["schemas"]["Misprint"] | null;
-            /** Our Base */
-            our_base: number;
+            /**
+             * Our Base
+             * @description Null while pending
+             */
+            our_base: number | null;
             /** Our Change */
             our_change: number | null;
             /**
@@ -1559,7 +1673,7 @@ export interface components {
              * Verdict
              * @enum {string}
              */
-            verdict: "reached" | "smaller" | "contradicts" | "unavailable";
+            verdict: "reached" | "smaller" | "contradicts" | "unavailable" | "pending";
             /** Window */
             window: string;
             /** @description Where a controller that looks ahead takes part */
@@ -2354,7 +2468,21 @@ export interface components {
              * Verdict
              * @enum {string}
              */
-            verdict: "reached" | "smaller" | "contradicts" | "unavailable";
+            verdict: "reached" | "smaller" | "contradicts" | "unavailable" | "pending";
+        };
+        /**
+         * LabelRequest
+         * @description What to call a job.
+         * @example {
+         *       "label": "winter"
+         *     }
+         */
+        LabelRequest: {
+            /**
+             * Label
+             * @description null takes its name away
+             */
+            label: string | null;
         };
         /**
          * LatinHypercube
@@ -3124,6 +3252,11 @@ export interface components {
             agreement: components["schemas"]["Agreement"];
             /** Cells */
             cells: components["schemas"]["Cell"][];
+            /**
+             * Complete
+             * @description False in a partial answer whose other cells are being computed: ask again
+             */
+            complete: boolean;
             /** Core Version */
             core_version: string;
             counts: components["schemas"]["Counts"];
@@ -3143,6 +3276,7 @@ export interface components {
              * @description The named sets
              */
             interpretations: components["schemas"]["Interpretation"][];
+            progress: components["schemas"]["Progress"];
             /** Reached */
             reached: number;
             /** Readings */
@@ -3271,7 +3405,7 @@ export interface components {
              * Type
              * @enum {string}
              */
-            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:token-required" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:other-token" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
+            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:token-required" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:other-token" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:not-deletable" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
         };
         /**
          * ProblemPlace
@@ -3284,6 +3418,16 @@ export interface components {
             parameter?: string | null;
             /** Pointer */
             pointer: string;
+        };
+        /**
+         * Progress
+         * @description How much of what the cells are made of is there.
+         */
+        Progress: {
+            /** Done */
+            done: number;
+            /** Total */
+            total: number;
         };
         /**
          * QuantityAnswer
@@ -4532,6 +4676,8 @@ export interface components {
             id: string;
             /** @description Of several objectives: the point of the front nearest to its ideal corner */
             knee: components["schemas"]["Trial"] | null;
+            /** Label */
+            label: string | null;
             /** Limits */
             limits: components["schemas"]["LimitAnswer"][];
             /** Objectives */
@@ -4542,6 +4688,11 @@ export interface components {
             paper: components["schemas"]["Trial"] | null;
             /** Population */
             population: number;
+            /**
+             * Position
+             * @description Runs waiting before it: 0, its batches have positions of their own
+             */
+            position: number;
             /**
              * Reason
              * @description Why it failed
@@ -4603,6 +4754,85 @@ export interface components {
             runs: number;
         };
         /**
+         * TuningItem
+         * @description A tuning in a list.
+         */
+        TuningItem: {
+            /**
+             * Batch
+             * @description The batch it waits for, or waited for last
+             */
+            batch: string | null;
+            /** Core Version */
+            core_version: string;
+            /**
+             * Created At
+             * Format: date-time
+             */
+            created_at: string;
+            /**
+             * Estimated Cost
+             * @description Estimate [s of one core]
+             */
+            estimated_cost: number;
+            /** Finished At */
+            finished_at: string | null;
+            /** Fresh Seeds */
+            fresh_seeds: number[];
+            /**
+             * Generation
+             * @description Generations that are complete
+             */
+            generation: number;
+            /** Id */
+            id: string;
+            /** Label */
+            label: string | null;
+            /** Limits */
+            limits: components["schemas"]["LimitAnswer"][];
+            /** Objectives */
+            objectives: components["schemas"]["ObjectiveAnswer"][];
+            /** Population */
+            population: number;
+            /**
+             * Position
+             * @description Runs waiting before it: 0, its batches have positions of their own
+             */
+            position: number;
+            /**
+             * Reason
+             * @description Why it failed
+             */
+            reason: string | null;
+            /** Search */
+            search: {
+                [key: string]: number[];
+            };
+            /** Seed */
+            seed: number;
+            /** Seeds */
+            seeds: number[];
+            /** Started At */
+            started_at: string | null;
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "queued" | "running" | "done" | "cancelled" | "failed";
+            /**
+             * Step
+             * @description What it does, or did last
+             * @enum {string}
+             */
+            step: "search" | "comparison";
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            trials: components["schemas"]["TrialCounts"];
+        };
+        /**
          * TuningRequest
          * @description What to tune, for what, on which roads.
          * @example {
@@ -4653,6 +4883,11 @@ export interface components {
              *     ]
              */
             fresh_seeds: number[];
+            /**
+             * Label
+             * @description A name for it, to find it again
+             */
+            label?: string | null;
             /**
              * Limits
              * @default []
@@ -4843,80 +5078,13 @@ export interface components {
          * @description The newest first.
          */
         Tunings: {
+            /**
+             * Next
+             * @description Cursor of the next page; null on the last one
+             */
+            next: string | null;
             /** Tunings */
-            tunings: components["schemas"]["TuningSummary"][];
-        };
-        /**
-         * TuningSummary
-         * @description A tuning in a list.
-         */
-        TuningSummary: {
-            /**
-             * Batch
-             * @description The batch it waits for, or waited for last
-             */
-            batch: string | null;
-            /** Core Version */
-            core_version: string;
-            /**
-             * Created At
-             * Format: date-time
-             */
-            created_at: string;
-            /**
-             * Estimated Cost
-             * @description Estimate [s of one core]
-             */
-            estimated_cost: number;
-            /** Finished At */
-            finished_at: string | null;
-            /** Fresh Seeds */
-            fresh_seeds: number[];
-            /**
-             * Generation
-             * @description Generations that are complete
-             */
-            generation: number;
-            /** Id */
-            id: string;
-            /** Limits */
-            limits: components["schemas"]["LimitAnswer"][];
-            /** Objectives */
-            objectives: components["schemas"]["ObjectiveAnswer"][];
-            /** Population */
-            population: number;
-            /**
-             * Reason
-             * @description Why it failed
-             */
-            reason: string | null;
-            /** Search */
-            search: {
-                [key: string]: number[];
-            };
-            /** Seed */
-            seed: number;
-            /** Seeds */
-            seeds: number[];
-            /** Started At */
-            started_at: string | null;
-            /**
-             * State
-             * @enum {string}
-             */
-            state: "queued" | "running" | "done" | "cancelled" | "failed";
-            /**
-             * Step
-             * @description What it does, or did last
-             * @enum {string}
-             */
-            step: "search" | "comparison";
-            /**
-             * Strategy
-             * @enum {string}
-             */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
-            trials: components["schemas"]["TrialCounts"];
+            tunings: components["schemas"]["TuningItem"][];
         };
         /**
          * TypedArray
@@ -5082,8 +5250,14 @@ export interface operations {
     listBatches: {
         parameters: {
             query?: {
+                /** @description `next` of the page before */
+                cursor?: string | null;
+                /** @description Only those with that label */
+                label?: string | null;
                 /** @description At most so many */
                 limit?: number;
+                /** @description Only those in that state */
+                state?: ("queued" | "running" | "done" | "cancelled" | "failed") | null;
             };
             header?: never;
             path?: never;
@@ -5091,7 +5265,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The newest batches first. */
+            /** @description The newest first, page by page. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -5159,7 +5333,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The same key and body again answer the same batch, so that a lost answer can be asked for again */
+                /** @description The same key and body again answer the same job, so that a lost answer can be asked for again; after it was cancelled they begin a new one */
                 "idempotency-key"?: string | null;
             };
             path?: never;
@@ -5223,7 +5397,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: A tuning that is done goes on with a greater number of trials only. */
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
             409: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -5309,7 +5483,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description A batch as it stands. */
+            /** @description As it stands; the events tell of changes. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -5373,6 +5547,241 @@ export interface operations {
             };
         };
     };
+    deleteBatch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Remove one that has ended and that no link shows; with tokens only its owner may. */
+            204: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `forbidden`: The proxy before the service does not pass this request on. `cross-site`: Another site's page sent this request through a browser, and it would change something. `other-token`: It belongs to another token, which alone may change it. */
+            403: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
+            409: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    labelBatch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LabelRequest"];
+            };
+        };
+        responses: {
+            /** @description Name it, or take its name away. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Batch"];
+                };
+            };
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            400: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
+            408: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
+            409: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            413: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            415: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
+            429: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     cancelBatch: {
         parameters: {
             query?: never;
@@ -5385,7 +5794,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Queued and running runs stop; finished results stay. A batch that has ended is answered as it is. */
+            /** @description It stops; what is finished stays. One that has ended is answered as it is. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -5453,7 +5862,7 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description The same, in the address */
-                after?: number | null;
+                after?: number;
             };
             header?: {
                 /** @description The last number seen: a browser sends it */
@@ -5467,7 +5876,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Server-sent events `state` and `progress` with `{state, done, failed, total}`; the last is the final state. */
+            /** @description Server-sent events; the last one is the final state. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -5551,7 +5960,7 @@ export interface operations {
     getBatchResults: {
         parameters: {
             query?: {
-                /** @description Of the answer */
+                /** @description Of it */
                 format?: "json" | "csv" | "parquet";
             };
             header?: never;
@@ -5589,6 +5998,92 @@ export interface operations {
             };
             /** @description `not-found`: There is nothing at this address, or nothing of this id. */
             404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    resumeBatch: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A cancelled one goes on where it stopped; one under way is answered as it is. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Batch"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
+            409: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
@@ -6874,6 +7369,8 @@ export interface operations {
                 interpretation?: "default" | "favourable";
                 /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. By default as the interpretation has it. */
                 lqr_preview?: ("none" | "wheelbase" | "lookahead") | null;
+                /** @description Answer at once with the cells that are there; the others are `pending` */
+                partial?: boolean;
                 /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. By default as the interpretation has it. */
                 preview?: ("none" | "wheelbase" | "lookahead") | null;
                 /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. By default as the interpretation has it. */
@@ -7556,7 +8053,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description A stored run; it never changes. */
+            /** @description A stored run; it changes only where its results were removed and another core version computes them again. */
             200: {
                 headers: {
                     ETag: components["headers"]["ETag"];
@@ -7932,7 +8429,7 @@ export interface operations {
             query?: {
                 /** @description Of JSON only */
                 encoding?: "list" | "base64";
-                /** @description Of the answer */
+                /** @description Of it */
                 format?: "json" | "csv" | "parquet";
                 /** @description About how many samples; omitted is all */
                 points?: number | null;
@@ -8147,8 +8644,14 @@ export interface operations {
     listTunings: {
         parameters: {
             query?: {
+                /** @description `next` of the page before */
+                cursor?: string | null;
+                /** @description Only those with that label */
+                label?: string | null;
                 /** @description At most so many */
                 limit?: number;
+                /** @description Only those in that state */
+                state?: ("queued" | "running" | "done" | "cancelled" | "failed") | null;
             };
             header?: never;
             path?: never;
@@ -8156,7 +8659,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description The newest tunings first, without their scenarios and results. */
+            /** @description The newest first, page by page. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8224,7 +8727,7 @@ export interface operations {
         parameters: {
             query?: never;
             header?: {
-                /** @description The same key and body again answer the same batch, so that a lost answer can be asked for again */
+                /** @description The same key and body again answer the same job, so that a lost answer can be asked for again; after it was cancelled they begin a new one */
                 "idempotency-key"?: string | null;
             };
             path?: never;
@@ -8288,7 +8791,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: A tuning that is done goes on with a greater number of trials only. */
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
             409: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8374,7 +8877,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description A tuning as it stands: the best weights so far, the front, how it got there, in the end the comparison. */
+            /** @description As it stands; the events tell of changes. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8438,6 +8941,220 @@ export interface operations {
             };
         };
     };
+    deleteTuning: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Remove one that has ended and that no link shows; with tokens only its owner may. */
+            204: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `forbidden`: The proxy before the service does not pass this request on. `cross-site`: Another site's page sent this request through a browser, and it would change something. `other-token`: It belongs to another token, which alone may change it. */
+            403: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
+            409: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    labelTuning: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["LabelRequest"];
+            };
+        };
+        responses: {
+            /** @description Name it, or take its name away. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Tuning"];
+                };
+            };
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            400: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
+            408: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            413: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            415: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     cancelTuning: {
         parameters: {
             query?: never;
@@ -8450,7 +9167,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description It stops; what its complete generations found stays. One that has ended is answered as it is. */
+            /** @description It stops; what is finished stays. One that has ended is answered as it is. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8518,7 +9235,7 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description The same, in the address */
-                after?: number | null;
+                after?: number;
             };
             header?: {
                 /** @description The last number seen: a browser sends it */
@@ -8532,7 +9249,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Server-sent events `state`, `progress` (a generation) and `restart`; the last is the final state. */
+            /** @description Server-sent events; the last one is the final state. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8659,7 +9376,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: A tuning that is done goes on with a greater number of trials only. */
+            /** @description `idempotency-key-reused`: The Idempotency-Key came with another request before. `not-ended`: A tuning that still runs cannot get another number of trials: cancel it first. `done`: Nothing is left to do; a tuning goes on with a greater number of trials. `not-deletable`: It has not ended, or a link shows it. */
             409: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];

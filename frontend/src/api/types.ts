@@ -88,7 +88,7 @@ export type Estimate = Deep<Schemas["Estimate"]>;
 export type Sweep = Deep<Schemas["Sweep"]>;
 
 export type Tuning = Deep<Omit<Schemas["Tuning"], "scenario">> & { readonly scenario: Scenario };
-export type TuningSummary = Deep<Schemas["TuningSummary"]>;
+export type TuningItem = Deep<Schemas["TuningItem"]>;
 export type TuningEstimate = Deep<Schemas["TuningEstimate"]>;
 export type Objective = Deep<Schemas["ObjectiveAnswer"]>;
 export type Limit = Deep<Schemas["LimitAnswer"]>;
@@ -120,7 +120,7 @@ export type PaperReading = Paper["readings"][number];
 export type PaperInterpretation = Paper["interpretations"][number];
 export type PaperTable = Paper["tables"][number];
 export type VerdictCounts = Paper["counts"];
-/** Those that are counted; a cell may be unavailable instead. */
+/** Those that are counted; a cell may be pending or unavailable instead. */
 export type PaperVerdict = keyof VerdictCounts;
 export type PaperJudgement = Deep<Schemas["Judgement"]>;
 export type ReadingEffects = Deep<Schemas["ReadingsAnswer"]>;

@@ -4,9 +4,10 @@ import type { Paper } from "../api/types";
 import classes from "./contents.module.css";
 import { useSection } from "./useSection";
 import { VerdictBar } from "./Verdict";
+import { countedOf, soFar } from "./verdicts";
 
 export const SECTIONS = [
-  { id: "count", title: "The count" },
+  { id: "count", title: "Summary" },
   { id: "switches", title: "Switches" },
   { id: "tables", title: "Tables 4–10" },
   { id: "parts", title: "What each part contributes" },
@@ -34,16 +35,16 @@ export function Contents({ paper }: { readonly paper: Paper | undefined }) {
       </ol>
       {paper && (
         <div className={classes.count}>
-          <b>{paper.reached}</b> of {paper.total} reached
+          <b>{paper.reached}</b> of {countedOf(paper, paper.counts)} reached{soFar(paper)}
           {paper.interpretations
             .filter(({ id }) => id !== paper.interpretation)
             .map(({ id, title, reached, total }) => (
               <span key={id} className={classes.missing}>
-                {title}: {reached} of {total}
+                {title}: {reached} of {paper.complete ? total : paper.cells.length}
               </span>
             ))}
           {paper.unavailable && <span className={classes.missing}>{paper.unavailable.cells} not available here</span>}
-          <VerdictBar counts={paper.counts} />
+          <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
         </div>
       )}
     </nav>

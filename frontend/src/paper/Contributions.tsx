@@ -15,14 +15,16 @@ import type { Words } from "./words";
 interface Props {
   readonly choices: Choices;
   readonly words: Words;
+  /** The cells come first. */
+  readonly enabled: boolean;
 }
 
 const HEIGHT = 1900;
 
-export function Contributions({ choices, words }: Props) {
-  const { data, error, refetch } = useQuery(attributionQuery(choices));
+export function Contributions({ choices, words, enabled }: Props) {
+  const { data, error, refetch } = useQuery({ ...attributionQuery(choices), enabled });
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
-  if (!data) return <Waiting what="Running every combination of controller, speed, preview and weights" height={HEIGHT} />;
+  if (!data) return <Waiting key={String(enabled)} what={enabled ? "Running every combination of controller, speed, preview and weights" : "Waiting for the runs of the tables"} height={HEIGHT} />;
   return (
     <>
       <ul className={classes.sentences} data-testid="sentences">

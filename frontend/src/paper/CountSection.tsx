@@ -1,18 +1,18 @@
 /** How many of the paper's printed changes come out here, and what that hinges on. */
 
-import { Anchor, Button, Text } from "@mantine/core";
+import { Anchor, Button, Progress, Text } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../icons";
 import { api } from "../api/client";
 import type { Paper, PaperCell } from "../api/types";
 import { runKey } from "../state/queries";
-import { count } from "../units/format";
+import { count, formatWhole } from "../units/format";
 import classes from "./paper.module.css";
 import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
 import type { Choices } from "./choices";
 import { Interpretations } from "./Interpretations";
 import { typeset } from "./numbers";
-import { cellId, isMissed, previewSentence, totalOf, uncertain } from "./verdicts";
+import { cellId, countedOf, isMissed, previewSentence, soFar, uncertain } from "./verdicts";
 import type { Words } from "./words";
 
 interface Props {
@@ -29,23 +29,25 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
   const { without_preview: without } = paper;
   return (
     <>
+      <Runs paper={paper} />
       <div className={classes.counts}>
         <div className={classes.count} data-testid="count">
           <p className={classes.countLine}>
-            <strong className={classes.countNumber}>{paper.reached}</strong> of {paper.total} cells reached{paper.unavailable && ", "}
+            <strong className={classes.countNumber}>{paper.reached}</strong> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}{paper.unavailable && ", "}
             {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
           </p>
-          <VerdictBar counts={paper.counts} large />
+          <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} large />
           <VerdictCountList counts={paper.counts} />
         </div>
         <div className={classes.count} data-testid="count-without" data-aside>
           <p className={classes.countLine}>
             <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
             <span>
-              Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of {totalOf(without.counts)}
+              Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of {countedOf(paper, without.counts)}
+              {soFar(paper)}
             </span>
           </p>
-          <VerdictBar counts={without.counts} large />
+          <VerdictBar counts={without.counts} total={countedOf(paper, without.counts)} large />
           <VerdictCountList counts={without.counts} />
         </div>
       </div>
@@ -57,7 +59,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
           </span>
         </Text>
       )}
-      <Text className={classes.claim}>{previewSentence(paper)}</Text>
+      <Text className={classes.claim}>{paper.complete ? previewSentence(paper) : "What the claim hinges on stands here as soon as all runs are finished."}</Text>
       <Interpretations {...{ paper, choices, onChoose }} />
       <Text className={classes.agreement}>
         Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that, “within ±10 points” counts the simulated
@@ -66,7 +68,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       <Text className={classes.text}>
         A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over {count(paper.seeds, "road")} of class B (seeds {paper.first_seed} to{" "}
         {paper.first_seed + paper.seeds - 1}), the same for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
-        {uncertain(paper) > 0 && `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
+        {(uncertain(paper) > 0 || !paper.complete) && `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
         <Anchor href="#rules" size="sm">
           The rules
         </Anchor>{" "}
@@ -75,6 +77,18 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       <OpenScenario paper={paper} words={words} />
       <Missed paper={paper} words={words} />
     </>
+  );
+}
+
+/** How many runs the cells are made of are finished; one line, before and after. */
+function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
+  return (
+    <div className={classes.runs}>
+      <Text size="sm" c="dimmed" data-testid="progress">
+        {complete ? `Computed from ${count(progress.done, "run")}.` : `${formatWhole(progress.done)} of ${count(progress.total, "run")}`}
+      </Text>
+      {!complete && <Progress size={6} value={(100 * progress.done) / Math.max(1, progress.total)} color="var(--accent)" aria-label="Finished runs" className={classes.runsBar ?? ""} />}
+    </div>
   );
 }
 
@@ -105,12 +119,10 @@ function OpenScenario({ paper, words }: Props) {
 
 function Missed({ paper, words }: Props) {
   const missed = paper.cells.filter(isMissed);
-  if (missed.length === 0) return null;
+  if (missed.length === 0 && paper.complete) return null;
   return (
     <details className={classes.details}>
-      <summary>
-        {missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached
-      </summary>
+      <summary>{paper.complete ? `${missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached` : `${count(missed.length, "cell")} not reached so far`}</summary>
       <ul className={classes.missed}>
         {[...missed].sort((a, b) => a.verdict.localeCompare(b.verdict) || a.table - b.table).map((cell) => (
           <li key={cellId(cell)}>

@@ -22,7 +22,7 @@ const PRINTED_WIDTH = 490;
 
 export function Figures({ choices }: { readonly choices: Choices }) {
   // One after the other: the server works on one of them at a time.
-  const { isPending: busy } = useQuery({ ...attributionQuery(choices), notifyOnChangeProps: ["isPending"] });
+  const { isPending: busy } = useQuery({ ...attributionQuery(choices), enabled: false, notifyOnChangeProps: ["isPending"] });
   const { data, error, refetch } = useQuery({ ...paperFiguresQuery(choices), enabled: !busy });
   const scheme = useComputedColorScheme("light");
   const [range, setRange] = useState<"whole" | "bump">("whole");

@@ -49,6 +49,7 @@ export function Interpretations({ paper, choices, onChoose }: Props) {
             <Row
               key={item.id}
               item={item}
+              complete={paper.complete}
               shown={item.id === paper.interpretation}
               onShow={() => onChoose(withSet(choices, paper.readings, item.id))}
             />
@@ -59,7 +60,13 @@ export function Interpretations({ paper, choices, onChoose }: Props) {
   );
 }
 
-function Row({ item, shown, onShow }: { readonly item: PaperInterpretation; readonly shown: boolean; readonly onShow: () => void }) {
+interface RowProps extends Pick<Paper, "complete"> {
+  readonly item: PaperInterpretation;
+  readonly shown: boolean;
+  readonly onShow: () => void;
+}
+
+function Row({ item, complete, shown, onShow }: RowProps) {
   const { agreement, ecu } = item;
   return (
     <tr data-interpretation={item.id} aria-current={shown || undefined}>
@@ -73,7 +80,7 @@ function Row({ item, shown, onShow }: { readonly item: PaperInterpretation; read
       <td className={classes.number}>
         <Of {...item.simulated} />
       </td>
-      <td className={classes.number}>{ecu.total > 0 ? <Of {...ecu} /> : "not available"}</td>
+      <td className={classes.number}>{complete && ecu.total === 0 ? "not available" : <Of {...ecu} />}</td>
       <td className={classes.number}>
         <Of reached={agreement.within} total={agreement.cells} />
       </td>
@@ -90,6 +97,7 @@ function Row({ item, shown, onShow }: { readonly item: PaperInterpretation; read
 }
 
 function Of({ reached, total }: Share) {
+  if (total === 0) return "–";
   return (
     <>
       <b>{reached}</b> of {total}

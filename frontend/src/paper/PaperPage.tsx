@@ -6,7 +6,7 @@ import { useQuery } from "@tanstack/react-query";
 import { IconFileDescription } from "../icons";
 import { useEffect, type ReactNode } from "react";
 import { api } from "../api/client";
-import { ApiProblem } from "../api/problem";
+import { ApiProblem, isTransient } from "../api/problem";
 import type { Paper } from "../api/types";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
@@ -30,10 +30,12 @@ const DOI = "10.3390/wevj16040232";
 export function PaperPage() {
   useDocumentTitle("The paper, checked · Ridelab");
   const [choices, choose] = useChoices();
-  const { data: paper, error, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
+  const { data: paper, error: refused, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
   const { words, error: wordless } = useWords();
   const ready = paper !== undefined && words !== null;
   useArrival(ready);
+  // While it is asked for again and again, one refusal that passes is none.
+  const error = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
   const fault = error ?? (words === null ? wordless : null);
 
   return (
@@ -53,7 +55,7 @@ export function PaperPage() {
       </PageHeader>
       <div className={classes.page}>
         <Contents paper={paper} />
-        <main className={classes.main} aria-busy={waiting}>
+        <main className={classes.main} aria-busy={waiting || paper?.complete === false}>
           <header className={classes.intro}>
             <h1 className={classes.title}>The paper, checked</h1>
             <Text className={classes.text}>
@@ -68,7 +70,7 @@ export function PaperPage() {
           {ready ? (
             <Sections {...{ paper, words, choices, waiting, choose }} />
           ) : (
-            !fault && <Waiting what="Driving every strategy over every road, with preview and without" height={600} />
+            !fault && <Waiting what="Looking up the runs" height={600} />
           )}
         </main>
       </div>
@@ -98,7 +100,7 @@ function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
       </>
     ),
     tables: <Tables paper={paper} words={words} />,
-    parts: <Contributions choices={choices} words={words} />,
+    parts: <Contributions {...{ choices, words }} enabled={paper.complete} />,
     figures: <Figures choices={choices} />,
     errata: <Errata errata={paper.errata} />,
     rules: <Rules rules={paper.rules} />,

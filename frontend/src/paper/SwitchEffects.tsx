@@ -21,15 +21,15 @@ interface Props {
 
 type Row = ReadingEffects["rows"][number];
 
-export function SwitchEffects({ paper: { readings }, choices, onChoose }: Props) {
+export function SwitchEffects({ paper: { readings, complete }, choices, onChoose }: Props) {
   const { ref, seen } = useSeen();
-  const { data, error, refetch } = useQuery({ ...effectsQuery(choices), enabled: seen });
+  const { data, error, refetch } = useQuery({ ...effectsQuery(choices), enabled: seen && complete });
   const expected = readings.reduce((sum, { choices: offered }) => sum + offered.length - 1, 0);
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
   if (!data) {
     return (
       <div ref={ref} className={tables.unprinted}>
-        <Waiting key={String(seen)} what="Turning each switch by itself" height={24 + 40 * expected} />
+        <Waiting key={String(seen && complete)} what={complete ? "Turning each switch by itself" : "Waiting for the runs of the tables"} height={24 + 40 * expected} />
       </div>
     );
   }

@@ -10,6 +10,7 @@ import { Inline } from "./Inline";
 import { typeset } from "./numbers";
 import classes from "./switches.module.css";
 import { VerdictCountList } from "./Verdict";
+import { countedOf, soFar } from "./verdicts";
 
 interface Props {
   readonly paper: Paper;
@@ -28,7 +29,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
     <>
       <div className={classes.state} role="status">
         <Text size="sm" fw={600}>
-          {waiting ? "Counting under these readings …" : `Of ${count(paper.total, "cell")}:`}
+          {waiting ? "Counting under these readings …" : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
         </Text>
         <span data-stale={waiting || undefined}>
           <VerdictCountList counts={paper.counts} />

@@ -156,7 +156,7 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
       <td className={tables.number} data-first>
         {cell.our_value === null ? "–" : formatResult(cell.our_value * scale)}
       </td>
-      <td className={tables.number}>{formatResult(cell.our_base * scale)}</td>
+      <td className={tables.number}>{cell.our_base === null ? "–" : formatResult(cell.our_base * scale)}</td>
       <td className={tables.number}>
         <OurChange item={cell} />
       </td>
@@ -167,11 +167,10 @@ function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words 
         {without ? (
           <span className={tables.without}>
             <VerdictMark verdict={without.verdict} certain={without.certain} />
-            {without.our_change !== null && without.ci !== null && (
-              <span className={tables.spread}>
-                {formatPercent(without.our_change)} {spreadOf(without.our_change, without.ci)}
-              </span>
-            )}
+            {/* A line that is pending has its height. */}
+            <span className={tables.spread}>
+              {without.our_change !== null && without.ci !== null ? `${formatPercent(without.our_change)} ${spreadOf(without.our_change, without.ci)}` : "\u00a0"}
+            </span>
           </span>
         ) : (
           <span className={tables.spread}>no preview in it</span>

@@ -1,11 +1,11 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
-import { IconArrowDownRight, IconCheck, IconMinus, IconX } from "../icons";
+import { IconArrowDownRight, IconCheck, IconDots, IconMinus, IconX } from "../icons";
 import type { PaperJudgement, VerdictCounts } from "../api/types";
 import classes from "./verdict.module.css";
 import { countsInWords, totalOf, VERDICTS, wordOf } from "./verdicts";
 
-const ICONS = { reached: IconCheck, smaller: IconArrowDownRight, contradicts: IconX, unavailable: IconMinus } as const;
+const ICONS = { reached: IconCheck, smaller: IconArrowDownRight, contradicts: IconX, unavailable: IconMinus, pending: IconDots } as const;
 
 /** `certain`: the whole interval would get it. */
 export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict" | "certain">) {
@@ -21,12 +21,21 @@ export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict"
   );
 }
 
-export function VerdictBar({ counts, large = false }: { readonly counts: VerdictCounts; readonly large?: boolean }) {
+interface BarProps {
+  readonly counts: VerdictCounts;
+  /** What is counted; without it all have a verdict. */
+  readonly total?: number;
+  readonly large?: boolean;
+}
+
+export function VerdictBar({ counts, total = totalOf(counts), large = false }: BarProps) {
+  const pending = total - totalOf(counts);
   return (
     <div className={classes.bar} data-large={large || undefined} role="img" aria-label={countsInWords(counts)}>
       {VERDICTS.filter(({ verdict }) => counts[verdict] > 0).map(({ verdict }) => (
-        <span key={verdict} data-verdict={verdict} style={{ flexGrow: counts[verdict] / Math.max(1, totalOf(counts)) }} />
+        <span key={verdict} data-verdict={verdict} style={{ flexGrow: counts[verdict] / Math.max(1, total) }} />
       ))}
+      {pending > 0 && <span data-verdict="pending" style={{ flexGrow: pending / total }} />}
     </div>
   );
 }

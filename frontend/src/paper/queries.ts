@@ -7,6 +7,8 @@ import type { Choices } from "./choices";
 const FOR_EVER = { staleTime: Infinity, gcTime: 30 * 60_000 } as const;
 /** Rows that are still being computed are asked for again after this [ms]. */
 const AGAIN_AFTER = 1_000;
+const untilComplete = ({ state }: { readonly state: { readonly data?: { readonly complete: boolean } | undefined } }) =>
+  state.data?.complete === false && AGAIN_AFTER;
 
 /** Only the roads concern what the switches do not. */
 export const roadsOf = ({ seeds, first_seed }: Choices): Choices => ({ ...(seeds !== undefined && { seeds }), ...(first_seed !== undefined && { first_seed }) });
@@ -16,6 +18,7 @@ export const paperQuery = (choices: Choices) =>
     queryKey: ["paper", choices],
     queryFn: ({ signal }) => api.paper(choices, signal),
     placeholderData: keepPreviousData,
+    refetchInterval: untilComplete,
     ...FOR_EVER,
     staleTime: ({ state }) => (state.data?.unavailable ? 0 : Infinity),
   });
@@ -24,7 +27,7 @@ export const effectsQuery = (choices: Choices) =>
   queryOptions({
     queryKey: ["paper readings", roadsOf(choices)],
     queryFn: ({ signal }) => api.paperReadings(roadsOf(choices), signal),
-    refetchInterval: ({ state }) => (state.data?.complete === false ? AGAIN_AFTER : false),
+    refetchInterval: untilComplete,
     ...FOR_EVER,
   });
 

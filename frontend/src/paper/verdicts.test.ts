@@ -38,6 +38,8 @@ function paper(chosen: string, reached: number, without: number): Paper {
     total: 48,
     counts: { reached, smaller: 48 - reached, contradicts: 0 },
     unavailable: null,
+    complete: true,
+    progress: { done: 300, total: 300 },
     without_preview: { reached: without, counts: { reached: without, smaller: 48 - without, contradicts: 0 } },
     scenario: {},
     cells: [CELL, { ...CELL, certain: false, without_preview: null }],
@@ -74,6 +76,11 @@ describe("what the claim hinges on", () => {
 
 it("counts the verdicts an interval leaves open", () => {
   expect(uncertain(paper("lookahead", 36, 16))).toBe(1);
+});
+
+it("takes what is pending neither for missed nor for uncertain", () => {
+  const cell: PaperCell = { ...CELL, ...UNAVAILABLE, verdict: "pending", our_value: null, our_base: null };
+  expect([uncertain({ ...paper("lookahead", 0, 0), cells: [cell] }), isMissed(cell), wordOf(cell.verdict)]).toEqual([0, false, "pending"]);
 });
 
 it("takes what is not available neither for missed nor for uncertain", () => {

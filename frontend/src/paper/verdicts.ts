@@ -10,7 +10,13 @@ export const VERDICTS: readonly { readonly verdict: PaperVerdict; readonly word:
   { verdict: "contradicts", word: "contradicts" },
 ];
 
-export const wordOf = (verdict: PaperJudgement["verdict"]) => VERDICTS.find((each) => each.verdict === verdict)?.word ?? "not available";
+export const wordOf = (verdict: PaperJudgement["verdict"]) => (verdict === "unavailable" ? "not available" : verdict);
+
+/** What a count is of: while some are pending, of all cells. */
+export const countedOf = ({ complete, cells }: Pick<Paper, "complete" | "cells">, counts: VerdictCounts) => (complete ? totalOf(counts) : cells.length);
+
+/** Behind a count that is not the last one. */
+export const soFar = ({ complete }: Pick<Paper, "complete">) => (complete ? "" : " so far");
 
 export const totalOf = (counts: VerdictCounts) => VERDICTS.reduce((sum, { verdict }) => sum + counts[verdict], 0);
 

@@ -2,7 +2,7 @@
 
 import { Skeleton, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import type { Strategy, TuningSummary } from "../api/types";
+import type { Strategy, TuningItem } from "../api/types";
 import { isFinal } from "../api/follow";
 import type { Figure } from "../batch/figures";
 import { formatMinute } from "../units/dates";
@@ -18,7 +18,7 @@ interface Props {
 
 const REFRESH_MS = 3000;
 
-const STATE: Readonly<Record<TuningSummary["state"], string>> = { queued: "waiting", running: "running", done: "done", cancelled: "cancelled", failed: "failed" };
+const STATE: Readonly<Record<TuningItem["state"], string>> = { queued: "waiting", running: "running", done: "done", cancelled: "cancelled", failed: "failed" };
 
 export function Earlier({ strategies, figures }: Props) {
   const { data, error } = useQuery({
