@@ -9,16 +9,12 @@ import pytest
 
 from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
 from backend.jobs.reproduction import models
-from backend.jobs.reproduction.work import requests_under
 from backend.settings import Settings
-from sim_core.study.interpretations import DEFAULT
-from sim_core.study.paper import SIMULATED
-from sim_core.study.readings import READINGS
 from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
 from tests.html import check, read
 from tests.servers.compilers import Bare
-from tests.servers.reproduction import ROADS, in_order, rows, store_as, store_in
+from tests.servers.reproduction import store_in
 
 SMALL = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
@@ -90,16 +86,8 @@ def test_what_is_measured_is_refused_at_once(
 
 @pytest.fixture(scope="module")
 def simulated(bare: Service) -> None:
-    """What the paper page's five simulated strategies give is stored; each switch as if it changed nothing."""
-    store = bare.app.state.store
-    store_in(store, ecu=False)
-    simulated = {f"paper.{name}" for name in SIMULATED}
-    default = [row for row in in_order(requests_under(DEFAULT.choices, ROADS)) if row.strategy in simulated]
-    for reading in READINGS.values():  # the reading `window` changes no run
-        for choice in reading.choices[1:]:
-            chosen = DEFAULT.choices | {reading.id: choice.id}
-            switched = [row for row in in_order(requests_under(chosen, ROADS)) if row.strategy in simulated]
-            store_as(store, switched, [rows()[row.key] for row in default])
+    """What the paper page's five simulated strategies give is stored."""
+    store_in(bare.app.state.store, ecu=False)
 
 
 def paper(service: Service, path: str = "", **query: str) -> httpx.Response:
@@ -134,12 +122,7 @@ def test_of_the_paper_the_simulated_cells_stand(bare: Service, command: Cli) -> 
 
 
 @pytest.mark.usefixtures("simulated")
-def test_so_do_the_switches_figures_and_the_report(bare: Service) -> None:
-    found = paper(bare, "/readings").json()
-    models.ReadingsAnswer.model_validate(found)
-    assert found["unavailable"]["reason"] == NO_COMPILER
-    assert {row["total"] for row in found["rows"]} == {40}
-    assert {row["changed"] for row in found["rows"] if row["choice"] != "none" and row["reading"] != "window"} == {0}
+def test_so_do_the_figures_and_the_report(bare: Service) -> None:
     for figure in paper(bare, "/figures").json()["figures"]:
         assert (f"LV as ECU code is not available here. {NO_COMPILER}." in figure["caption"]) == (figure["number"] > 18)
     page = read(paper(bare, "/report.html").text)

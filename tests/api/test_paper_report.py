@@ -9,7 +9,6 @@ import plotly.graph_objects as go
 import pytest
 
 from ridelab.cli import app
-from sim_core.catalogue import SIGNALS
 from tests.html import Element, check, read
 from tests.servers.reproduction import requests, rows, store_as
 
@@ -112,37 +111,6 @@ def command(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes]) -> 
         return code, captured.out.decode(), captured.err.decode()
 
     return run
-
-
-def test_the_command_prints_every_cell_and_the_counts(command: Any, told: dict[str, Any]) -> None:
-    answer = told["paper"]
-    code, printed, _ = command()
-    assert code == 0
-    rows = [line.split() for line in printed.splitlines()[1 : 1 + answer["total"]]]
-    for row, cell in zip(rows, answer["cells"], strict=True):
-        figure = f"{cell['window']}.{cell['signal']}.{cell['statistic']}"
-        unit = f"[{SIGNALS[cell['signal']].unit}]"
-        assert row[:5] == [str(cell["table"]), figure, unit, cell["strategy"], cell["against"]]
-        assert row[5:8] == [f"{cell['paper_value']:g}", ":", f"{cell['paper_base']:g}"]
-        assert f"{cell['our_change']:+.1f}" in row
-        claim = cell["misprint"]["follows"] if cell["misprint"] else cell["paper_change"]
-        assert f"{claim:+g}" in row
-        assert ("(misprint" in row) == bool(cell["misprint"])
-        verdicts = [word for word in row if word.rstrip("?") in ("reached", "smaller", "contradicts")]
-        told_of = [item for item in (cell, cell["without_preview"]) if item]
-        assert verdicts == [item["verdict"] + ("" if item["certain"] else "?") for item in told_of]
-    last = printed.splitlines()[-2:]
-    for item in answer["interpretations"]:
-        (line,) = (line for line in printed.splitlines() if line.startswith(f"{item['id']} "))
-        parts = (item, item["simulated"], item["ecu"])
-        near = (item["agreement"]["within"], item["agreement"]["in_interval"])
-        told_of_set = [
-            *(f"{part['reached']} of {part['total']}" for part in parts),
-            *(f"{number} of 40" for number in near),
-        ]
-        assert line.split() == " ".join([item["id"], *told_of_set]).split()
-    assert last[0].startswith(f"without preview: {answer['without_preview']['reached']} of {answer['total']} cells")
-    assert last[1].startswith(f"{answer['reached']} of {answer['total']} cells reached, ")
 
 
 def test_the_command_answers_machines_and_writes_the_report(

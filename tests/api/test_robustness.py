@@ -164,10 +164,8 @@ def test_the_command_prints_the_summary_the_service_gives(
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["--only"], "Nothing is uncertain: every field is exact"),
         (["--exact", ",".join(each.field for each in UNCERTAINTIES)], "Nothing is uncertain: every field is exact"),
         (["--exact", "road.bump.height"], "--exact: road.bump.height is not varied"),
-        (["--range", "mismatch.damping=0.5"], "mismatch.damping: a range is LOW:HIGH"),
         (["--baseline", "speed_only"], "--baseline: speed_only is not among the strategies"),
     ],
 )

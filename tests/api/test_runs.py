@@ -1,7 +1,6 @@
 """POST and GET of runs: every field of the contract, and what is computed again."""
 
 import itertools
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
@@ -95,26 +94,6 @@ def test_a_whole_number_is_the_same_run_with_and_without_a_point(service: Any, c
     answers = [client.post("/api/v1/runs", content=body, headers=headers).json() for body in bodies]
     assert len({answer["id"] for answer in answers}) == 1
     assert [answer["strategies"]["passive"]["cached"] for answer in answers] == [False, True, True]
-
-
-def test_equal_requests_at_once_are_computed_once(
-    service: Any, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    workers, calls = service.app.state.workers, []
-    original = workers.call
-
-    async def counted(function: Any, *arguments: Any) -> Any:
-        calls.append(arguments)
-        return await original(function, *arguments)
-
-    monkeypatch.setattr(workers, "call", counted)
-    with ThreadPoolExecutor(6) as threads:
-        answers = list(threads.map(lambda _: service.run(["lv", "passive"], fresh).json(), range(6)))
-    assert len(calls) == 1, "and both strategies in one task"
-    assert len({answer["id"] for answer in answers}) == 1
-    uncached = [answer for answer in answers if not answer["strategies"]["lv"]["cached"]]
-    assert len(uncached) == 1
-    assert len({answer["strategies"]["lv"]["compute_ms"] for answer in answers}) == 1
 
 
 def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh: dict[str, Any]) -> None:

@@ -63,15 +63,6 @@ def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:
     expect(page.get_by_text("Here is the link: select and copy it")).to_be_visible()
 
 
-def test_nothing_is_shared_that_is_not_the_forms(dashboard: Dashboard) -> None:
-    dashboard.open()
-    dashboard.type_into("Position", "149.5")  # the bump would end beyond the road
-    expect(dashboard.page.get_by_role("alert").first).to_be_visible()
-    button = dashboard.page.get_by_role("button", name="Share")
-    expect(button).to_be_disabled()
-    expect(button).to_have_accessible_description(re.compile("could not be run"))
-
-
 def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) -> None:
     dashboard.open()
     link = share(dashboard.page)

@@ -107,15 +107,6 @@ def test_a_lost_command_leaves_the_last_one_in_force() -> None:
     assert held.sum() <= result.events["ecu_held_commands"] <= held.sum() + len(ecu.frames) - len(held) + 1
 
 
-def test_chance_follows_the_seed_and_each_kind_has_its_own() -> None:
-    def lost(**hil: object) -> list[float]:
-        return np.round(commanded(scenario(packet_loss=0.2, **hil), Scripted())[0][::10]).tolist()  # type: ignore[arg-type]
-
-    assert lost(seed=1) == lost(seed=1)
-    assert lost(seed=1) != lost(seed=2)
-    assert lost(seed=1) == lost(seed=1, noise=0.01), "noise draws from another stream"
-
-
 def test_noise_has_the_share_of_the_range_that_was_asked_for() -> None:
     """With a car at rest on a level road only noise is measured; 3 % is five deviations of that estimate."""
     level = Scenario(

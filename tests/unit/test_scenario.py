@@ -1,13 +1,11 @@
 """The scenario: strict about names, types and numbers, and its schema says everything a form needs."""
 
-import json
 from typing import Any
 
 import pytest
 from pydantic import ValidationError
 
 from sim_core.scenario import Scenario
-from sim_core.scenario.presets import PRESETS
 
 
 def _nested(path: str, value: Any) -> dict[str, Any]:
@@ -85,10 +83,3 @@ def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_w
             default = field["default"]
             assert default is None or low <= default <= number["maximum"], name
     assert seen > 40
-
-
-def test_presets_are_valid_and_the_papers_comes_first() -> None:
-    assert next(iter(PRESETS)) == "paper"
-    assert PRESETS["paper"].scenario == Scenario()
-    for preset in PRESETS.values():
-        assert Scenario.model_validate(json.loads(preset.scenario.model_dump_json())) == preset.scenario
