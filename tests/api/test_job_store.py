@@ -123,16 +123,6 @@ def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None
     assert numbers == list(range(1, len(numbers) + 1))
 
 
-def test_failures_are_rows_with_their_reason(store: Store, batch: StoredJob) -> None:
-    store.job_runs.save(batch.id, computed("key-1", status="failed"), "1", {4: "The computation ended"})
-    found = {row.position: row for row in store.job_runs.rows(batch.id, -1, 100)}
-    assert (found[1].status, found[1].summary) == ("failed", '{"reason":"too steep"}')
-    assert (found[4].status, found[4].reason, found[4].summary) == ("failed", "The computation ended", None)
-    now = store.jobs.load(batch.id)
-    assert now is not None
-    assert (now.done, now.failed) == (0, 2)
-
-
 def test_a_batch_is_done_when_nothing_waits_and_not_before(store: Store, batch: StoredJob) -> None:
     store.jobs.start(batch.id)
     store.job_runs.save(batch.id, computed(*(f"key-{number}" for number in range(9))), "1")

@@ -84,15 +84,6 @@ def test_what_does_not_compute_says_nothing_of_the_wait(requests: Requests) -> N
     assert requests.backlog.expected_wait / 10 == pytest.approx(before, rel=0.2)
 
 
-def test_idle_times_say_nothing_of_the_wait(requests: Requests) -> None:
-    requests.arrive()
-    for _ in range(20):
-        requests.arrive()
-        requests.complete(after=30)
-    requests.arrive(10)
-    requests.backlog.check(0)
-
-
 def test_one_client_fills_half_of_what_may_wait(requests: Requests) -> None:
     requests.arrive(25)
     requests.complete(10)

@@ -71,18 +71,6 @@ def test_nothing_finished_is_nothing_and_not_an_error() -> None:
     assert found["margin"]["better"] is None
 
 
-def test_rank_correlations_are_spearmans() -> None:
-    n, draw = 40, np.random.default_rng(3)
-    x, noise = draw.permutation(n), draw.permutation(n)
-    y = x + 0.49 * noise
-    found = figure(summarise(study([[value, 1.0] for value in y], {"x": x.tolist()}), "b"), "a")
-    rank = np.argsort(np.argsort(y))
-    tied = len(set(y)) < n
-    assert not tied  # the classic formula is for ranks without ties
-    expected = 1 - 6 * float(((rank - x) ** 2).sum()) / (n * (n**2 - 1))
-    assert found["sensitivity"][0]["spearman"] == pytest.approx(expected)
-
-
 def test_a_valley_is_seen_though_it_has_no_direction() -> None:
     x = np.linspace(-1, 1, 101)
     y = x**2 + 0.01 * np.random.default_rng(1).random(101)

@@ -73,14 +73,6 @@ def test_steady_braking_shifts_the_load_by_the_moment_over_the_wheelbase(car: Ve
     assert y[4] < 0 < y[5]  # dives: front compressed, rear extended
 
 
-def test_forces_push_body_up_and_wheel_down() -> None:
-    y = half_car(Vehicle()).D @ np.array([1000.0, 0])
-    assert y[0] > 0 > y[1]  # body up, nose up (nose-down is positive)
-    settled = half_car(Vehicle())
-    state = np.linalg.solve(settled.A, -settled.B @ np.array([1000.0, 1000.0]))
-    assert np.all(state[:2] > 0)  # both suspensions extend
-
-
 @settings(max_examples=25)
 @given(vehicles)
 def test_one_exact_step_equals_an_adaptive_solver(car: Vehicle) -> None:

@@ -9,7 +9,7 @@ from sim_core.scenario import Bump, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
 from tests.validation.reference.bump import crossing, peaks
-from tests.validation.reference.vehicle import OUTPUTS, road_response, state_space, stationary_rms
+from tests.validation.reference.vehicle import OUTPUTS, road_response, state_space
 from tests.validation.strategies import between, bumps, examples, vehicles
 
 
@@ -90,17 +90,3 @@ def test_frequency_response_of_a_long_run(speed_kmh: float) -> None:
         measured = (response * driven.conj()).sum(axis=0) / (np.abs(driven) ** 2).sum(axis=0)
         truth = expected[:, i] / (2j * np.pi * frequency[band])
         assert np.abs(measured - truth).max() < 0.05 * np.abs(truth).max(), name
-
-
-def test_long_runs_have_the_stationary_deviation() -> None:
-    """Parseval: mean square over 8 roads of 2.9 km against ∫ |H|² G df.
-
-    17 minutes and a bandwidth of about 1 Hz leave 1/sqrt(2·1000) ≈ 2 % on a variance, 1 % on a deviation; 4 % is
-    allowed. Sampling the 1 cm road each 1.4 cm adds half a per cent to the tyre loads.
-    """
-    squares = []
-    for seed in range(8):
-        road = Road(length=2900, seed=seed, bump=Bump(height=0, start=1, width=1))
-        result = simulate(Scenario(road=road), "passive")
-        squares.append([result.metrics["whole"][name]["rms"] ** 2 for name in OUTPUTS])
-    np.testing.assert_allclose(np.sqrt(np.mean(squares, axis=0)), stationary_rms(Vehicle(), 50 / 3.6), rtol=0.04)
