@@ -29,9 +29,9 @@ class RequestModel(BaseModel):
 
 
 class Answer(BaseModel):
-    """Base of what is answered: every field is always there, whatever its default."""
+    """Base of what is answered: every field is always there, whatever its default; also made of the core's objects."""
 
-    model_config = ConfigDict(json_schema_serialization_defaults_required=True)
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
 
 
 def _known_strategy(name: str) -> str:

@@ -84,16 +84,16 @@ class Runs:
         ]
         if not all(item.outcome.lasting for each in found for item in each.values()):  # asked again, it is tried again
             run_id = digest.random_id()
-        saved = await self._store.write(
-            self._store.runs.save,
-            run_id=run_id,
+        run = StoredRun(
+            id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
             scenario=scenario.model_dump(mode="json"),
-            outcomes=outcomes,
+            results=tuple(outcomes),
             roads=roads,
             baseline=against,
         )
+        saved = await self._store.write(self._store.runs.save, run)
         return run_answer(saved, cached={name: all(each[name].cached for each in found) for name in names})
 
     async def get(self, run_id: str, client: str) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """Runs and each strategy's result once, by its content's key."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
 from typing import Any
 
@@ -41,7 +41,7 @@ class StoredRun:
     schema_version: int
     scenario: dict[str, Any]
     results: tuple[StoredResult, ...]
-    created_at: datetime
+    created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
     roads: int = 1
     baseline: str | None = None
 
@@ -88,65 +88,26 @@ class RunStore:
             rows = connection.execute(query).all()
         return {row.key: _result(row) for row in rows}
 
-    def save_result(self, item: StoredResult, core_version: str) -> None:
-        """Commit one result that belongs to no run; where it is stored already, that one stays."""
-        with self._database.writing() as connection:
-            insert_results(connection, [result_row(item, core_version, datetime.now(UTC))])
-
-    def save(
-        self,
-        *,
-        run_id: str,
-        core_version: str,
-        schema_version: int,
-        scenario: Mapping[str, Any],
-        outcomes: Sequence[StoredResult],
-        roads: int = 1,
-        baseline: str | None = None,
-    ) -> StoredRun:
+    def save(self, run: StoredRun) -> StoredRun:
         """Commit a run and what is not yet stored of its results; returns it as it stands in the database.
-
-        `outcomes`, `roads` and `baseline` as in `StoredRun`.
 
         Where another process stored the same run first, that one stays: content-addressed results never change.
         """
-        now = datetime.now(UTC)
         with self._database.writing() as connection:
-            insert_results(connection, [result_row(item, core_version, now) for item in outcomes])
-            insert_new(
-                connection,
-                runs,
-                [
-                    {
-                        "id": run_id,
-                        "core_version": core_version,
-                        "schema_version": schema_version,
-                        "scenario": dict(scenario),
-                        "created_at": now,
-                        "roads": roads,
-                        "baseline": baseline,
-                    }
-                ],
-            )
-            members = [
-                {"run_id": run_id, "position": position, "result_key": item.key}
-                for position, item in enumerate(outcomes)
-            ]
-            insert_new(connection, run_results, members)
-            stored = _load_run(connection, run_id)
+            insert_results(connection, [_result_row(item, run.core_version) for item in run.results])
+            insert_new(connection, runs, [{column.name: getattr(run, column.name) for column in runs.c}])
+            insert_new(connection, run_results, _members(run.id, run.results))
+            stored = _load_run(connection, run.id)
         if stored is None:
             raise RuntimeError("A run was not there right after it was stored")
         return stored
 
     def recompute(self, run_id: str, core_version: str, outcomes: Sequence[StoredResult]) -> None:
         """Give a run whose results have expired these, which that core version computed."""
-        members = [
-            {"run_id": run_id, "position": position, "result_key": item.key} for position, item in enumerate(outcomes)
-        ]
         with self._database.writing() as connection:
-            insert_results(connection, [result_row(item, core_version, datetime.now(UTC)) for item in outcomes])
+            insert_results(connection, [_result_row(item, core_version) for item in outcomes])
             connection.execute(delete(run_results).where(run_results.c.run_id == run_id))
-            connection.execute(insert(run_results), members)
+            connection.execute(insert(run_results), _members(run_id, outcomes))
             connection.execute(update(runs).where(runs.c.id == run_id).values(core_version=core_version))
 
 
@@ -174,16 +135,7 @@ def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
         .where(run_results.c.run_id == run_id)
         .order_by(run_results.c.position)
     ).all()
-    return StoredRun(
-        id=head.id,
-        core_version=head.core_version,
-        schema_version=head.schema_version,
-        scenario=head.scenario,
-        results=tuple(_result(row) for row in members),
-        created_at=head.created_at,
-        roads=head.roads,
-        baseline=head.baseline,
-    )
+    return StoredRun(**head._asdict(), results=tuple(_result(row) for row in members))
 
 
 def _result(row: Row[Any]) -> StoredResult:
@@ -196,14 +148,10 @@ def _result(row: Row[Any]) -> StoredResult:
     )
 
 
-def result_row(item: StoredResult, core_version: str, now: datetime) -> dict[str, Any]:
-    """A result as a row of its table."""
-    return {
-        "key": item.key,
-        "strategy": item.strategy,
-        "core_version": core_version,
-        "status": item.status,
-        "summary": orjson.dumps(item.summary).decode(),
-        "compute_ms": item.compute_ms,
-        "created_at": now,
-    }
+def _result_row(item: StoredResult, core_version: str) -> dict[str, Any]:
+    row = {"core_version": core_version, "created_at": datetime.now(UTC), **asdict(item)}
+    return row | {"summary": orjson.dumps(item.summary).decode()}
+
+
+def _members(run_id: str, outcomes: Sequence[StoredResult]) -> list[dict[str, Any]]:
+    return [{"run_id": run_id, "position": position, "result_key": item.key} for position, item in enumerate(outcomes)]

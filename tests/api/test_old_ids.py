@@ -1,5 +1,6 @@
 """Ids given out by earlier versions, on the command line."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -16,13 +17,7 @@ def test_an_old_id_that_begins_with_a_sign_is_an_id(
     plain, long = "-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A"  # the letters of options, in a cluster and long
     store, known = service.app.state.store, service.app.state.store.runs.load(run["id"])
     for old in (plain, long):
-        store.runs.save(
-            run_id=old,
-            core_version=known.core_version,
-            schema_version=known.schema_version,
-            scenario=known.scenario,
-            outcomes=known.results,
-        )
+        store.runs.save(replace(known, id=old))
     slug = "-" + "k" * 21
     made = datetime.now(UTC)
     store.links.save(StoredLink(slug=slug, kind="run", target=plain, view={}, created_at=made), {})

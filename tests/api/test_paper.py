@@ -43,7 +43,9 @@ def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str
 @pytest.fixture(scope="module")
 def anew(service: Service) -> dict[str, Any]:
     """The reproduction on a few roads, which the workers drive now."""
-    return service.inside(service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1"))
+    return service.inside(
+        service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1")
+    ).model_dump()
 
 
 def test_a_switch_changes_what_it_says(client: httpx.Client, answer: dict[str, Any]) -> None:
@@ -95,7 +97,7 @@ def test_fresh_roads_are_asked_for_by_their_first_seed(service: Service, monkeyp
     paper, asked = service.app.state.paper, []
     reproduction = paper.reproduction
 
-    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Awaitable[dict[str, Any]]:
+    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Awaitable[models.PaperAnswer]:
         asked.append(roads)
         return reproduction(choices, roads[:FEW], client, **more)
 
@@ -123,9 +125,9 @@ def test_cells_appear_as_they_come(service: Service) -> None:
     seen: list[dict[str, Any]] = []
     while not seen or not seen[-1]["complete"]:
         roads = range(501, 501 + FEW)
-        seen.append(service.inside(service.app.state.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)))
+        answering = service.app.state.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)
+        seen.append(service.inside(answering).model_dump())
     first, last = seen[0], seen[-1]
-    models.PaperAnswer.model_validate(first)
     assert {cell["verdict"] for cell in first["cells"]} == {"pending"}
     assert first["progress"]["done"] < first["progress"]["total"] == last["progress"]["done"]
     assert last["total"] == 48

@@ -151,13 +151,8 @@ def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, A
 
     store = service.app.state.runs._store
     stored = store.runs.load(run["id"])
-    store.runs.save(
-        run_id="report-of-an-older-one",
-        core_version="0.0.2",
-        schema_version=1,
-        scenario=stored.scenario,
-        outcomes=[replace(item, key=f"older-{item.key}"[:43]) for item in stored.results],
-    )
+    older = tuple(replace(item, key=f"older-{item.key}"[:43]) for item in stored.results)
+    store.runs.save(replace(stored, id="report-of-an-older-one", core_version="0.0.2", results=older))
     answer = service.client.get("/api/v1/runs/report-of-an-older-one/report.html")
     assert answer.status_code == 200
     assert "script-src 'none'" in answer.headers["content-security-policy"]

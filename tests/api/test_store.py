@@ -62,8 +62,13 @@ def outcomes(*keys: str) -> list[StoredResult]:
 
 
 def save(store: Store, run_id: str, *keys: str) -> StoredRun:
-    return store.runs.save(
-        run_id=run_id, core_version="1", schema_version=1, scenario={"road": "ä 😀"}, outcomes=outcomes(*keys)
+    return store.runs.save(run_of(run_id, outcomes(*keys)))
+
+
+def run_of(run_id: str, items: list[StoredResult], version: int = 1) -> StoredRun:
+    scenario = {"road": "ä 😀"}
+    return StoredRun(
+        id=run_id, core_version=str(version), schema_version=version, scenario=scenario, results=tuple(items)
     )
 
 
@@ -153,9 +158,9 @@ def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
     assert [item.key for item in first.results] == ["a", "b"]
     assert first.scenario == {"road": "ä 😀"}
     changed = [StoredResult(key="a", strategy="lv", status="ok", summary={}, compute_ms=9.0)]
-    second = store.runs.save(run_id="two", core_version="1", schema_version=1, scenario={}, outcomes=changed)
+    second = store.runs.save(run_of("two", changed))
     assert second.results == first.results[:1]
-    again = store.runs.save(run_id="one", core_version="2", schema_version=2, scenario={}, outcomes=changed)
+    again = store.runs.save(run_of("one", changed, version=2))
     assert again == first == store.runs.load("one")
 
 

@@ -28,7 +28,7 @@ Backup = Callable[..., str]
 
 def save(store: Store, run_id: str) -> StoredRun:
     result = StoredResult(key=f"of {run_id}", strategy="lv", status="ok", summary={"a": "ä"}, compute_ms=2.0)
-    return store.runs.save(run_id=run_id, core_version="1", schema_version=1, scenario={}, outcomes=[result])
+    return store.runs.save(StoredRun(id=run_id, core_version="1", schema_version=1, scenario={}, results=(result,)))
 
 
 def documented(pattern: str) -> list[str]:

@@ -4,30 +4,33 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from backend.jobs.reproduction import models
 from backend.jobs.reproduction.rows import Rows
 from sim_core import __version__ as CORE_VERSION
 from sim_core.study import paper
 from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from sim_core.study.errata import ERRATA
 from sim_core.study.interpretations import INTERPRETATIONS, interpretation_of
-from sim_core.study.intervals import Interval, change_with_interval, mean_with_interval
+from sim_core.study.intervals import change_with_interval, mean_with_interval
 from sim_core.study.paper import FIGURES, Judged
 from sim_core.study.paper_tables import TABLES, PaperCell, cells
 from sim_core.study.readings import READINGS, changes_of
 
+RunsByVariant = Sequence[Mapping[str, Mapping[str, Any]]]  # of each road
+
 
 def reproduction(
-    chosen: Mapping[str, str],
+    choices: Mapping[str, str],
     roads: range,
     ours: paper.Values,
     without_preview: paper.Values,
     named: Mapping[str, paper.Values],
     rows: Rows,
-) -> dict[str, Any]:
-    """`PaperAnswer`.
+) -> models.PaperAnswer:
+    """The whole page.
 
     Args:
-        chosen: Reading -> choice, all of them.
+        choices: Reading -> choice, all of them.
         roads: Their seeds.
         ours: By strategy, under these readings, of those that are complete.
         without_preview: The same without preview.
@@ -40,200 +43,172 @@ def reproduction(
     judged, blind = paper.judge(ours), paper.judge(without_preview)
     blind_counts = paper.count(blind)
     by_cell, blind_by_cell = ({item.cell: item for item in items} for items in (judged, blind))
-    return {
-        "core_version": CORE_VERSION,
-        **_roads(roads),
-        "interpretation": interpretation_of(chosen),
+    return models.PaperAnswer(
+        **_head(roads),
         **_counted(judged),
-        "interpretations": [
-            {
-                "id": item.id,
-                "title": item.title,
-                "description": item.description,
-                "choices": item.choices,
-                "changes": changes_of(item.otherwise),
+        interpretation=interpretation_of(choices),
+        interpretations=[
+            models.Interpretation(
+                id=item.id,
+                title=item.title,
+                description=item.description,
+                choices=item.choices,
+                changes=changes_of(item.otherwise),
                 **_counted(paper.judge(named[item.id])),
-            }
+            )
             for item in INTERPRETATIONS.values()
         ],
-        "unavailable": unavailable(rows.reason),
-        "complete": rows.complete,
-        "progress": {"done": len(rows.by_key), "total": rows.total},
-        "without_preview": {"reached": blind_counts["reached"], "counts": blind_counts},
-        "scenario": paper.scenario_for(chosen, 1).model_dump(mode="json"),
-        "cells": [_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows) for cell in cells()],
-        "readings": [
-            {
-                "id": reading.id,
-                "title": reading.title,
-                "description": reading.description,
-                "chosen": chosen[reading.id],
-                "choices": [
-                    {
-                        "id": choice.id,
-                        "label": choice.label,
-                        "default": choice.id == reading.default,
-                        "source": choice.source,
-                    }
-                    for choice in reading.choices
-                ],
-            }
+        unavailable=unavailable(rows.reason),
+        complete=rows.complete,
+        progress=models.Progress(done=len(rows.by_key), total=rows.total),
+        without_preview=models.WithoutPreview(reached=blind_counts["reached"], counts=blind_counts),
+        scenario=paper.scenario_for(choices, 1),
+        cells=[_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows) for cell in cells()],
+        readings=[
+            models.ReadingAnswer(
+                id=reading.id,
+                title=reading.title,
+                description=reading.description,
+                chosen=choices[reading.id],
+                choices=[{**asdict(each), "default": each.id == reading.default} for each in reading.choices],
+            )
             for reading in READINGS.values()
         ],
-        "rules": paper.RULES,
-        "tables": [
-            {
-                "number": table.number,
-                "title": table.title,
-                "columns": [{"strategy": strategy, "against": against} for strategy, against, _ in table.columns],
-            }
+        rules=paper.RULES,
+        tables=[
+            models.TableAnswer(
+                number=table.number,
+                title=table.title,
+                columns=[{"strategy": strategy, "against": against} for strategy, against, _ in table.columns],
+            )
             for table in TABLES
         ],
-        "errata": [{"place": item.place, "printed": item.printed, "here": item.here} for item in ERRATA],
-    }
+        errata=ERRATA,
+    )
 
 
-def unavailable(reason: str | None) -> dict[str, Any] | None:
-    """`Unavailable`: the cells of hardware in the loop, where there is a reason."""
+def unavailable(reason: str | None) -> models.Unavailable | None:
+    """The cells of hardware in the loop, where there is a reason."""
     if reason is None:
         return None
-    return {"cells": sum(cell.strategy == paper.IN_ECU for cell in cells()), "reason": reason}
+    return models.Unavailable(cells=sum(cell.strategy == paper.IN_ECU for cell in cells()), reason=reason)
 
 
 def _simulated(values: paper.Values) -> paper.Values:
     return {name: values[name] for name in paper.SIMULATED if name in values}
 
 
-def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> dict[str, Any]:
-    """`ReadingRow`."""
+def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> models.ReadingRow:
+    """What one choice of a reading does to the verdicts."""
     counts, before = paper.count(judged), {item.cell: item.verdict for item in base}
-    return {
-        "reading": reading,
-        "choice": choice,
-        "reached": counts["reached"],
-        "total": len(judged),
-        "counts": counts,
-        "changed": sum(before.get(item.cell, item.verdict) is not item.verdict for item in judged),
-    }
+    changed = sum(before.get(item.cell, item.verdict) is not item.verdict for item in judged)
+    return models.ReadingRow(
+        reading=reading, choice=choice, reached=counts["reached"], total=len(judged), counts=counts, changed=changed
+    )
 
 
-def _roads(roads: range) -> dict[str, int]:
-    return {"seeds": len(roads), "first_seed": roads[0]}
+def attribution(roads: range, runs: RunsByVariant) -> models.AttributionAnswer:
+    """What each part contributes, from a row for each road: variant -> its figures."""
+    values = {variant.id: _of_variant(variant.id, runs) for variant in VARIANTS}
+    return models.AttributionAnswer(
+        **_head(roads),
+        rows=[
+            models.CombinationRow.model_validate(
+                {name: getattr(variant, name) for name in ("id", "label", "controller", "speed", "preview", "weights")}
+                | {"is": variant.known_as}
+                | _means(values[variant.id], values["passive-constant"])
+            )
+            for variant in VARIANTS
+        ],
+        shares=[
+            models.Share(
+                **_named(item.figure),
+                **{factor: getattr(item, factor) for factor in FACTORS},
+                total_change=item.total,
+            )
+            for item in shares(values)
+        ],
+        sentences=sentences(values),
+        equal_speed=[
+            models.EqualSpeed(
+                label=label,
+                strategy=first,
+                against=second,
+                cells=[
+                    models.Change(**_named(figure), our_change=change.value, ci=[change.low, change.high])
+                    for figure, change in zip(FIGURES, compared(first, second, values), strict=True)
+                ],
+            )
+            for label, first, second in EQUAL_SPEED
+        ],
+    )
+
+
+def _head(roads: range) -> dict[str, str | int]:
+    return {"core_version": CORE_VERSION, "seeds": len(roads), "first_seed": roads[0]}
 
 
 def _counted(judged: Sequence[Judged]) -> dict[str, Any]:
-    """`Counted`."""
+    """The fields of `Counted`."""
     counts, (simulated, in_ecu) = paper.count(judged), paper.split(judged)
     return {
         "reached": counts["reached"],
         "total": len(judged),
         "counts": counts,
-        "simulated": _part(simulated),
-        "ecu": _part(in_ecu),
-        "agreement": asdict(paper.agreement(judged)),
+        "simulated": models.Part(reached=paper.count(simulated)["reached"], total=len(simulated)),
+        "ecu": models.Part(reached=paper.count(in_ecu)["reached"], total=len(in_ecu)),
+        "agreement": paper.agreement(judged),
     }
 
 
-def _part(judged: Sequence[Judged]) -> dict[str, int]:
-    return {"reached": paper.count(judged)["reached"], "total": len(judged)}
-
-
-def attribution(roads: range, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> dict[str, Any]:
-    """`AttributionAnswer` from a row for each road: variant -> its figures."""
-    values = {variant.id: _of_variant(variant.id, runs) for variant in VARIANTS}
-    passive = values["passive-constant"]
+def _means(values: Mapping[Any, Sequence[float]], passive: Mapping[Any, Sequence[float]]) -> dict[str, Any]:
+    """One variant's means over the roads with their intervals, as fields of `CombinationRow`."""
     return {
-        "core_version": CORE_VERSION,
-        **_roads(roads),
-        "rows": [
+        "travel_time": mean_with_interval(values["travel_time"]).value,
+        "metrics": [
             {
-                "id": variant.id,
-                "label": variant.label,
-                "controller": variant.controller,
-                "speed": variant.speed,
-                "preview": variant.preview,
-                "weights": variant.weights,
-                "is": variant.known_as,
-                "travel_time": mean_with_interval(values[variant.id]["travel_time"]).value,
-                "metrics": [
-                    {
-                        **_named(figure),
-                        **_interval(mean_with_interval(values[variant.id][figure])),
-                        "change_vs_passive": change_with_interval(values[variant.id][figure], passive[figure]).value,
-                    }
-                    for figure in FIGURES
-                ],
-                "comfort": {key: _interval(mean_with_interval(values[variant.id][key])) for key in COMFORT_FIGURES},
+                **_named(figure),
+                **asdict(mean_with_interval(values[figure])),
+                "change_vs_passive": change_with_interval(values[figure], passive[figure]).value,
             }
-            for variant in VARIANTS
+            for figure in FIGURES
         ],
-        "shares": [
-            {
-                **_named(item.figure),
-                **{factor: getattr(item, factor) for factor in FACTORS},
-                "total_change": item.total,
-            }
-            for item in shares(values)
-        ],
-        "sentences": sentences(values),
-        "equal_speed": [
-            {
-                "label": label,
-                "strategy": first,
-                "against": second,
-                "cells": [
-                    {**_named(figure), "our_change": change.value, "ci": [change.low, change.high]}
-                    for figure, change in zip(FIGURES, compared(first, second, values), strict=True)
-                ],
-            }
-            for label, first, second in EQUAL_SPEED
-        ],
+        "comfort": {key: mean_with_interval(values[key]) for key in COMFORT_FIGURES},
     }
 
 
-def _of_variant(name: str, runs: Sequence[Mapping[str, Mapping[str, Any]]]) -> dict[Any, list[float]]:
-    found: dict[Any, list[float]] = {
+def _of_variant(name: str, runs: RunsByVariant) -> dict[Any, list[float]]:
+    by_figure: dict[Any, list[float]] = {
         figure: [run[name]["figures"][index] for run in runs] for index, figure in enumerate(FIGURES)
     }
-    return found | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
+    return by_figure | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
 
 
-def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: paper.Values, rows: Rows) -> dict[str, Any]:
+def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: paper.Values, rows: Rows) -> models.Cell:
     base = ours.get(cell.against, {}).get((cell.window, cell.statistic, cell.signal))
     looks_ahead = {cell.strategy, cell.against} & set(paper.PREVIEWED)
-    return {
-        "table": cell.table,
-        "window": cell.window,
-        "signal": cell.signal,
-        "statistic": cell.statistic,
-        "strategy": cell.strategy,
-        "against": cell.against,
-        "paper_value": cell.value,
-        "paper_base": cell.base,
-        "paper_change": cell.printed,
-        "misprint": None if cell.follows is None else {"printed": cell.printed, "follows": cell.follows},
-        "our_value": None if item is None else item.value,
-        "our_base": None if base is None else sum(base) / len(base),
-        **_judgement(item, rows),
-        "without_preview": _judgement(blind, rows) if looks_ahead else None,
-    }
+    return models.Cell(
+        **{name: getattr(cell, name) for name in ("table", "window", "signal", "statistic", "strategy", "against")},
+        **dict(_judgement(item, rows)),
+        paper_value=cell.value,
+        paper_base=cell.base,
+        paper_change=cell.printed,
+        misprint=None if cell.follows is None else models.Misprint(printed=cell.printed, follows=cell.follows),
+        our_value=None if item is None else item.value,
+        our_base=None if base is None else sum(base) / len(base),
+        without_preview=_judgement(blind, rows) if looks_ahead else None,
+    )
 
 
-def _judgement(item: Judged | None, rows: Rows) -> dict[str, Any]:
+def _judgement(item: Judged | None, rows: Rows) -> models.Judgement:
     if item is None:
         verdict = "unavailable" if rows.complete else "pending"
-        return {"our_change": None, "ci": None, "verdict": verdict, "certain": None}
-    return {
-        "our_change": item.change.value,
-        "ci": [item.change.low, item.change.high],
-        "verdict": item.verdict.value,
-        "certain": item.certain,
-    }
+        return models.Judgement(our_change=None, ci=None, verdict=verdict, certain=None)
+    change = item.change
+    return models.Judgement(
+        our_change=change.value, ci=[change.low, change.high], verdict=item.verdict.value, certain=item.certain
+    )
 
 
 def _named(figure: tuple[str, str, str]) -> dict[str, str]:
     return dict(zip(("window", "statistic", "signal"), figure, strict=True))
-
-
-def _interval(found: Interval) -> dict[str, float]:
-    return {"value": found.value, "low": found.low, "high": found.high}

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from backend.jobs.reproduction.models import PaperFigure
 from backend.jobs.reproduction.work import SPEEDS_KMH
 from backend.runs.figures import PANELS, STYLES, filled, templates
 from backend.runs.series import packed
@@ -26,8 +27,8 @@ BAND = "rgba(28, 95, 223, 0.18)"
 Peaks = Sequence[Mapping[str, Sequence[Sequence[float]]]]
 
 
-def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[dict[str, Any]]:
-    """Every one, as `PaperFigure`.
+def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[PaperFigure]:
+    """Every one.
 
     Args:
         peaks: For each road the passive car's peaks over speed (`backend.jobs.reproduction.work.peaks_over_speed`).
@@ -41,9 +42,9 @@ def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[dict[str,
     return drawn
 
 
-def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outcome]) -> dict[str, Any]:
+def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outcome]) -> PaperFigure:
     figure = filled(signal, outcomes, "position")
-    told = ", ".join(
+    peaks = ", ".join(
         f"{STRATEGIES[name].label} {outcome.summary['metrics']['bump'][signal]['peak']:.4g}"
         for name, outcome in outcomes.items()
         if outcome.status == "ok"
@@ -54,28 +55,29 @@ def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outc
         for name, outcome in outcomes.items()
         if outcome.status != "ok"
     )
-    return {
-        "number": number,
-        "title": f"{SIGNALS[signal].label}: {title}",
-        "caption": f"Road 1 of the paper's scenario. Peaks on the bump: {told} {unit}.{missing}",
-        "figure": figure,
-    }
+    return PaperFigure(
+        number=number,
+        title=f"{SIGNALS[signal].label}: {title}",
+        caption=f"Road 1 of the paper's scenario. Peaks on the bump: {peaks} {unit}.{missing}",
+        figure=figure,
+    )
 
 
-def _speed_curve(outcomes: Mapping[str, Outcome]) -> dict[str, Any]:
+def _speed_curve(outcomes: Mapping[str, Outcome]) -> PaperFigure:
     lv = outcomes[SPEED_STRATEGY]
     arrival = lv.summary.get("arrival_speed_kmh")
-    return {
-        "number": SPEED_FIGURE,
-        "title": "Speed change curve",
-        "caption": f"LV control reaches the bump at {arrival:.1f} km/h; the paper aims at 20 to 25 km/h."
-        if arrival is not None
-        else "LV control did not run.",
-        "figure": filled("speed", {SPEED_STRATEGY: lv}, "position"),
-    }
+    caption = "LV control did not run."
+    if arrival is not None:
+        caption = f"LV control reaches the bump at {arrival:.1f} km/h; the paper aims at 20 to 25 km/h."
+    return PaperFigure(
+        number=SPEED_FIGURE,
+        title="Speed change curve",
+        caption=caption,
+        figure=filled("speed", {SPEED_STRATEGY: lv}, "position"),
+    )
 
 
-def _over_speed(number: int, index: int, peaks: Peaks) -> dict[str, Any]:
+def _over_speed(number: int, index: int, peaks: Peaks) -> PaperFigure:
     signal = PAPER_SIGNALS[index]
     unit, scale = PANELS[signal].shown
     speeds = np.array(SPEEDS_KMH, dtype=np.float32)
@@ -103,13 +105,13 @@ def _over_speed(number: int, index: int, peaks: Peaks) -> dict[str, Any]:
     ]
     at_20, at_50 = (float(mean[SPEEDS_KMH.index(speed)]) for speed in (20, 50))
     rises = "rises" if mean[-1] > mean[0] else "falls"
-    return {
-        "number": number,
-        "title": f"{title} over speed",
-        "caption": f"Ours {rises} from {at_20:.4g} {_unit(signal)} at 20 km/h to {at_50:.4g} {_unit(signal)} at "
+    return PaperFigure(
+        number=number,
+        title=f"{title} over speed",
+        caption=f"Ours {rises} from {at_20:.4g} {_unit(signal)} at 20 km/h to {at_50:.4g} {_unit(signal)} at "
         f"50 km/h, and is greatest at {SPEEDS_KMH[int(mean.argmax())]} km/h."
         + (" Section 2.2.3 says pitch acceleration falls with speed." if signal == "pitch_acceleration" else ""),
-        "figure": {
+        figure={
             "data": data,
             "layout": {
                 **layout,
@@ -119,7 +121,7 @@ def _over_speed(number: int, index: int, peaks: Peaks) -> dict[str, Any]:
                 "yaxis": {**layout["yaxis"], "title": {"text": f"{title} [{unit}]"}},
             },
         },
-    }
+    )
 
 
 def _line(name: str, x: Any, y: Any, colour: str, dash: str, unit: str) -> dict[str, Any]:

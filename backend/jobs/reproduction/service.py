@@ -7,8 +7,9 @@ from typing import Any
 
 from backend.http.admission import Admission
 from backend.jobs.reproduction import answers, drawings, work
+from backend.jobs.reproduction.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
+from backend.jobs.reproduction.report import report
 from backend.jobs.reproduction.rows import PaperRows, Rows
-from backend.runs.reports import paper as paper_report
 from backend.runs.reports.making import made
 from backend.runs.reports.page import Report
 from backend.runs.results import Results
@@ -33,12 +34,12 @@ class Paper:
         self._admission = admission
 
     async def reproduction(
-        self, chosen: Mapping[str, str], roads: range, client: str, *, partial: bool = False
-    ) -> dict[str, Any]:
-        """Every cell under these readings (reading -> choice, all of them), as `PaperAnswer`.
+        self, choices: Mapping[str, str], roads: range, client: str, *, partial: bool = False
+    ) -> PaperAnswer:
+        """Every cell under these readings.
 
         Args:
-            chosen: The readings.
+            choices: Reading -> choice, all of them.
             roads: Their seeds.
             client: Who asks.
             partial: Answer at once, with the cells that are there.
@@ -46,19 +47,19 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        sets = {"": chosen, "blind": {**chosen, "preview": "none"}}
+        sets = {"": choices, "blind": {**choices, "preview": "none"}}
         sets |= {name: item.choices for name, item in INTERPRETATIONS.items()}
-        requests = {name: await _requests(choices, roads) for name, choices in sets.items()}
+        requests = {name: await _requests(each, roads) for name, each in sets.items()}
         rows = await self._get(client, *requests.values(), patience=0.0 if partial else None)
         values = {
-            name: work.figures_by_strategy(rows.by_key, requests[name], choices[paper.WINDOW])
-            for name, choices in sets.items()
+            name: work.figures_by_strategy(rows.by_key, requests[name], each[paper.WINDOW])
+            for name, each in sets.items()
         }
         named = {name: values[name] for name in INTERPRETATIONS}
-        return answers.reproduction(chosen, roads, values[""], values["blind"], named, rows)
+        return answers.reproduction(choices, roads, values[""], values["blind"], named, rows)
 
-    async def readings(self, roads: range, client: str) -> dict[str, Any]:
-        """What each switch does by itself, as `ReadingsAnswer`; as many rows as there are after a while.
+    async def readings(self, roads: range, client: str) -> ReadingsAnswer:
+        """What each switch does by itself; as many rows as there are after a while.
 
         Raises:
             TemporaryError: Too much is being computed.
@@ -74,45 +75,45 @@ class Paper:
         ]
         needed = set(paper.SIMULATED if rows.reason is not None else paper.STRATEGIES)
         base = paper.judge(values[0])
-        return {
-            "rows": [
-                answers.reading_row(reading, choice, base, paper.judge(found))
-                for (reading, choice), found in zip(choices, values[1:], strict=True)
-                if needed <= found.keys() and needed <= values[0].keys()
+        return ReadingsAnswer(
+            rows=[
+                answers.reading_row(reading, choice, base, paper.judge(ours))
+                for (reading, choice), ours in zip(choices, values[1:], strict=True)
+                if needed <= ours.keys() and needed <= values[0].keys()
             ],
-            "complete": rows.complete,
-            "unavailable": answers.unavailable(rows.reason),
-        }
+            complete=rows.complete,
+            unavailable=answers.unavailable(rows.reason),
+        )
 
-    async def attribution(self, roads: range, client: str) -> dict[str, Any]:
-        """What each part contributes, as `AttributionAnswer`.
+    async def attribution(self, roads: range, client: str) -> AttributionAnswer:
+        """What each part contributes.
 
         Raises:
             TemporaryError: Too much is being computed.
         """
         return answers.attribution(roads, await self._study(work.ATTRIBUTION, roads, client))
 
-    async def figures(self, roads: range, client: str) -> dict[str, Any]:
-        """The paper's figures made by us, as `PaperFigures`.
+    async def figures(self, roads: range, client: str) -> PaperFigures:
+        """The paper's figures made by us.
 
         Raises:
             TemporaryError: Too much is being computed.
         """
         peaks = await self._study(work.SPEEDS, roads, client)
-        found = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
-        outcomes = {name: item.outcome for name, item in found.items()}
-        return {"figures": await asyncio.to_thread(drawings.all_figures, peaks, outcomes)}
+        results = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
+        outcomes = {name: item.outcome for name, item in results.items()}
+        return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, outcomes))
 
-    async def report(self, chosen: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
+    async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
         """All of it as one HTML file; what each part contributes and the figures are by the default readings.
 
         Raises:
             TemporaryError: Too much is being computed.
         """
-        found = await self.reproduction(chosen, roads, client)
+        page = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
         with self._admission.computing(client, Scenario(), ()):
-            return await made(partial(paper_report.report, found, parts, drawn["figures"], compressed=compressed))
+            return await made(partial(report, page, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
         wanted = work.requests_of_study(study, roads)
@@ -127,5 +128,5 @@ class Paper:
             return await self._rows.get(every, patience)
 
 
-async def _requests(chosen: Mapping[str, str], roads: range) -> Requests:
-    return await asyncio.to_thread(work.requests_under, chosen, roads)
+async def _requests(choices: Mapping[str, str], roads: range) -> Requests:
+    return await asyncio.to_thread(work.requests_under, choices, roads)

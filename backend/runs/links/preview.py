@@ -7,8 +7,8 @@ from datetime import datetime
 from html import escape
 from typing import Any
 
+from backend.runs.reports.keys import inside, label
 from sim_core.catalogue import SIGNALS
-from sim_core.strategies import STRATEGIES
 
 SIGNALS_TOLD = ("body_acceleration", "pitch_acceleration")
 FIELDS_TOLD = 4
@@ -43,7 +43,7 @@ def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetim
         if main is not None and (text := _told(entries[main], entries.get(baseline or ""), window, signal))
     ]
     where = " on the bump" if window == "bump" else ""
-    who = _label(main) if baseline is None else f"{_label(main)} against {_inside(_label(baseline))}"
+    who = label(main or "") + ("" if baseline is None else f" against {inside(label(baseline))}")
     title = f"{who}: {told[0]}{where}" if told else "A stored run"
     facts = ", ".join(told)
     return Preview(
@@ -69,7 +69,7 @@ def of_batch(batch: Mapping[str, Any], computed_at: datetime) -> Preview:
     fields = [_field(field) for field in batch["fields"]]
     swept = " × ".join(fields[:FIELDS_TOLD]) + (" × …" if len(fields) > FIELDS_TOLD else "")
     count = f"{batch['total']:,}".replace(",", " ")
-    who = ", ".join(_label(name) for name in batch["strategies"])
+    who = ", ".join(label(name) for name in batch["strategies"])
     failures = [f"{batch['failed']} failed"] if batch["failed"] else []
     state = [] if batch["state"] == "done" else [batch["state"]]
     return Preview(
@@ -135,16 +135,6 @@ def _peak(entry: Mapping[str, Any], window: str, signal: str) -> float | None:
     if isinstance(value, Mapping):
         value = value["mean"]
     return value if isinstance(value, int | float) else None
-
-
-def _label(name: str | None) -> str:
-    """A strategy's own label; its id where today's catalogue no longer has it."""
-    return STRATEGIES[name].label if name in STRATEGIES else str(name)
-
-
-def _inside(label: str) -> str:
-    """A label inside a sentence: `passive`, but `LQR`."""
-    return label if label[:2].isupper() else label[:1].lower() + label[1:]
 
 
 def _field(field: Mapping[str, str]) -> str:

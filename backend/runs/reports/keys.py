@@ -22,6 +22,11 @@ def label(strategy: str) -> str:
     return STRATEGIES[strategy].label if strategy in STRATEGIES else strategy
 
 
+def inside(text: str) -> str:
+    """A label inside a sentence: `passive`, but `LQR`."""
+    return text if text[:2].isupper() else text[:1].lower() + text[1:]
+
+
 def key_of(strategy: str) -> dict[str, str]:
     """A strategy's name and how it is drawn."""
     style = figures.STYLES.get(strategy, figures.Style(colour=figures.NEUTRAL, dash="solid"))

@@ -64,6 +64,12 @@ def percent(change: float, half: float = 0.0) -> str:
     return f"{sign}{digits}{_THIN}%"
 
 
+def printed(change: float) -> str:
+    """A change as the paper prints it, with all of its digits."""
+    sign = "−" if change < 0 else "+"
+    return f"{sign}{abs(change):g}{_THIN}%"
+
+
 def plus_minus(shown: str, half: float) -> str:
     """A shown result with half its interval's width: as many decimals, more only where it would be 0."""
     text = f"{half:.{len(shown.partition('.')[2])}f}"

@@ -7,6 +7,7 @@ The policy is in the file too, for whoever opens a saved copy.
 import base64
 import gzip
 import hashlib
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -19,6 +20,8 @@ from markupsafe import Markup
 from plotly.offline import get_plotlyjs
 
 from backend.runs.reports import numbers
+from backend.runs.reports.keys import inside, label
+from sim_core.catalogue import STATISTICS, WINDOWS
 
 TEMPLATES = Path(__file__).parent / "templates"
 COMPRESSION = 1  # the same as the service's other answers
@@ -104,6 +107,11 @@ def marked(text: str) -> Markup:
     )
 
 
+def minus_signs(text: str) -> str:
+    """Text whose negative numbers have a real minus sign."""
+    return re.sub(r"(?<![\w-])-(?=\d)", "−", text)
+
+
 @cache
 def _environment() -> Environment:
     environment = Environment(
@@ -113,8 +121,9 @@ def _environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    shown = (numbers.significant, numbers.exact, numbers.percent, numbers.told, numbers.pretty_unit, numbers.with_unit)
-    environment.filters |= {each.__name__: each for each in shown} | {"marked": marked}
+    of_numbers = (numbers.significant, numbers.exact, numbers.percent, numbers.pretty_unit, numbers.printed)
+    environment.filters |= {each.__name__: each for each in (*of_numbers, marked, minus_signs, label, inside)}
+    environment.filters["quantity"] = lambda key: (STATISTICS | WINDOWS)[key].label
     return environment
 
 
