@@ -3,7 +3,6 @@
 It needs httpx alone; NumPy and pandas are imported when arrays and frames are asked for. docs/api.md shows it at work.
 """
 
-from ridelab.batch import Batch
 from ridelab.client import Ridelab
 from ridelab.errors import (
     ErrorPlace,
@@ -13,10 +12,9 @@ from ridelab.errors import (
     RidelabClientError,
     RidelabConnectionError,
 )
-from ridelab.jobs import Job
+from ridelab.jobs import Batch, Job, Tuning
 from ridelab.results import Interval, Link, LinkedResult, Outcome, RunResult, Stage, Statistics
 from ridelab.streams import Event
-from ridelab.tuning import Tuning
 
 __version__ = "0.3.0"  # the core's; a test holds them equal
 

@@ -5,19 +5,16 @@ import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from types import TracebackType
-from typing import TYPE_CHECKING, Any, Protocol, Self
+from typing import TYPE_CHECKING, Any, Self
 from urllib.parse import quote
 
 import httpx
 
-from ridelab.batch import Batch
 from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
 from ridelab.http import Http, split_login
-from ridelab.jobs import Job
+from ridelab.jobs import Batch, Job, Tuning
 from ridelab.results import Link, LinkedResult, RunResult
-from ridelab.tuning import Tuning
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,14 +25,7 @@ TOKEN_VARIABLE = "RIDELAB_TOKEN"  # noqa: S105  # the variable's name
 _LOOPBACK = ("localhost", "127.0.0.1", "::1")
 
 
-class Model(Protocol):
-    """A pydantic model, such as the core's `Scenario`."""
-
-    def model_dump(self, *, mode: str) -> dict[str, Any]:
-        """Its plain values."""
-
-
-Scenario = Mapping[str, Any] | Model
+Scenario = Any  # its JSON, as a mapping, or a pydantic model such as the core's
 
 
 class Ridelab:
@@ -85,9 +75,7 @@ class Ridelab:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -132,12 +120,12 @@ class Ridelab:
             baseline: The strategy that changes over several roads refer to; None is passive, or the first one where
                 passive does not run.
         """
-        body = {"scenario": scenario, "strategies": list(strategies), "roads": roads, "baseline": baseline}
-        return self._run(self._http.json("POST", f"{API}/runs", body=body))
+        body = {"scenario": scenario, "strategies": strategies, "roads": roads, "baseline": baseline}
+        return self._run(self._post("/runs", body))
 
     def get_run(self, run_id: str) -> RunResult:
         """A stored run; it never changes."""
-        return self._run(self.get(f"/runs/{quote(run_id, safe='')}"))
+        return self._run(self.get(f"/runs/{_id(run_id)}"))
 
     def series(
         self,
@@ -164,20 +152,16 @@ class Ridelab:
             import numpy as np
         except ImportError:
             raise ImportError("Arrays need NumPy: pip install 'ridelab[pandas]'") from None
-        path, params = self._series_request(run, [strategy], signals, points)
-        arrays = self.get(path, {**params, "encoding": "base64"})["series"]
+        params = {**_series([strategy], signals, points), "encoding": "base64"}
+        arrays = self.get(f"/runs/{_id(run)}/series", params)["series"]
         return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in arrays.items()}
 
     def series_content(self, run: RunResult | str, file_format: str, **selection: Any) -> Iterator[bytes]:
         """Time histories as the bytes of a `csv`, `parquet` or `json` file, piece by piece.
 
-        Args:
-            run: The run or its id.
-            file_format: Of the file.
-            selection: `strategies`, their ids; perhaps `signals` and `points` as for `series`.
+        `selection` has `strategies`, their ids, and perhaps `signals` and `points` as for `series`.
         """
-        path, params = self._series_request(run, **selection)
-        return self._content(path, {**params, "format": file_format})
+        return self._content(f"/runs/{_id(run)}/series", {**_series(**selection), "format": file_format})
 
     def download_series(
         self, run: RunResult | str, path: str | os.PathLike[str], *, file_format: str | None = None, **selection: Any
@@ -201,11 +185,11 @@ class Ridelab:
             asked: `seeds`, how many roads (20), from `first_seed` (1) on; `interpretation`, a named set of readings,
                 `default` or `favourable`; `readings`, reading -> choice, those that are not the set's.
         """
-        return self._http.document("GET", f"{API}/paper", params=_flattened(asked))
+        return self._http.document("GET", f"{API}/paper", params=_flattened(**asked))
 
     def paper_report(self, **asked: Any) -> Iterator[bytes]:
         """The same as one HTML file, with what each part contributes and the figures, piece by piece."""
-        return self._content("/paper/report.html", _flattened(asked))
+        return self._content("/paper/report.html", _flattened(**asked))
 
     def submit(
         self,
@@ -225,17 +209,16 @@ class Ridelab:
             idempotency_key: The same key never makes a second batch; None is a key of this call's own.
             label: What to call it; lists find it by that.
         """
-        body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep, "label": label}
+        body = {"scenario": scenario, "strategies": strategies, "sweep": sweep, "label": label}
         return Batch(self._http, self._submit("/batches", body, idempotency_key))
 
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
         """What a batch would be: `total` runs, `points`, `estimated_cost` [s of one core], `estimated_seconds`."""
-        body = {"scenario": scenario, "strategies": list(strategies), "sweep": sweep, "dry_run": True}
-        return self._http.document("POST", f"{API}/batches", body=body)
+        return self._post("/batches", {"scenario": scenario, "strategies": strategies, "sweep": sweep, "dry_run": True})
 
     def get_batch(self, batch_id: str) -> Batch:
         """A batch as it stands."""
-        return Batch(self._http, self.get(f"/batches/{quote(batch_id, safe='')}"))
+        return Batch(self._http, self.get(f"/batches/{_id(batch_id)}"))
 
     def batches(self, *, state: str | None = None, label: str | None = None, limit: int = 50) -> list[Batch]:
         """The newest batches first, without their sweeps; those in a state or of a label alone."""
@@ -253,11 +236,11 @@ class Ridelab:
 
     def estimate_tuning(self, request: Mapping[str, Any]) -> dict[str, Any]:
         """What a tuning would be: `runs`, `generations`, `estimated_cost` [s of one core], `estimated_seconds`."""
-        return self._http.document("POST", f"{API}/tunings", body={**request, "dry_run": True})
+        return self._post("/tunings", {**request, "dry_run": True})
 
     def get_tuning(self, tuning_id: str) -> Tuning:
         """A tuning as it stands."""
-        return Tuning(self._http, self.get(f"/tunings/{quote(tuning_id, safe='')}"))
+        return Tuning(self._http, self.get(f"/tunings/{_id(tuning_id)}"))
 
     def tunings(self, *, state: str | None = None, label: str | None = None, limit: int = 50) -> list[Tuning]:
         """The newest tunings first, without what stands behind their scenario; as `batches`."""
@@ -269,23 +252,22 @@ class Ridelab:
 
     def controller_report(self, scenario: Scenario) -> dict[str, Any]:
         """Whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
-        return self._http.document("POST", f"{API}/controller/report", body={"scenario": scenario})
+        return self._post("/controller/report", {"scenario": scenario})
 
     def realtime(self, scenario: Scenario) -> dict[str, Any]:
         """One drive by the clock: latency, jitter, missed deadlines; takes as long as the drive."""
-        return self._http.document("POST", f"{API}/controller/realtime", body={"scenario": scenario})
+        return self._post("/controller/realtime", {"scenario": scenario})
 
     def link(self, result: RunResult | Job, view: Mapping[str, Any] | None = None) -> Link:
         """A new link that shares a run or a batch and how it is looked at."""
         body: dict[str, Any] = {"run_id" if isinstance(result, RunResult) else "batch_id": result.id}
-        if view is not None:
-            body["view"] = view
+        body |= {} if view is None else {"view": view}
         answer = self._http.json("POST", f"{API}/links", body=body, repeatable=False)
         return Link(slug=answer["slug"], url=self.address + answer["url"])
 
     def open_link(self, slug: str) -> LinkedResult:
         """What a link pins."""
-        answer = self.get(f"/links/{quote(slug, safe='')}")
+        answer = self.get(f"/links/{_id(slug)}")
         plain = {key: answer[key] for key in LinkedResult.__dataclass_fields__ if key not in ("url", "run", "batch")}
         return LinkedResult(
             **plain,
@@ -299,6 +281,9 @@ class Ridelab:
             return RunResult.of(answer, lambda: self.units)
         except (KeyError, TypeError, AttributeError):
             raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
+
+    def _post(self, path: str, body: Mapping[str, Any]) -> dict[str, Any]:
+        return self._http.document("POST", API + path, body=body)
 
     def _submit(self, path: str, body: Mapping[str, Any], key: str | None) -> Any:
         headers = {"Idempotency-Key": key or uuid.uuid4().hex}
@@ -319,21 +304,17 @@ class Ridelab:
         with self._http.stream(f"{API}{path}", params=params) as response:
             yield from response.iter_bytes()
 
-    @staticmethod
-    def _series_request(
-        run: RunResult | str,
-        strategies: Sequence[str],
-        signals: Sequence[str] | None = None,
-        points: int | None = None,
-    ) -> tuple[str, dict[str, Any]]:
-        listed = None if signals is None else ",".join(signals)
-        return f"/runs/{_id(run)}/series", {"strategy": ",".join(strategies), "signals": listed, "points": points}
-
 
 def _id(run: RunResult | str) -> str:
     return quote(run.id if isinstance(run, RunResult) else run, safe="")
 
 
-def _flattened(asked: Mapping[str, Any]) -> dict[str, Any]:
+def _series(
+    strategies: Sequence[str], signals: Sequence[str] | None = None, points: int | None = None
+) -> dict[str, Any]:
+    return {"strategy": ",".join(strategies), "signals": signals and ",".join(signals), "points": points}
+
+
+def _flattened(readings: Mapping[str, str] | None = None, **asked: Any) -> dict[str, Any]:
     """What is asked of the paper as parameters: each reading is one of its own."""
-    return {**asked.get("readings", {}), **{name: value for name, value in asked.items() if name != "readings"}}
+    return {**(readings or {}), **asked}

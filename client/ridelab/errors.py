@@ -1,6 +1,6 @@
 """What can go wrong between a client and a service."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Self
 
@@ -38,21 +38,11 @@ class ErrorPlace:
         if self.parameter:
             return self.parameter
         steps = [step.replace("~1", "/").replace("~0", "~") for step in self.pointer.split("/")[1:]]
-        return "".join(_joined(_short(steps))).removeprefix(".")
-
-
-def _short(steps: list[str]) -> list[str]:
-    """Without the parts of a request that nobody typed."""
-    if steps[:1] == ["scenario"] and len(steps) > 1:
-        return steps[1:]
-    if steps[:1] == ["sweep"] and len(steps) > 2 and steps[1] in _SWEEPS:
-        return [step for step in steps[2:] if step != "ranges"]
-    return steps
-
-
-def _joined(steps: Sequence[str]) -> Iterator[str]:
-    for step in steps:
-        yield f"[{step}]" if step.isdecimal() else f".{step}"
+        if steps[:1] == ["scenario"] and len(steps) > 1:  # nobody typed these parts of a request
+            steps = steps[1:]
+        elif steps[:1] == ["sweep"] and len(steps) > 2 and steps[1] in _SWEEPS:
+            steps = [step for step in steps[2:] if step != "ranges"]
+        return "".join(f"[{step}]" if step.isdecimal() else f".{step}" for step in steps).removeprefix(".")
 
 
 class RidelabAPIError(RidelabClientError):
@@ -86,9 +76,7 @@ class RidelabAPIError(RidelabClientError):
         """The error that a problem document tells."""
         places = [
             ErrorPlace(
-                message=str(item.get("message", "")),
-                pointer=str(item.get("pointer") or ""),
-                parameter=item.get("parameter"),
+                message=item.get("message", ""), pointer=item.get("pointer") or "", parameter=item.get("parameter")
             )
             for item in problem.get("errors") or []
         ]

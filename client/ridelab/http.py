@@ -1,6 +1,8 @@
-"""Requests that are sent again where that is safe: bounded, and as late as the service asks for."""
+"""Requests that are sent again where that is safe: bounded, and as late as the service asks for.
 
-import email.utils
+All of them raise `RidelabAPIError` where the service refuses, `RidelabConnectionError` where none answers.
+"""
+
 import itertools
 import json
 import re
@@ -41,13 +43,7 @@ def split_login(address: str) -> tuple[httpx.URL, httpx.BasicAuth | None]:
 
 
 class Http:
-    """An httpx client with the rules for repetition.
-
-    Args:
-        client: Who sends.
-        retries: How often one request is repeated at most.
-        sleep: Waits that many seconds.
-    """
+    """An httpx client that repeats a request at most `retries` times; `sleep` waits that many seconds."""
 
     def __init__(
         self, client: httpx.Client, *, retries: int = 5, sleep: Callable[[float], object] = time.sleep
@@ -62,12 +58,7 @@ class Http:
         return without_login(str(self.client.base_url)).rstrip("/")
 
     def json(self, method: str, path: str, **request: Any) -> Any:
-        """The answer's JSON; the arguments are those of `send`.
-
-        Raises:
-            RidelabAPIError: The service refused.
-            RidelabConnectionError: No answer, or not Ridelab's.
-        """
+        """The answer's JSON; the arguments are those of `send`."""
         response = self.send(method, path, **request)
         try:
             return response.json()
@@ -75,12 +66,7 @@ class Http:
             raise self._foreign(response) from None
 
     def document(self, method: str, path: str, **request: Any) -> dict[str, Any]:
-        """The answer's JSON object; the arguments are those of `send`.
-
-        Raises:
-            RidelabAPIError: The service refused.
-            RidelabConnectionError: No answer, or not Ridelab's.
-        """
+        """The answer's JSON object; the arguments are those of `send`."""
         answer: dict[str, Any] = self.json(method, path, **request)
         return answer
 
@@ -107,39 +93,13 @@ class Http:
             repeatable: Asking twice does what asking once does; else a request that may have arrived is not repeated.
             stream: Leave its content to be read piece by piece.
             silence: At most so long between two pieces [s]; None is the client's own limit.
-
-        Raises:
-            RidelabAPIError: The service refused.
-            RidelabConnectionError: No answer, or not Ridelab's.
         """
-        more = dict(headers or {})
-        content = None
-        if body is not None:
-            more["Content-Type"] = "application/json"
-            content = json.dumps(plain(body), allow_nan=False)
+        content = None if body is None else json.dumps(body, allow_nan=False, default=plain)
+        more = {**(headers or {}), **({} if body is None else {"Content-Type": "application/json"})}
         sent = {key: value for key, value in (params or {}).items() if value is not None}
         request = self.client.build_request(method, path, params=sent, headers=more, content=content)
         if silence is not None:
             request.extensions["timeout"] = {**request.extensions["timeout"], "read": silence}
-        return self._repeat(request, repeatable=repeatable, stream=stream)
-
-    @contextmanager
-    def stream(self, path: str, **request: Any) -> Iterator[httpx.Response]:
-        """A GET whose answer is read piece by piece; the arguments are those of `send`.
-
-        Raises:
-            RidelabAPIError: The service refused.
-            RidelabConnectionError: No answer, or it broke off.
-        """
-        response = self.send("GET", path, stream=True, **request)
-        try:
-            yield response
-        except httpx.TransportError as error:
-            raise RidelabConnectionError(f"The answer of {self.address} broke off: {_reason(error)}") from error
-        finally:
-            response.close()
-
-    def _repeat(self, request: httpx.Request, *, repeatable: bool, stream: bool) -> httpx.Response:
         left = LONGEST_WAIT
         for number in itertools.count():
             pause: float | None = FIRST_PAUSE * 2**number
@@ -150,13 +110,16 @@ class Http:
                 # One that is being worked on is not asked for again: that makes it worse.
                 if (arrived and not repeatable) or isinstance(error, httpx.ReadTimeout):
                     pause = None
-                failure: Exception = self._no_answer(error)
+                hint = "Is a service running there? ridelab serve starts one"
+                failure: Exception = RidelabConnectionError(f"No answer from {self.address}: {_reason(error)}. {hint}")
+                failure.__cause__ = error
             else:
                 if response.is_success:
                     return response
                 response.read()
                 response.close()
-                pause = retry_after(response) if response.status_code in FULL else None
+                after = response.headers.get("Retry-After", "").strip() if response.status_code in FULL else ""
+                pause = float(after) if after.isdecimal() else None
                 failure = self._refusal(response)
             if pause is None or number == self._retries or pause > left:
                 raise failure
@@ -164,25 +127,29 @@ class Http:
             self.sleep(pause)
         raise AssertionError  # the count has no end
 
-    def _no_answer(self, error: httpx.TransportError) -> Exception:
-        failure = RidelabConnectionError(
-            f"No answer from {self.address}: {_reason(error)}. Is a service running there? ridelab serve starts one"
-        )
-        failure.__cause__ = error
-        return failure
+    @contextmanager
+    def stream(self, path: str, **request: Any) -> Iterator[httpx.Response]:
+        """A GET whose answer is read piece by piece; the arguments are those of `send`."""
+        response = self.send("GET", path, stream=True, **request)
+        try:
+            yield response
+        except httpx.TransportError as error:
+            raise RidelabConnectionError(f"The answer of {self.address} broke off: {_reason(error)}") from error
+        finally:
+            response.close()
 
     def _refusal(self, response: httpx.Response) -> Exception:
+        status = response.status_code
         try:
             problem = response.json()
         except ValueError:
             problem = None
         if isinstance(problem, dict) and "status" in problem:
-            return RidelabAPIError.of(response.status_code, problem)
-        if response.status_code in (401, 403):  # by a proxy, most often
-            detail = f"{self.address} {_why_unauthorised(response)} (HTTP {response.status_code})"
-            return RidelabAPIError(response.status_code, detail)
-        if response.status_code >= 500:  # a proxy before a service that is away
-            return RidelabConnectionError(f"{self.address} answers {response.status_code} {response.reason_phrase}")
+            return RidelabAPIError.of(status, problem)
+        if status in (401, 403):  # by a proxy, most often
+            return RidelabAPIError(status, f"{self.address} {_why_unauthorised(response)} (HTTP {status})")
+        if status >= 500:  # a proxy before a service that is away
+            return RidelabConnectionError(f"{self.address} answers {status} {response.reason_phrase}")
         return self._foreign(response)
 
     def _foreign(self, response: httpx.Response) -> RidelabConnectionError:
@@ -191,29 +158,13 @@ class Http:
         )
 
 
-def retry_after(response: httpx.Response) -> float | None:
-    """The wait the service asks for [s]: seconds or a date (RFC 9110, 10.2.3); None where it asks for none."""
-    text = response.headers.get("Retry-After", "").strip()
-    if text.isdecimal():
-        return float(text)
-    try:
-        date = email.utils.parsedate_to_datetime(text)
-    except ValueError:
-        return None
-    return max(0.0, date.timestamp() - time.time())
-
-
 def plain(value: Any) -> Any:
-    """The same in JSON's own types: a pydantic model (a `Scenario`) and NumPy values too."""
+    """What JSON has no type for: a pydantic model (a `Scenario`), NumPy values, other mappings and sequences."""
     if hasattr(value, "model_dump"):
         return value.model_dump(mode="json")
     if hasattr(value, "tolist"):
         return value.tolist()
-    if isinstance(value, Mapping):
-        return {str(key): plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple | range):
-        return [plain(item) for item in value]
-    return value
+    return dict(value) if isinstance(value, Mapping) else list(value)
 
 
 def _why_unauthorised(response: httpx.Response) -> str:
@@ -226,6 +177,4 @@ def _why_unauthorised(response: httpx.Response) -> str:
 
 
 def _reason(error: httpx.TransportError) -> str:
-    if isinstance(error, httpx.ReadTimeout):
-        return "the time limit passed"
-    return str(error) or type(error).__name__
+    return "the time limit passed" if isinstance(error, httpx.ReadTimeout) else str(error) or type(error).__name__

@@ -1,17 +1,34 @@
-"""A job on a service, a batch or a tuning: follow it to its end, stop it, go on with it."""
+"""A job on a service, a batch or a tuning: follow it to its end, stop it, go on with it, take its results."""
 
+import io
+import os
 import time
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, ClassVar, Self
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
+from ridelab.files import format_of, save
 from ridelab.http import Http
-from ridelab.streams import Event, server_sent
+from ridelab.streams import Event, json_rows, server_sent
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 FINAL = ("done", "cancelled", "failed")
 SILENCE = 20.0  # a stream that says nothing for so long is asked for anew [s]; the service speaks every 15 s
 PATIENCE = 90.0  # a service may be away so long while a job is waited for: a restart, another replica [s]
 LONGEST_PAUSE = 2.0  # between two polls [s]
+Trial = dict[str, Any]  # number, weights, values, limits, feasible, …, as the service sends it
+
+
+def _told(key: str, doc: str) -> Any:
+    """A property: what the last answer has under that key."""
+    return property(lambda job: job.answer.get(key), doc=doc)
+
+
+def _counted(key: str, doc: str) -> Any:
+    return property(lambda job: job.counts[key], doc=doc)
 
 
 class Job:
@@ -20,35 +37,19 @@ class Job:
     NAME: ClassVar[str]
     PLACE: ClassVar[str]  # its path on the service, without its id
 
+    id: str = _told("id", "Names it for ever.")
+    state: str = _told("state", "`queued`, `running`, `done`, `cancelled` or `failed`.")
+    reason: str | None = _told("reason", "Why it failed as a whole.")
+    label: str | None = _told("label", "What somebody called it.")
+    position: int | None = _told("position", "How many runs of other jobs are computed before its own.")
+    total: int = _counted("total", "Runs of a batch (points times strategies), trials wanted of a tuning.")
+    done: int = _counted("done", "Those that succeeded.")
+    failed: int = _counted("failed", "Those that failed; each says why.")
+
     def __init__(self, http: Http, answer: Mapping[str, Any]) -> None:
         self._http = http
         self.answer = dict(answer)
         self._last_event = ""
-
-    @property
-    def id(self) -> str:
-        """Names it for ever."""
-        return str(self.answer["id"])
-
-    @property
-    def state(self) -> str:
-        """`queued`, `running`, `done`, `cancelled` or `failed`."""
-        return str(self.answer["state"])
-
-    @property
-    def reason(self) -> str | None:
-        """Why it failed as a whole."""
-        return self.answer.get("reason")
-
-    @property
-    def label(self) -> str | None:
-        """What somebody called it."""
-        return self.answer.get("label")
-
-    @property
-    def position(self) -> int | None:
-        """How many runs of other jobs are computed before its own."""
-        return self.answer.get("position")
 
     @property
     def finished(self) -> bool:
@@ -57,23 +58,8 @@ class Job:
 
     @property
     def counts(self) -> Mapping[str, Any]:
-        """How many there are, by `total`, `done` and `failed`."""
+        """How many there are, by `total`, `done` and `failed`; of a tuning `feasible` too."""
         return self.answer
-
-    @property
-    def total(self) -> int:
-        """Runs of a batch (points times strategies), trials wanted of a tuning."""
-        return int(self.counts["total"])
-
-    @property
-    def done(self) -> int:
-        """Those that succeeded."""
-        return int(self.counts["done"])
-
-    @property
-    def failed(self) -> int:
-        """Those that failed; each says why."""
-        return int(self.counts["failed"])
 
     def __repr__(self) -> str:
         name = f"{self.id} {self.label!r}" if self.label else self.id
@@ -81,23 +67,19 @@ class Job:
 
     def refresh(self) -> Self:
         """Ask how it stands."""
-        self.answer = self._http.document("GET", self._path())
-        return self
+        return self._ask("GET")
 
     def cancel(self) -> Self:
         """Stop it; what is finished stays."""
-        self.answer = self._http.document("POST", self._path("/cancel"))
-        return self
+        return self._ask("POST", "/cancel")
 
     def resume(self) -> Self:
         """Go on where it stopped."""
-        self.answer = self._http.document("POST", self._path("/resume"))
-        return self
+        return self._ask("POST", "/resume")
 
     def rename(self, label: str | None) -> Self:
         """Give it a label, by which lists find it."""
-        self.answer = self._http.document("PATCH", self._path(), body={"label": label})
-        return self
+        return self._ask("PATCH", body={"label": label})
 
     def delete(self) -> None:
         """Remove it; the service refuses with 409 while it runs or while a link shows it."""
@@ -123,13 +105,7 @@ class Job:
         return self
 
     def follow(self, progress: Callable[[Self], object] | None = None, *, timeout: float | None = None) -> Self:
-        """As `wait`, but however it ends is well.
-
-        Raises:
-            JobTimeoutError: It has not ended in that time.
-            RidelabAPIError: The service refused.
-            RidelabConnectionError: No answer for 90 s.
-        """
+        """As `wait`, but however it ends is well."""
         report: Callable[[Self], object] = progress or (lambda _: None)
         pause, last_answer = 0.1, time.monotonic()
         end = None if timeout is None else last_answer + timeout
@@ -154,16 +130,15 @@ class Job:
         return self
 
     def events(self, after: str = "") -> Iterator[Event]:
-        """What happened to it since the event of that id, and then as it happens.
-
-        Raises:
-            RidelabAPIError: The service refused.
-            RidelabConnectionError: No answer, or it broke off.
-        """
+        """What happened to it since the event of that id, and then as it happens."""
         yield from (event for event in self._stream(after) if event is not None)
 
     def _path(self, below: str = "") -> str:
         return f"{self.PLACE}/{self.id}{below}"
+
+    def _ask(self, method: str, below: str = "", **request: Any) -> Self:
+        self.answer = self._http.document(method, self._path(below), **request)
+        return self
 
     def _stream(self, after: str) -> Iterator[Event | None]:
         headers = {"Accept": "text/event-stream"} | ({"Last-Event-ID": after} if after else {})
@@ -192,3 +167,90 @@ class Job:
 
     def _take_in(self, data: Mapping[str, Any]) -> None:
         self.answer |= data
+
+
+class Batch(Job):
+    """A batch of runs: its rows, as they come, as a file or a frame, and what they say as a whole."""
+
+    NAME = "batch"
+    PLACE = "/api/v1/batches"
+
+    def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
+        """What its finished rows say as a whole: quantiles, extremes, paired margins, stability (docs/robustness.md).
+
+        Args:
+            figures: Metrics such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.
+            baseline: The strategy the others are compared with; None is LV, else the first.
+        """
+        params = {"figures": ",".join(figures), "baseline": baseline}
+        return self._http.document("GET", self._path("/summary"), params=params)
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too."""
+        with self._http.stream(self._path("/results"), params={"format": "json"}) as response:
+            yield from json_rows(response.iter_text())
+
+    def frame(self) -> "pd.DataFrame":
+        """Its rows as a pandas frame: a column a swept field and a metric, `frame.attrs["units"]` the units.
+
+        Raises:
+            ImportError: pandas is not installed.
+        """
+        try:
+            import pandas as pd
+        except ImportError:
+            raise ImportError("A frame needs pandas: pip install 'ridelab[pandas]'") from None
+        frame = pd.read_csv(io.BytesIO(b"".join(self.content("csv"))))
+        heads = [head.removesuffix("]").partition(" [") for head in map(str, frame.columns)]
+        frame.columns = pd.Index([name for name, _, _ in heads])
+        frame.attrs["units"] = {name: unit or "1" for name, _, unit in heads}
+        return frame
+
+    def content(self, file_format: str) -> Iterator[bytes]:
+        """Its results as the bytes of a `csv`, `parquet` or `json` file, piece by piece."""
+        with self._http.stream(self._path("/results"), params={"format": file_format}) as response:
+            yield from response.iter_bytes()
+
+    def download(self, path: str | os.PathLike[str], file_format: str | None = None) -> Path:
+        """Its results as a file, in the format its name ends with or the one named.
+
+        Raises:
+            ValueError: There is no such format.
+            OSError: The file cannot be written.
+        """
+        return save(self.content(format_of(path, file_format)), path)
+
+
+class Tuning(Job):
+    """A tuning of weights: its points, and going on with it."""
+
+    NAME = "tuning"
+    PLACE = "/api/v1/tunings"
+
+    feasible: int = _counted("feasible", "Trials within every limit.")
+    paper: Trial | None = _told("paper", "The paper's weights; None until the first generation is complete.")
+    best: list[Trial | None] = _told("best", "Of each objective the feasible trial with its smallest value, or None.")
+    knee: Trial | None = _told("knee", "Of several objectives the point of the front nearest to its ideal corner.")
+    front: list[Trial] = _told("front", "Feasible trials that no other one betters.")
+    comparison: dict[str, Any] | None = _told(
+        "comparison", "The paper's weights and the tuned ones over the training roads and fresh ones; None until done."
+    )
+
+    @property
+    def counts(self) -> Mapping[str, Any]:
+        """Trials, by `total`, `done`, `failed` and `feasible`."""
+        trials: Mapping[str, Any] = self.answer["trials"]
+        return trials
+
+    def resume(self, trials: int | None = None) -> Self:
+        """Go on where it stopped, perhaps with more trials in all; 409 where nothing is left to do."""
+        return self._ask("POST", "/resume", params={"trials": trials})
+
+    def trials(self) -> list[Trial]:
+        """Every trial, in order."""
+        trials: list[Trial] = self._http.document("GET", self._path("/trials"))["trials"]
+        return trials
+
+    def _take_in(self, data: Mapping[str, Any]) -> None:
+        counts = {name: data[name] for name in self.counts}
+        self.answer |= {name: data[name] for name in ("state", "step", "generation")} | {"trials": counts}

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, Self, TypedDict
 
-from ridelab.batch import Batch
+from ridelab.jobs import Batch
 
 Figure = float | bool | None
 _AVERAGED = {"metrics", "comfort"}

@@ -1,9 +1,7 @@
 """The client's own rules, against answers made up here: what is repeated, how long, and what is said."""
 
-import email.utils
 import json
 from collections.abc import Callable, Iterator
-from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import httpx
@@ -25,7 +23,7 @@ from ridelab.cli import app
 from ridelab.cli.following import followed
 from ridelab.cli.service import Services
 from ridelab.files import save
-from ridelab.http import LONGEST_WAIT, Http, plain, retry_after
+from ridelab.http import LONGEST_WAIT, Http, plain
 from ridelab.streams import json_rows, server_sent
 from sim_core.scenario import Bump, Road, Scenario
 
@@ -99,15 +97,6 @@ def test_lost_connections(error: type[httpx.TransportError], repeatable: bool, a
     assert service.slept == [0.2, 0.4][: asked - 1]
 
 
-def test_retry_after_is_seconds_or_a_date() -> None:
-    later = email.utils.format_datetime(datetime.now(UTC) + timedelta(seconds=30), usegmt=True)
-    assert retry_after(full("12")) == 12
-    assert retry_after(full(later)) == pytest.approx(30, abs=5)
-    assert retry_after(full("Thu, 01 Jan 1970 00:00:00 GMT")) == 0
-    assert retry_after(full("soon")) is None
-    assert retry_after(full()) is None
-
-
 @pytest.mark.parametrize(
     "answer",
     [
@@ -169,9 +158,10 @@ def test_an_errors_text_is_its_places() -> None:
 
 def test_scenarios_and_numpy_values_are_sent_as_json() -> None:
     scenario = Scenario(road=Road(bump=Bump(height=0.12)))
-    sent = plain({"scenario": scenario, "sweep": {"a": np.linspace(0, 1, 3), "b": (np.int64(3), range(2))}})
+    values = {"scenario": scenario, "sweep": {"a": np.linspace(0, 1, 3), "b": (np.int64(3), range(2))}}
+    sent = json.loads(json.dumps(values, default=plain))
     assert sent["scenario"]["road"]["bump"]["height"] == 0.12
-    assert json.loads(json.dumps(sent["sweep"])) == {"a": [0, 0.5, 1], "b": [3, [0, 1]]}
+    assert sent["sweep"] == {"a": [0, 0.5, 1], "b": [3, [0, 1]]}
 
 
 def test_events_as_the_standard_has_them() -> None:

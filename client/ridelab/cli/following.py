@@ -21,8 +21,7 @@ from ridelab.cli.reporting import (
 )
 from ridelab.cli.service import Services
 from ridelab.errors import RidelabClientError
-from ridelab.jobs import Job
-from ridelab.tuning import Tuning
+from ridelab.jobs import Job, Tuning
 
 AnyJob = TypeVar("AnyJob", bound=Job)
 

@@ -5,12 +5,12 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.batch import Batch
 from ridelab.cli import fields, options
 from ridelab.cli.following import followed, say_end, submitted
 from ridelab.cli.reporting import InputError, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
+from ridelab.jobs import Batch
 
 _FOLLOWED = 2  # fields named beside a figure
 _CHANCE = 0.001  # what chance makes more often than this is not named

@@ -6,13 +6,13 @@ from typing import Annotated
 
 import typer
 
-from ridelab.batch import Batch
 from ridelab.cli import fields, options
 from ridelab.cli.following import file_options, followed, later, may_detach, say_end, show_estimate, submitted
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.errors import RidelabClientError
+from ridelab.jobs import Batch
 from ridelab.results import flat
 
 _PREVIEW = 20  # rows shown where no file is asked for

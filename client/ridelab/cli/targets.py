@@ -9,13 +9,12 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from ridelab.batch import Batch
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
 from ridelab.errors import RidelabAPIError
 from ridelab.http import without_login
-from ridelab.jobs import Job
+from ridelab.jobs import Batch, Job
 from ridelab.results import LinkedResult, RunResult
 
 _ID = re.compile(r"[A-Za-z0-9_-]{22}")

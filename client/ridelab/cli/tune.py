@@ -13,7 +13,7 @@ from ridelab.cli.reporting import DIFFERENT, note, print_json
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
 from ridelab.files import save
-from ridelab.tuning import Tuning
+from ridelab.jobs import Tuning
 
 
 def tune(

@@ -9,7 +9,7 @@ import typer
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.tables import show_table, shown, with_unit
-from ridelab.tuning import Tuning
+from ridelab.jobs import Tuning
 
 _NORMALISED = re.compile(r"(paper|peaks)(?:@(\w+))?(?::(.*))?")
 _SPAN = re.compile(r"(\d+)-(\d+)")
