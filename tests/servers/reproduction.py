@@ -53,7 +53,8 @@ ROADS = range(1, paper.SEEDS + 1)
 
 def requests(roads: range = ROADS) -> list[RowRequest]:
     """What the page needs at first, in one order whatever the roads."""
-    sets = (DEFAULT.choices, {**DEFAULT.choices, "preview": "none"}, FAVOURABLE.choices)
+    named = (DEFAULT.choices, FAVOURABLE.choices)
+    sets = [choices | preview for choices in named for preview in ({}, {"preview": "none"})]
     under = [row for choices in sets for row in in_order(work.requests_under(choices, roads))]
     studies = [row for study in (work.ATTRIBUTION, work.SPEEDS) for row in work.requests_of_study(study, roads)]
     return [*under, *studies]
