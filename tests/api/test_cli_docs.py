@@ -4,11 +4,9 @@
 same for pages whose commands take long.
 """
 
-import argparse
 import io
 import os
 import re
-import shlex
 import subprocess
 import sys
 from collections.abc import Callable
@@ -19,7 +17,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-from ridelab.cli import app
+from tests.api.cli import environment
+from tests.servers.programs import find
 
 ROOT = Path(__file__).parents[2]
 UPDATE = bool(os.environ.get("UPDATE_DOCS"))
@@ -46,7 +45,7 @@ CHANGING: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ..
 
 
 class Page:
-    """A page's commands, run in one folder one after the other: our own in this process, the shell's as programs."""
+    """A page's commands, run in one folder one after the other: Python in this process, all else by a shell."""
 
     def __init__(self, name: str, address: str) -> None:
         self.path = ROOT / "docs" / name
@@ -63,7 +62,7 @@ class Page:
             script = partial(exec, text.replace(ADDRESS, self._address), self._variables)
             return f"```python\n{text}```\n\nIt prints:\n\n```text\n{self._shown(printed(script))}```\n"
         commands = [line for line in text.splitlines() if line.startswith("$ ")]
-        shown = "".join(f"{line}\n{self._shown(run(self._prepared(line[2:])))}" for line in commands)
+        shown = "".join(f"{line}\n{self._shown(shell(self._prepared(line[2:])))}" for line in commands)
         return f"```console\n{shown}```\n"
 
     def _prepared(self, command: str) -> str:
@@ -83,58 +82,22 @@ class Page:
         return "".join(f"{line.rstrip()}\n" for line in [*cut, *(["..."] if len(lines) > LONGEST else [])])
 
 
-def run(command: str) -> bytes:
-    """What a line of the shell prints: commands with pipes between them, the output into a file perhaps."""
-    words = shlex.shlex(command, posix=True, punctuation_chars="|>")
-    words.whitespace_split, words.commenters = True, ""
-    stages: list[list[str]] = [[]]
-    for word in words:
-        if word == "|":
-            stages.append([])
-        else:
-            stages[-1].append(word)
-    content = b""
-    for stage in stages:
-        stage, file = (stage[:-2], stage[-1]) if ">" in stage else (stage, None)
-        content = program(stage, content)
-        if file is not None:
-            content = (Path(file).write_bytes(content), b"")[1]
-    return content
+def shell(command: str) -> bytes:
+    """What a terminal shows of a line of the shell; errors too, so that a page that shows none has none."""
+    find("curl", package="curl")
+    server = os.environ["RIDELAB_SERVER"]
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    variables = environment(PATH=path, PYTHONUNBUFFERED="1", RIDELAB_SERVER=server)
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    return subprocess.run(["sh", "-c", command], env=variables, check=False, **options).stdout
 
 
-def program(words: list[str], content: bytes) -> bytes:
-    """What a program prints that reads this."""
-    if words[0] == "ridelab":
-        return printed(lambda: app.run(words[1:]), content)
-    if words[0] == "curl":
-        return curl(words[1:])
-    if words[0] == "python3":
-        words = [sys.executable, *words[1:]]
-    # Its errors too, so that a page that shows none has none.
-    return subprocess.run(words, input=content, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout
-
-
-def printed(work: Callable[[], object], content: bytes = b"") -> bytes:
-    """What it prints to standard output and standard error, where it may read this."""
-    with io.TextIOWrapper(io.BytesIO(), write_through=True) as sink, io.TextIOWrapper(io.BytesIO(content)) as source:
-        with redirect_stdout(sink), redirect_stderr(sink), pytest.MonkeyPatch.context() as patch:
-            patch.setattr(sys, "stdin", source)
+def printed(work: Callable[[], object]) -> bytes:
+    """What it prints to standard output and standard error."""
+    with io.TextIOWrapper(io.BytesIO(), write_through=True) as sink:
+        with redirect_stdout(sink), redirect_stderr(sink):
             work()
         return sink.buffer.getvalue()
-
-
-def curl(words: list[str]) -> bytes:
-    """The little of curl that the pages use."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("-s", action="store_true", required=True)
-    parser.add_argument("-H", action="append", default=[])
-    parser.add_argument("-d")
-    parser.add_argument("-X")
-    parser.add_argument("url")
-    options = parser.parse_args(words)
-    headers = dict(header.split(": ", 1) for header in options.H)
-    method = options.X or ("GET" if options.d is None else "POST")
-    return httpx.request(method, options.url, headers=headers, content=options.d, timeout=60).content
 
 
 def lasting(text: str) -> str:

@@ -90,30 +90,45 @@ def test_a_private_service_that_does_not_start_says_why(alone: Cli) -> None:
     assert "Traceback" not in alone.error
 
 
+def stopped(client: httpx.Client, how: signal.Signals, seeds: str, folder: Path, *more: str) -> tuple[str, int, str]:
+    """A sweep of 80 long runs that gets this signal in the middle: the batch's id, the exit code and what was said."""
+    file = folder / "long.json"
+    file.write_text(json.dumps(LONG), encoding="utf-8")
+    server = str(client.base_url).rstrip("/")
+    arguments = command("sweep", str(file), "--grid", f"road.seed={seeds}:80", *more, "--server", server)
+    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
+    batch_id = running_batch(client, 80)
+    process.send_signal(how)
+    _, said = process.communicate(timeout=60)
+    return batch_id, process.returncode, said
+
+
 @pytest.mark.usefixtures("no_service_left")
 @pytest.mark.parametrize("written", [True, False])
 def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client, tmp_path: Path, written: bool) -> None:
-    file = tmp_path / "long.json"
-    file.write_text(json.dumps(LONG), encoding="utf-8")
-    server = str(client.base_url).rstrip("/")
     out = tmp_path / "its rows.csv"
     where = ("--out", str(out)) if written else ()
-    arguments = command("sweep", str(file), "--grid", "road.seed=1:80:80", *where, "--server", server)
-    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    batch_id = running_batch(client, 80)
-    process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130
+    batch_id, code, said = stopped(client, signal.SIGINT, "1:80", tmp_path, *where)
     first, *others = said.splitlines()
+    assert code == 130
     assert re.fullmatch(rf"Cancelled; \d+ of 80 are finished and stay stored: batch {batch_id}", first)
     batch = client.get(f"/api/v1/batches/{batch_id}").json()
     assert batch["state"] == "cancelled"
     if not written:
-        assert others == [f"For its rows: ridelab export {batch_id} --wait --out FILE --server {server}"]
+        assert others[0].startswith(f"For its rows: ridelab export {batch_id} --wait --out FILE --server ")
         return
     assert others == [f"{out} has all 80 rows, those that never ran with the status cancelled"]
     rows = [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))]
     assert (rows.count("ok"), rows.count("cancelled")) == (batch["done"], 80 - batch["done"])
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_sigterm_names_the_batch_and_leaves_it_alone(client: httpx.Client, tmp_path: Path) -> None:
+    batch_id, code, said = stopped(client, signal.SIGTERM, "101:180", tmp_path)
+    assert code == 143
+    again = f"ridelab export {batch_id} --wait --out FILE --server "
+    assert said.startswith(f"Ended; the batch {batch_id} goes on. To wait for it: {again}")
+    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 80
 
 
 @pytest.mark.usefixtures("no_service_left")
@@ -173,32 +188,3 @@ def test_a_reader_that_goes_away_is_no_error(client: httpx.Client) -> None:
     run = subprocess.run(arguments, env=environment(), stdout=write, stderr=subprocess.PIPE, check=False)
     os.close(write)
     assert (run.returncode, run.stderr) == (141, b"")
-
-
-def test_serve_is_the_service_itself(elsewhere: Path) -> None:
-    arguments = command("serve", "--port", "0", "--data-dir", "mine")
-    mine = environment(RIDELAB_SERVER="http://127.0.0.1:9")  # the commands' variable, no setting of the service
-    log = elsewhere / "log"
-    with log.open("wb") as out:
-        process = subprocess.Popen(arguments, cwd=elsewhere, env=mine, stdout=out, stderr=out)
-    address = said(process, log, r"Ridelab is at (\S+)\n")[1]
-    assert httpx.get(f"{address}/healthz").status_code == 200
-    assert (elsewhere / "mine" / "ridelab.sqlite").is_file()
-    process.terminate()
-    assert process.wait(60) in (0, -signal.SIGTERM)  # uvicorn passes the signal on once it has ended well
-
-
-@pytest.mark.usefixtures("no_service_left")
-def test_sigterm_names_the_batch_and_leaves_it_alone(client: httpx.Client, tmp_path: Path) -> None:
-    file = tmp_path / "long.json"
-    file.write_text(json.dumps(LONG), encoding="utf-8")
-    server = str(client.base_url).rstrip("/")
-    arguments = command("sweep", str(file), "--grid", "road.seed=101:180:80", "--server", server)
-    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    batch_id = running_batch(client, 80)
-    process.terminate()
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 143
-    again = f"ridelab export {batch_id} --wait --out FILE --server {server}"
-    assert said == f"Ended; the batch {batch_id} goes on. To wait for it: {again}\n"
-    assert client.post(f"/api/v1/batches/{batch_id}/cancel").json()["done"] < 80

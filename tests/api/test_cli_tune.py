@@ -2,19 +2,13 @@
 
 import json
 import re
-import signal
-import subprocess
 from pathlib import Path
-from typing import Any
 
 import httpx
 import pytest
 
 from ridelab import Ridelab
-from ridelab.cli import tuned
-from ridelab.cli.reporting import InputError
-from tests.api.cli import Cli, command, environment
-from tests.servers.process import wait_until
+from tests.api.cli import Cli
 
 SCENARIO = {"road": {"length": 62, "bump": {"start": 45}}, "speed": {"detection_distance": 40}}
 ROADS = ("--seeds", "1-2", "--fresh", "11,12-13")
@@ -104,33 +98,3 @@ def test_a_dry_run_says_how_much_it_would_be(cli: Cli, scenario: Path) -> None:
 def test_what_cannot_be_used_is_named(cli: Cli, arguments: list[str], said: str) -> None:
     assert cli("tune", *arguments, code=2) == ""
     assert cli.error.startswith(said), cli.error
-
-
-def test_seeds_and_objectives_as_they_are_typed() -> None:
-    assert tuned.seeds("1-3, 7,10-10", "--seeds") == [1, 2, 3, 7, 10]
-    assert tuned.seeds(None, "--seeds") is None
-    assert tuned.objective("peaks") == {"kind": "peaks"}
-    assert tuned.objective("paper@bump:1,0,2.5") == {"kind": "paper", "window": "bump", "q": [1, 0, 2.5]}
-    with pytest.raises(InputError):
-        tuned.seeds("1-2000000", "--seeds")
-
-
-def test_ctrl_c_cancels_and_says_how_to_go_on(client: httpx.Client, scenario: Path) -> None:
-    server = str(client.base_url).rstrip("/")
-    arguments = command("tune", str(scenario), "--strategy", "lqr", "--trials", "4000", "--server", server)
-    process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-
-    def newest() -> dict[str, Any]:
-        found: list[dict[str, Any]] = client.get("/api/v1/tunings?limit=1").json()["tunings"]
-        return found[0] if found and found[0]["trials"]["total"] == 4000 else {"trials": {"done": 0}}
-
-    wait_until(lambda: newest()["trials"]["done"], "it begins")
-    process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130
-    first, second = said.splitlines()
-    tuning = client.get(f"/api/v1/tunings/{newest()['id']}").json()
-    assert tuning["state"] == "cancelled"
-    done = tuning["trials"]["done"]
-    assert first == f"Cancelled; {done} of 4000 are finished and stay stored: tuning {tuning['id']}"
-    assert second == f"To go on: ridelab tune --resume {tuning['id']} --server {server}"

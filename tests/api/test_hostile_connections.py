@@ -125,14 +125,6 @@ def test_a_silent_connection_is_closed_in_time(hasty: Address) -> None:
     assert exchange(hasty, b"") == b""
 
 
-def test_the_rest_of_a_body_nobody_reads_is_not_waited_for(hasty: Address) -> None:
-    """A GET has no use for a body: it is answered at once, and the connection is closed soon."""
-    with connect(hasty) as connection:
-        connection.sendall(b"GET /healthz HTTP/1.1\r\nHost: x\r\nContent-Length: 1000000\r\n\r\n")
-        answer = rest(connection)
-    assert head(answer)[0] == 200
-
-
 def test_a_client_that_takes_nothing_of_its_answer_is_cut_off(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 0.5)
     request = b"GET /api/v1/schema HTTP/1.1\r\nHost: x\r\n\r\n"
@@ -164,15 +156,11 @@ BODY = b'{"strategies": ["passive"]}'
     "request_bytes",
     [
         b"\r\n\r\n\x00\x01\x02\r\n\r\n",
-        b"GET /healthz\r\n\r\n",
         b"GET /healthz HTTP/1.1\r\n\r\n",
         b"GET /healthz HTTP/1.1\r\nHost: x\r\nHost: y\r\n\r\n",
-        b"GET /healthz HTTP/1.1\r\nHost : x\r\n\r\n",
         b"GET /he\xffalthz HTTP/1.1\r\nHost: x\r\n\r\n",
         b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03",
-        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: -1\r\n\r\n",
         b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\n123456",
-        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 0x5\r\n\r\n12345",
     ],
     ids=lambda value: str(value[:60]),
 )
@@ -183,7 +171,7 @@ def test_what_is_not_http_is_a_problem_with_every_header(address: Address, reque
     assert answer.count(b"HTTP/1.1 ") == 1
 
 
-@pytest.mark.parametrize("size", [9_000, 17_000, 1_000_000])
+@pytest.mark.parametrize("size", [9_000, 1_000_000])
 def test_a_head_that_is_too_long_is_refused(address: Address, size: int) -> None:
     """Or cut off before all of it was sent, when the answer may get lost."""
     filler = b"b" * size
@@ -205,10 +193,7 @@ def test_a_head_that_is_too_long_is_refused(address: Address, size: int) -> None
     [
         b"Content-Length: 6\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\nG",
         b"Transfer-Encoding: chunked\r\nContent-Length: 4\r\n\r\n5c\r\nGPOST / HTTP/1.1\r\n\r\n0\r\n\r\n",
-        b"Transfer-Encoding: chunked\r\nTransfer-Encoding: identity\r\n\r\n0\r\n\r\n",
         b"Transfer-Encoding: xchunked\r\n\r\n0\r\n\r\n",
-        b"Transfer-Encoding: chunked, identity\r\n\r\n0\r\n\r\n",
-        b"Transfer-Encoding : chunked\r\n\r\n0\r\n\r\n",
         b"Transfer-Encoding: chunked\r\n\r\nzz\r\n\r\n",
     ],
     ids=lambda value: str(value[:60]),
@@ -221,25 +206,6 @@ def test_a_body_whose_length_two_servers_could_read_differently_is_refused(addre
     assert headers["content-type"] == "application/problem+json"
     assert headers["content-security-policy"] == HEADERS["Content-Security-Policy"]
     assert answer.count(b"HTTP/1.1 ") == 1, "what followed was taken for another request"
-
-
-def test_a_body_longer_than_announced_does_not_run_into_it(address: Address) -> None:
-    sent = (
-        b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Content-Length: 27\r\n\r\n" + BODY + b"garbage\r\n\r\n"
-    )
-    answer = exchange(address, sent)
-    assert head(answer)[0] == 200
-    assert answer.count(b"HTTP/1.1 ") == 2
-    assert b"HTTP/1.1 400" in answer
-
-
-def test_a_body_shorter_than_announced_computes_nothing(address: Address, service: Any) -> None:
-    sent = b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + JSON + b"Content-Length: 99\r\n\r\n" + BODY
-    with connect(address) as connection:
-        connection.sendall(sent)
-        connection.shutdown(socket.SHUT_WR)
-        assert rest(connection) == b"", "whoever hung up is not answered"
-    assert service.client.get("/healthz").status_code == 200
 
 
 def test_no_answer_depends_on_the_host_or_repeats_it(address: Address) -> None:

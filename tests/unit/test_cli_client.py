@@ -7,7 +7,6 @@ from pathlib import Path
 import httpx
 import numpy as np
 import pytest
-import typer
 
 from ridelab import (
     Batch,
@@ -20,7 +19,6 @@ from ridelab import (
     RidelabConnectionError,
 )
 from ridelab.cli import app
-from ridelab.cli.following import followed
 from ridelab.cli.service import Services
 from ridelab.files import save
 from ridelab.http import LONGEST_WAIT, Http, plain
@@ -98,37 +96,13 @@ def test_lost_connections(error: type[httpx.TransportError], repeatable: bool, a
 
 
 @pytest.mark.parametrize(
-    "answer",
-    [
-        httpx.Response(200, text="<html>"),
-        httpx.Response(404, text="<html>"),
-        httpx.Response(502, text="Bad gateway"),
-        httpx.Response(404, json=["no problem"]),
-    ],
-)
-def test_what_is_not_ridelab_is_said(answer: httpx.Response) -> None:
-    with pytest.raises(RidelabConnectionError, match=r"ridelab\.test"):
-        Service(answer).http().json("GET", "/x")
-
-
-@pytest.mark.parametrize("address", ["", "127.0.0.1:8000", "ftp://host", "http://"])
-def test_an_address_is_http(address: str) -> None:
-    with pytest.raises(ValueError, match="http://"):
-        Ridelab(address)
-
-
-@pytest.mark.parametrize(
     ("pointer", "field"),
     [
         ("/scenario/road/bump/height", "road.bump.height"),
         ("/scenario/mpc/stage_weights/cruise/0", "mpc.stage_weights.cruise[0]"),
-        ("/scenario", "scenario"),
-        ("/strategies/1", "strategies[1]"),
         ("/sweep/grid/road.bump.height/3", "road.bump.height[3]"),
         ("/sweep/latin_hypercube/ranges/road.seed", "road.seed"),
-        ("/sweep/latin_hypercube/samples", "samples"),
         ("/sweep/list/2/road.seed", "[2].road.seed"),
-        ("/sweep/grid", "sweep.grid"),
         ("/a~1b~0c", "a/b~c"),
         ("", ""),
     ],
@@ -277,12 +251,6 @@ def test_without_events_it_polls_and_outlives_a_restart() -> None:
     assert follow(handler) == [("running", 1), ("running", 4), ("done", 4)]
 
 
-def test_a_batch_that_is_gone_ends_the_wait() -> None:
-    gone = {**FULL, "status": 404}
-    with patient(lambda _: httpx.Response(404, json=gone)) as ridelab, pytest.raises(RidelabAPIError):
-        Batch(ridelab._http, batch_answer("queued")).wait()
-
-
 def test_a_wait_ends_in_time_and_only_well_where_the_job_is_done() -> None:
     states = iter(["running", "running", "cancelled", "failed", "done"])
 
@@ -302,34 +270,6 @@ def test_a_wait_ends_in_time_and_only_well_where_the_job_is_done() -> None:
             with pytest.raises(JobEndedError, match=f"The batch {'b' * 22} {told}"):
                 batch().wait(timeout=19)
         assert batch().wait(timeout=19).state == "done"
-
-
-@pytest.mark.parametrize(
-    ("services", "options", "told"),
-    [
-        (Services(None, Path("d")), ("--out", "x y.csv"), "--out 'x y.csv' --data-dir d"),
-        (Services("http://ridelab.test", None), (), "--out FILE --server http://ridelab.test"),
-    ],
-)
-@pytest.mark.parametrize("obstacle", [httpx.ConnectError("gone"), KeyboardInterrupt()])
-def test_rows_that_ctrl_c_cannot_save_are_had_with_the_command_that_is_told(
-    services: Services,
-    options: tuple[str, ...],
-    told: str,
-    obstacle: BaseException,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    def handler(request: httpx.Request) -> httpx.Response:
-        raise KeyboardInterrupt if request.url.path.endswith("/events") else obstacle
-
-    with patient(handler) as ridelab:
-        batch = Batch(ridelab._http, batch_answer("queued"))
-        with pytest.raises(typer.Exit) as caught:
-            followed(batch, services, *options)
-    assert caught.value.exit_code == 130
-    why, last = capsys.readouterr().err.splitlines()
-    assert why.startswith(("No answer from http://ridelab.test", "Interrupted again"))
-    assert last == f"For what is finished: ridelab export {'b' * 22} --wait {told}"
 
 
 def test_jobs_are_listed_over_pages_labelled_resumed_and_removed(

@@ -14,10 +14,8 @@ from ridelab import RunResult, __version__
 from ridelab.cli import app, fields
 from ridelab.cli.compare import Tolerance, differences, inputs
 from ridelab.cli.names import Field, Names
-from ridelab.cli.options import listed
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.cli.targets import find
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
@@ -81,12 +79,6 @@ def test_changes_that_cannot_be_made_name_the_field(change: str, said: str, serv
     with pytest.raises(InputError) as caught:
         fields.changed({}, [change], services)
     assert caught.value.lines[0].startswith(said)
-
-
-def test_a_change_below_something_that_is_no_part(services: Services) -> None:
-    with pytest.raises(InputError, match=r"road\.seed"):
-        fields.changed({"road": 5}, ["road.seed=120"], services)
-    assert fields.changed({}, ["rod.seed=1"], services)["rod"] == {"seed": "1"}, "for the service to refuse"
 
 
 def test_sweeps(services: Services, tmp_path: Path) -> None:
@@ -178,15 +170,6 @@ def test_differences_come_largest_first_and_within_the_tolerance_not_at_all(answ
     ]
 
 
-def test_a_strategy_that_failed_or_is_missing_is_a_difference(answer: dict[str, Any]) -> None:
-    failed, missing = copy(answer), copy(answer)
-    failed["strategies"]["lv"] = {"status": "failed", "compute_ms": 1.0, "reason": "No."}
-    del missing["strategies"]["lv"]
-    for other, status in ((failed, "failed"), (missing, "not run")):
-        found = differences(RunResult.of(answer), RunResult.of(other), ["lv"], tolerance(9, 9e9), ["travel_time"])
-        assert ("status", "ok", status, True) in [(item.figure, item.a, item.b, item.worse) for item in found]
-
-
 def test_inputs_that_differ(services: Services) -> None:
     a = Scenario().model_dump(mode="json")
     b = fields.changed(a, ["road.bump.height=0.12", "mpc.stage_weights.cruise=1,1,1"], services)
@@ -242,10 +225,8 @@ def test_comparing_files_needs_no_service(
     ("content", "said"),
     [
         ("{", "not valid JSON"),
-        ("[1]", "has to be a JSON object"),
         ('{"road": {"seed": 1, "seed": 2}}', "the same key twice, one of seed"),
         ('{"road": {"length": NaN}}', "NaN is no number"),
-        ('{"strategies": {"lv": 1}, "scenario": {}}', "not a whole run"),
         ('{"id": "", "core_version": "", "scenario": [], "strategies": {}}', "not a whole run"),
         (b"\xff", "not valid UTF-8"),
     ],
@@ -304,17 +285,6 @@ def test_every_command_tells_what_it_does(capsys: pytest.CaptureFixture[str]) ->
     assert app.run(["--version"]) == 0
     assert capsys.readouterr().out == f"Ridelab {__version__}\n"
     assert __version__ == sim_core.__version__
-
-
-def test_names_values_and_tables_as_text(capsys: pytest.CaptureFixture[str]) -> None:
-    assert listed(["lv, lqr", "passive", "lv", ""]) == ["lv", "lqr", "passive"]
-    assert [shown(value) for value in (True, False, None, 0.123456789, [8.0, 1, 1], "none", 3)] == [
-        "yes", "no", "-", "0.123457", "8,1,1", "none", "3",
-    ]  # fmt: skip
-    assert [with_unit("a", unit) for unit in ("m", "1", "")] == ["a [m]", "a", "a"]
-    show_table(["name", "x [m]"], [["a", "10"], ["b", "9" * 200]])
-    lines = capsys.readouterr().out.splitlines()
-    assert [line.split() for line in lines] == [["name", "x", "[m]"], ["a", "10"], ["b", "9" * 200]]
 
 
 def test_the_client_loads_quickly() -> None:

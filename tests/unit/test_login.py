@@ -13,7 +13,6 @@ from ridelab.cli import app
 from ridelab.cli.following import later
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
-from ridelab.http import without_login
 
 SECRET = "s3cret"  # noqa: S105  # nobody's
 ADDRESS = f"https://ann:{SECRET}%40home@ridelab.test:8443/lab/"
@@ -84,7 +83,6 @@ def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pyt
         ["run", f"{ADDRESS}x"],
         ["run", f"http://ann:{SECRET}@[::1/r/x"],
         ["run", "--server", f"ftp://ann:{SECRET}@host"],
-        ["open", f"x{ADDRESS}"],
     ):
         assert app.run(words) == 2
         told += capsys.readouterr().err
@@ -105,12 +103,6 @@ def test_an_address_as_it_was_printed_is_asked_with_the_servers_login(monkeypatc
             with pytest.raises(RidelabClientError):
                 find(f"{address}/r/abc", services)
     assert asked == [SHOWN, "without a login"]
-
-
-def test_only_the_login_is_left_out() -> None:
-    for text in (SHOWN, "http://h/a@b", "http://h?x=a@b", "me@home", "not a preset"):
-        assert without_login(text) == text
-    assert without_login("no answer from http://a:b@c@h/x and http://d@h") == "no answer from http://h/x and http://h"
 
 
 def test_a_token_goes_to_the_server_that_is_named_and_to_no_other(
