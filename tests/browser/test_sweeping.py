@@ -192,6 +192,44 @@ def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, server: Server
     assert page.url == link
 
 
+def test_sweeps_are_listed_named_and_deleted(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    other, shown = (server.submit({"grid": {"road.bump.height": [height]}}, ["passive"]) for height in (0.03, 0.04))
+    page.goto(shown)
+    expect_done(page)
+    sweeps = page.get_by_role("region", name="Sweeps")
+    entry = sweeps.locator("li").filter(has=page.locator(f"a[href='{shown}']"))
+    expect(entry).to_have_attribute("aria-current", "true")
+    expect(entry).to_contain_text("done")
+    entry.get_by_role("button", name="Rename or delete Height").click()
+    page.get_by_role("menuitem", name="Rename").click()
+    entry.get_by_role("textbox", name="Name").fill("Low bump")
+    entry.get_by_role("button", name="Save").click()
+    expect(page.get_by_role("heading", name="Low bump")).to_be_visible()
+    assert server.get(f"/batches/{shown.split('/')[-1]}")["label"] == "Low bump"
+    dashboard.expect_accessible(sweeps)
+
+    neighbour = sweeps.locator("li").filter(has=page.locator(f"a[href='{other}']"))
+    neighbour.get_by_role("button", name="Rename or delete").click()
+    page.get_by_role("menuitem", name="Delete").click()
+    neighbour.get_by_role("button", name="Delete", exact=True).click()
+    expect(neighbour).to_have_count(0)
+    dashboard.expect_no_wider(400)
+    page.goto(other)
+    expect(page.get_by_role("heading", name="There is no sweep at this address")).to_be_visible()
+
+
+def test_a_cancelled_sweep_is_resumed(dashboard: Dashboard, server: Server) -> None:
+    page = dashboard.page
+    path = server.submit({"grid": {"road.seed": list(range(1, 401))}}, ["passive"])
+    page.goto(path)
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_test_id("batch-state")).to_have_text("Cancelled: what had finished stays")
+    page.get_by_role("button", name="Resume").click()
+    expect_done(page)
+    expect(page.get_by_test_id("batch-counts")).to_have_text("400 of 400 runs finished")
+
+
 @pytest.mark.parametrize("path", ["/b/AAAAAAAAAAAAAAAAAAAAAA", "/b/x"])
 def test_an_unknown_sweep_says_so(dashboard: Dashboard, path: str) -> None:
     dashboard.page.goto(path)

@@ -81,6 +81,7 @@ export type SharedView = Deep<Omit<Schemas["LinkView"], "strategies" | "hidden" 
 export type NewLink = Deep<Schemas["CreatedLink"]>;
 
 export type Batch = Deep<Omit<Schemas["Batch"], "scenario">> & { readonly scenario: Scenario };
+export type BatchItem = Deep<Omit<Schemas["BatchItem"], "scenario">> & { readonly scenario: Scenario };
 export type BatchTable = Deep<Schemas["BatchTable"]>;
 export type BatchSummary = Deep<Schemas["BatchSummary"]>;
 export type RobustnessDefaults = Deep<Schemas["RobustnessDefaults"]>;

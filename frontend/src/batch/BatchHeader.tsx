@@ -3,6 +3,7 @@
 import { Button, Menu } from "@mantine/core";
 import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../icons";
 import { api } from "../api/client";
+import { batches } from "../api/jobs";
 import type { Batch } from "../api/types";
 import { download } from "../export/image";
 import { ShareLink } from "../share/ShareLink";
@@ -51,7 +52,7 @@ export function BatchHeader({ batch, view }: Props) {
             <Menu.Item
               key={format}
               leftSection={<Icon size={16} />}
-              onClick={() => batch && download(api.batchResultsAddress(batch.id, format), `ridelab-batch-${batch.id}.${format}`)}
+              onClick={() => batch && download(batches.resultsAddress(batch.id, format), `ridelab-batch-${batch.id}.${format}`)}
             >
               {label}
             </Menu.Item>

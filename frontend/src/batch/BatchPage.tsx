@@ -5,7 +5,8 @@ import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
-import type { Batch, Link } from "../api/types";
+import type { Link } from "../api/types";
+import { BATCH, useJob } from "../jobs/useJob";
 import { markersOf } from "../plots/markers";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
 import shell from "../shell/shell.module.css";
@@ -17,7 +18,7 @@ import { BatchState } from "./BatchState";
 import classes from "./batch.module.css";
 import { figuresOf } from "./figures";
 import { SharedBatchBanner } from "./SharedBatchBanner";
-import { useBatch } from "./useBatch";
+import { SweepList, titleOf } from "./SweepList";
 import { useBatchView } from "./view";
 
 interface Props {
@@ -26,17 +27,15 @@ interface Props {
   readonly link?: Link;
 }
 
-const titleOf = ({ fields }: Batch) => `Sweep of ${fields.map(({ title }) => title).join(" × ")}`;
-
 export function BatchPage({ id, link }: Props) {
   const queries = useQueryClient();
-  const { batch, error, connected, left } = useBatch(id);
+  const { job: batch, error, connected, left } = useJob(BATCH, id);
   const strategies = useQuery(strategiesQuery);
   const catalogue = useQuery(catalogueQuery);
   const templates = useQuery(figuresQuery);
   const form = useQuery(schemaQuery);
   const [view, setView] = useBatchView(link?.view);
-  const title = batch ? titleOf(batch) : "Sweep";
+  const title = batch ? (batch.label ?? `Sweep of ${titleOf(batch.fields)}`) : "Sweep";
   useDocumentTitle(`${title} · Ridelab`);
 
   const figures = useMemo(() => (catalogue.data && templates.data ? figuresOf(catalogue.data, templates.data) : null), [catalogue.data, templates.data]);
@@ -58,6 +57,7 @@ export function BatchPage({ id, link }: Props) {
             </Text>
             <BatchState {...{ batch, connected, left }} form={form.data} readOnly={link !== undefined} />
             <BatchResults {...{ batch, figures, markers, view }} catalogue={catalogue.data} strategies={swept} onView={setView} />
+            {!link && <SweepList strategies={strategies.data} current={id} />}
           </>
         ) : (
           <BatchLoading />

@@ -4,7 +4,7 @@ import { Text, useComputedColorScheme } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { IconAlertTriangle } from "../icons";
 import { useCallback, useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
-import { isFinal } from "../api/follow";
+import { isFinal } from "../jobs/follow";
 import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import { PALETTES } from "../plots/palettes";

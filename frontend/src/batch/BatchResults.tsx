@@ -13,7 +13,7 @@ import classes from "./batch.module.css";
 import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
 import { lowest, rowsOf, scenarioOf, type Columns } from "./table";
 import { DOUBT_COLUMNS } from "./told";
-import { tableQuery } from "./useBatch";
+import { tableQuery } from "./queries";
 import type { BatchView } from "./view";
 
 interface Props {

@@ -1,16 +1,16 @@
-/** How far a sweep is, what it sweeps over, and the way to stop it. */
+/** How far a sweep is, and what it sweeps over. */
 
-import { Button, Progress, Text } from "@mantine/core";
-import { useMutation, useQueryClient } from "@tanstack/react-query";
-import { api } from "../api/client";
-import { isFinal } from "../api/follow";
+import { Button, Text } from "@mantine/core";
+import { batches } from "../api/jobs";
 import type { Batch } from "../api/types";
 import { otherThanPaper } from "../carried/otherThanPaper";
 import type { Group } from "../editor/schema";
+import { isFinal } from "../jobs/follow";
+import { JobState } from "../jobs/JobState";
+import jobs from "../jobs/jobs.module.css";
+import { BATCH, useJobCall } from "../jobs/useJob";
 import { formatDuration, formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
-import classes from "./batch.module.css";
-import { batchQuery } from "./useBatch";
 
 interface Props {
   readonly batch: Batch;
@@ -20,69 +20,38 @@ interface Props {
   readonly readOnly: boolean;
 }
 
-const STATE: Readonly<Record<Batch["state"], string>> = {
-  queued: "Waiting for its turn",
-  running: "Running",
-  done: "Done",
-  cancelled: "Cancelled: what had finished stays",
-  failed: "Failed",
-};
-
 export function BatchState({ batch, form, connected, left, readOnly }: Props) {
-  const queries = useQueryClient();
-  const cancel = useMutation({
-    mutationFn: () => api.cancelBatch(batch.id),
-    networkMode: "always",
-    onSuccess: (now) => queries.setQueryData(batchQuery(batch.id).queryKey, now),
-  });
-  const finished = batch.done + batch.failed;
-  const percent = batch.total === 0 ? 0 : (100 * finished) / batch.total;
+  const resume = useJobCall(BATCH, batch.id, () => batches.resume(batch.id));
   const ended = isFinal(batch);
+  const counts = (
+    <>
+      <Counts batch={batch} ended={ended} />
+      {left !== null && !ended && ` · about ${formatDuration(left)} left`}
+    </>
+  );
+  const goOn = batch.state === "cancelled" && (
+    <Button size="xs" variant="default" loading={resume.isPending} onClick={() => resume.mutate(undefined)}>
+      Resume
+    </Button>
+  );
   return (
-    <section className={classes.state} aria-label="Progress" data-state={batch.state}>
-      <div className={classes.stateLine}>
-        <Text size="sm" fw={650} role="status" data-testid="batch-state">
-          {STATE[batch.state]}
-          {batch.reason !== null && `: ${batch.reason}`}
-        </Text>
-        <Text size="sm" className={classes.counts} data-testid="batch-counts">
-          <Counts batch={batch} ended={ended} />
-          {left !== null && !ended && ` · about ${formatDuration(left)} left`}
-        </Text>
-        {!ended && !readOnly && (
-          <Button size="xs" variant="default" loading={cancel.isPending} onClick={() => cancel.mutate()}>
-            Cancel
-          </Button>
-        )}
-      </div>
-      <Progress.Root size={8} transitionDuration={200}>
-        <Progress.Section
-          value={percent}
-          color={batch.state === "failed" ? "red" : batch.state === "cancelled" ? "var(--faint)" : "var(--accent)"}
-          aria-label="Finished runs"
-        />
-      </Progress.Root>
-      {!connected && !ended && (
-        <Text size="xs" c="dimmed" role="status">
-          The connection is interrupted; the numbers go on by themselves when it is back.
-        </Text>
-      )}
-      {cancel.isError && (
-        <Text size="xs" className={classes.failed} role="alert">
-          It could not be cancelled: {cancel.error.message}
+    <JobState kind={BATCH} job={batch} {...{ counts, connected, readOnly }} resume={goOn}>
+      {resume.isError && (
+        <Text size="xs" className={jobs.failed} role="alert">
+          It could not be resumed: {resume.error.message}
         </Text>
       )}
       <Text size="xs" c="dimmed">
         {facts(batch)}. {otherThanPaper(batch.scenario, form, batch.fields.map(({ name }) => name))}
       </Text>
-    </section>
+    </JobState>
   );
 }
 
 /** `1 ok, 2 failed of 3 runs`; `12 of 60 runs finished` where nothing has failed. */
 function Counts({ batch, ended }: { readonly batch: Batch; readonly ended: boolean }) {
   const finished = batch.done + batch.failed;
-  const failed = <span className={classes.failed}>{formatWhole(batch.failed)} failed</span>;
+  const failed = <span className={jobs.failed}>{formatWhole(batch.failed)} failed</span>;
   if (batch.failed === 0) return `${formatWhole(finished)} of ${count(batch.total, "run")} finished`;
   const whole = finished === batch.total ? ` of ${count(batch.total, "run")}` : "";
   return (

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { markersOf } from "../plots/markers";
 import { nearest, place } from "./dots";
 import { linesOf } from "./lines";
-import { secondsLeft, withMark, type Mark } from "./pace";
+import { secondsLeft, withMark, type Mark } from "../jobs/pace";
 import { MANY, scatterFigure } from "./scatter";
 import { formatBatchView, readBatchView } from "./view";
 import { lowest, ordered, pointsOf, rowsOf, scenarioOf, type Columns } from "./table";

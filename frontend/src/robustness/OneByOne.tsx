@@ -3,12 +3,13 @@
 import { NativeSelect, Text } from "@mantine/core";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useState, type CSSProperties } from "react";
-import { isFinal } from "../api/follow";
+import { isFinal } from "../jobs/follow";
 import type { Batch, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { fullName, OPENING_FIGURE } from "../batch/figures";
 import { showCell } from "../batch/show";
-import { tableQuery, useBatch } from "../batch/useBatch";
+import { tableQuery } from "../batch/queries";
+import { BATCH, useJob } from "../jobs/useJob";
 import { formatPercent } from "../tables/change";
 import { formatResult, prettyUnit } from "../units/format";
 import { nameOf } from "./names";
@@ -27,7 +28,7 @@ interface Props {
 }
 
 export function OneByOne({ id, ...rest }: Props) {
-  const { batch, error } = useBatch(id);
+  const { job: batch, error } = useJob(BATCH, id);
   if (error) return <Said text={`Each field alone could not be read: ${error.message}`} />;
   if (!batch) return null;
   if (!isOneByOne(batch)) return <Said text="What this address names as the study of each field alone is another kind of sweep." />;

@@ -9,8 +9,8 @@ import { isNotFound, isTransient } from "../api/problem";
 import { BatchFault, BatchLoading } from "../batch/BatchBlank";
 import { BatchState } from "../batch/BatchState";
 import { figuresOf } from "../batch/figures";
-import { useBatch } from "../batch/useBatch";
 import { otherThanPaper } from "../carried/otherThanPaper";
+import { BATCH, useJob } from "../jobs/useJob";
 import { Blank } from "../shell/Blank";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
@@ -25,7 +25,7 @@ const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", se
 
 export function StudyPage({ id }: { readonly id: string }) {
   const queries = useQueryClient();
-  const { batch, error, connected, left } = useBatch(id);
+  const { job: batch, error, connected, left } = useJob(BATCH, id);
   const strategies = useQuery(strategiesQuery);
   const catalogue = useQuery(catalogueQuery);
   const templates = useQuery(figuresQuery);

@@ -3,7 +3,7 @@
 import { Skeleton, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
-import { isFinal } from "../api/follow";
+import { isFinal } from "../jobs/follow";
 import type { Batch, Catalogue, Strategy, StrategyId } from "../api/types";
 import { paperFigures, type Figure } from "../batch/figures";
 import { formatWhole } from "../units/format";

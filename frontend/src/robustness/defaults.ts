@@ -1,4 +1,4 @@
 import { queryOptions } from "@tanstack/react-query";
-import { api } from "../api/client";
+import { batches } from "../api/jobs";
 
-export const defaultsQuery = queryOptions({ queryKey: ["robustness"], queryFn: ({ signal }) => api.robustness(signal), staleTime: Infinity, gcTime: Infinity });
+export const defaultsQuery = queryOptions({ queryKey: ["robustness"], queryFn: ({ signal }) => batches.robustness(signal), staleTime: Infinity, gcTime: Infinity });

@@ -1,8 +1,8 @@
 /** What a study's summary holds, as the page reads it. */
 
 import { keepPreviousData, queryOptions } from "@tanstack/react-query";
-import { api } from "../api/client";
-import { isFinal } from "../api/follow";
+import { batches } from "../api/jobs";
+import { isFinal } from "../jobs/follow";
 import type { Batch, BatchSummary, StrategyId } from "../api/types";
 
 export type StrategySummary = BatchSummary["strategies"][string];
@@ -20,7 +20,7 @@ export const summaryQuery = (batch: Batch, figures: readonly string[], baseline:
   queryOptions({
     // A summary of the final state is another one than those before it.
     queryKey: ["batch summary", batch.id, isFinal(batch), figures, baseline],
-    queryFn: ({ signal }) => api.batchSummary(batch.id, figures, baseline, signal),
+    queryFn: ({ signal }) => batches.summary(batch.id, figures, baseline, signal),
     enabled: batch.done > 0 || isFinal(batch),
     staleTime: Infinity,
     gcTime: 5 * 60_000,

@@ -1,7 +1,7 @@
 /** A study written in the form, as batches to order: the cube, and each quantity alone where that is asked for. */
 
 import { useMemo } from "react";
-import { api } from "../api/client";
+import { batches } from "../api/jobs";
 import type { Scenario } from "../api/types";
 import { useOrder } from "../order/useOrder";
 import { sweepPlaces } from "../sweep/problems";
@@ -17,9 +17,9 @@ export function useStudy(draft: StudyDraft, scenario: Scenario | undefined) {
     wish: reading.ok && scenario ? { scenario, strategies: draft.strategies, sweep: reading.sweeps.cube } : null,
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.ranges.map(({ field }) => field.name)),
-    estimate: api.estimate,
+    estimate: batches.estimate,
     begin: async (wish, keyOf) => {
-      const submit = (sent: typeof wish) => api.createBatch(sent, keyOf(sent));
+      const submit = (sent: typeof wish) => batches.create(sent, keyOf(sent));
       const oneByOne = reading.ok ? reading.sweeps.oneByOne : null;
       const alone = oneByOne && (await submit({ ...wish, sweep: oneByOne }));
       return studyAddress((await submit(wish)).id, alone?.id ?? null);

@@ -5,6 +5,7 @@ import { useMediaQuery } from "@mantine/hooks";
 import { useMemo, useState } from "react";
 import type { Scenario, Strategy } from "../api/types";
 import type { Group as Form } from "../editor/schema";
+import { SweepList } from "../batch/SweepList";
 import { draftField, type FieldDraft, type Method, type SweepDraft } from "./draft";
 import { EstimateLine } from "./EstimateLine";
 import { FieldPicker } from "./FieldPicker";
@@ -95,6 +96,10 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
           {message}
         </Alert>
       ))}
+      <details className={classes.earlier}>
+        <summary>Earlier sweeps</summary>
+        <SweepList strategies={strategies} />
+      </details>
       <div className={classes.footer}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
         <Group gap="xs" wrap="nowrap">

@@ -1,8 +1,9 @@
 /** A sweep written in the dialog, as a batch to order. */
 
 import { useMemo } from "react";
-import { api } from "../api/client";
+import { batches } from "../api/jobs";
 import type { Scenario } from "../api/types";
+import { BATCH } from "../jobs/useJob";
 import { useOrder } from "../order/useOrder";
 import { readDraft, type SweepDraft } from "./draft";
 import { sweepPlaces } from "./problems";
@@ -14,7 +15,7 @@ export function useSweep(draft: SweepDraft, scenario: Scenario) {
     wish: reading.ok ? { scenario, strategies: draft.strategies, sweep: reading.sweep } : null,
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.fields.map(({ field }) => field.name)),
-    estimate: api.estimate,
-    begin: async (wish, keyOf) => `/b/${encodeURIComponent((await api.createBatch(wish, keyOf(wish))).id)}`,
+    estimate: batches.estimate,
+    begin: async (wish, keyOf) => BATCH.address((await batches.create(wish, keyOf(wish))).id),
   });
 }

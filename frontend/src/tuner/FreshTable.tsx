@@ -3,7 +3,7 @@
 import { Skeleton, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck, IconEqual } from "../icons";
 import type { ComparedPoint, TunedFigure, Tuning } from "../api/types";
-import { isFinal } from "../api/follow";
+import { isFinal } from "../jobs/follow";
 import type { Figure } from "../batch/figures";
 import { formatPercent } from "../tables/change";
 import tables from "../tables/tables.module.css";

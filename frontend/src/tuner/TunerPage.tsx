@@ -13,8 +13,8 @@ import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
 import shell from "../shell/shell.module.css";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
-import { Earlier } from "./Earlier";
 import { NewTuning } from "./NewTuning";
+import { TuningList } from "./TuningList";
 import { TuningPage } from "./TuningPage";
 import classes from "./tuner.module.css";
 
@@ -86,7 +86,7 @@ function Tuner({ ground: { known, fault } }: { readonly ground: Ground }) {
       {known ? (
         <div className={classes.columns}>
           <NewTuning form={known.form} catalogue={known.catalogue} strategies={known.strategies} figures={known.figures} carried={carried} />
-          <Earlier strategies={known.strategies} figures={known.figures} />
+          <TuningList strategies={known.strategies} figures={known.figures} />
         </div>
       ) : (
         <div className={classes.columns} aria-busy aria-label="Loading the form">

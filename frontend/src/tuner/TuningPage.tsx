@@ -8,6 +8,7 @@ import { ApiProblem, isNotFound, isTransient } from "../api/problem";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";
+import { TUNING, useJob } from "../jobs/useJob";
 import { Blank } from "../shell/Blank";
 import { ofLimit, ofObjective } from "./figures";
 import { FreshTable } from "./FreshTable";
@@ -18,7 +19,6 @@ import { TuningPlot } from "./TuningPlot";
 import { TuningState } from "./TuningState";
 import classes from "./tuner.module.css";
 import { useLoad } from "./useLoad";
-import { useTuning } from "./useTuning";
 
 interface Props {
   readonly id: string;
@@ -28,7 +28,7 @@ interface Props {
 
 export function TuningPage({ id, ground }: Props) {
   const queries = useQueryClient();
-  const { tuning, error, connected, left } = useTuning(id);
+  const { job: tuning, error, connected, left } = useJob(TUNING, id);
   const strategy = ground?.strategies.find((each) => each.id === tuning?.strategy)?.label;
   useDocumentTitle(`${strategy === undefined ? "Tuning" : `Weights of ${strategy}`} · Ridelab`);
   if (error && !tuning && !isTransient(error)) {

@@ -13,7 +13,7 @@ import type { Tunable } from "./space";
 import classes from "./tuner.module.css";
 import results from "./results.module.css";
 import type { Load } from "./useLoad";
-import { trialsQuery } from "./useTuning";
+import { trialsQuery } from "./queries";
 import { WeightsOf } from "./WeightsOf";
 
 interface Props {

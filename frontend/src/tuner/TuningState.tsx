@@ -1,22 +1,22 @@
-/** How far a tuning is, what it is about, and the ways to stop it and to go on. */
+/** How far a tuning is, what it is about, and the way to go on with it. */
 
-import { Button, Progress, Text, TextInput } from "@mantine/core";
-import { useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { Button, Text, TextInput } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import { api } from "../api/client";
-import { isFinal } from "../api/follow";
+import { tunings } from "../api/jobs";
 import type { Strategy, Tuning } from "../api/types";
-import { batchQuery } from "../batch/useBatch";
 import type { Figure } from "../batch/figures";
 import { otherThanPaper } from "../carried/otherThanPaper";
 import type { Group } from "../editor/schema";
+import { isFinal } from "../jobs/follow";
+import { JobState } from "../jobs/JobState";
+import { BATCH, jobQuery, TUNING, useJobCall } from "../jobs/useJob";
 import { formatDuration, formatMinute } from "../units/dates";
 import { count, formatExact, formatWhole, parseInput } from "../units/format";
 import { ofLimit, ofObjective } from "./figures";
 import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
 import results from "./results.module.css";
-import { tuningQuery } from "./useTuning";
 
 interface Props {
   readonly tuning: Tuning;
@@ -27,67 +27,30 @@ interface Props {
   readonly left: number | null;
 }
 
-const STATE: Readonly<Record<Tuning["state"], string>> = {
-  queued: "Waiting for its turn",
-  running: "Searching",
-  done: "Done",
-  cancelled: "Cancelled: what its complete generations found stays",
-  failed: "Failed",
-};
+const STATE = { running: "Searching", cancelled: "Cancelled: what its complete generations found stays" };
 
 export function TuningState({ tuning, form, strategies, figures, connected, left }: Props) {
-  const queries = useQueryClient();
-  const cancel = useMutation({
-    mutationFn: () => api.cancelTuning(tuning.id),
-    networkMode: "always",
-    onSuccess: (now) => queries.setQueryData(tuningQuery(tuning.id).queryKey, now),
-  });
-  const ended = isFinal(tuning);
   const { total, done, failed, feasible } = tuning.trials;
   const comparing = tuning.state === "running" && tuning.step === "comparison";
+  const counts = (
+    <>
+      {formatWhole(done + failed)} of {count(total, "trial")}
+      {failed > 0 && <span className={classes.failed}>, {formatWhole(failed)} failed</span>}
+      {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
+      {left !== null && !comparing && ` · about ${formatDuration(left)} left`}
+    </>
+  );
   return (
-    <section className={classes.card} aria-label="Progress" data-state={tuning.state} data-step={tuning.step}>
-      <div className={results.stateBody}>
-        <div className={results.stateLine}>
-          <Text size="sm" fw={650} role="status" data-testid="tuning-state">
-            {comparing ? "Comparing on the roads" : STATE[tuning.state]}
-            {tuning.reason !== null && `: ${tuning.reason}`}
-          </Text>
-          <Text size="sm" className={results.counts} data-testid="tuning-counts">
-            {formatWhole(done + failed)} of {count(total, "trial")}
-            {failed > 0 && <span className={classes.failed}>, {formatWhole(failed)} failed</span>}
-            {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
-            {left !== null && ` · about ${formatDuration(left)} left`}
-          </Text>
-          {ended ? (
-            <Resume key={tuning.state} tuning={tuning} />
-          ) : (
-            <Button size="xs" variant="default" loading={cancel.isPending} onClick={() => cancel.mutate()}>
-              Cancel
-            </Button>
-          )}
-        </div>
-        <Progress.Root size={8} transitionDuration={200}>
-          <Progress.Section
-            value={total === 0 ? 0 : (100 * (done + failed)) / total}
-            color={tuning.state === "failed" ? "red" : tuning.state === "cancelled" ? "var(--faint)" : "var(--accent)"}
-            aria-label="Finished trials"
-          />
-        </Progress.Root>
-        {!ended && <Within tuning={tuning} comparing={comparing} />}
-        {!connected && !ended && (
-          <Text size="xs" c="dimmed" role="status">
-            The connection is interrupted; the numbers go on by themselves when it is back.
-          </Text>
-        )}
-        {cancel.isError && (
-          <Text className={classes.error ?? ""} role="alert">
-            It could not be cancelled: {cancel.error.message}
-          </Text>
-        )}
-        <Facts {...{ tuning, form, strategies, figures }} />
-      </div>
-    </section>
+    <JobState
+      kind={TUNING}
+      job={tuning}
+      texts={comparing ? { running: "Comparing on the roads" } : STATE}
+      resume={<Resume key={tuning.state} tuning={tuning} />}
+      {...{ counts, connected }}
+    >
+      {!isFinal(tuning) && <Within tuning={tuning} comparing={comparing} />}
+      <Facts {...{ tuning, form, strategies, figures }} />
+    </JobState>
   );
 }
 
@@ -95,7 +58,7 @@ const WITHIN_MS = 1000;
 
 /** How far the present generation is. */
 function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly comparing: boolean }) {
-  const { data } = useQuery({ ...batchQuery(tuning.batch ?? ""), enabled: tuning.batch !== null, refetchInterval: WITHIN_MS });
+  const { data } = useQuery({ ...jobQuery(BATCH, tuning.batch ?? ""), enabled: tuning.batch !== null, refetchInterval: WITHIN_MS });
   const finished = data ? data.done + data.failed : 0;
   return (
     <Text size="xs" c="dimmed" data-testid="tuning-within">
@@ -105,17 +68,12 @@ function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly compa
 }
 
 function Resume({ tuning }: { readonly tuning: Tuning }) {
-  const queries = useQueryClient();
   const { total } = tuning.trials;
   const least = tuning.state === "done" ? total + 1 : total;
   const [trials, setTrials] = useState(String(tuning.state === "done" ? 2 * total : total));
   const wanted = parseInput(trials);
   const wrong = wanted === null || !Number.isInteger(wanted) || wanted < least;
-  const resume = useMutation({
-    mutationFn: (number: number) => api.resumeTuning(tuning.id, number),
-    networkMode: "always",
-    onSuccess: (now) => queries.setQueryData(tuningQuery(tuning.id).queryKey, now),
-  });
+  const resume = useJobCall(TUNING, tuning.id, (number: number) => tunings.resume(tuning.id, { trials: String(number) }));
   return (
     <form
       className={results.resume}

@@ -1,6 +1,6 @@
 /** A tuning while somebody puts it together: texts as they are typed, and what becomes of them. */
 
-import type { TuningChoice } from "../api/client";
+import type { TuningChoice } from "../api/jobs";
 import type { StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";

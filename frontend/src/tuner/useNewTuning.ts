@@ -1,9 +1,10 @@
 /** A tuning written in the form, as one to order. */
 
 import { useMemo } from "react";
-import { api } from "../api/client";
+import { tunings } from "../api/jobs";
 import type { Scenario } from "../api/types";
 import type { Figure } from "../batch/figures";
+import { TUNING } from "../jobs/useJob";
 import { useOrder } from "../order/useOrder";
 import { readDraft, tuningPlace, type TuningDraft } from "./draft";
 
@@ -14,7 +15,7 @@ export function useNewTuning(draft: TuningDraft, figures: readonly Figure[], sce
     wish: reading.ok && scenario ? { scenario, ...reading.wish } : null,
     errors: reading.ok ? null : reading.errors,
     placeOf: tuningPlace,
-    estimate: api.estimateTuning,
-    begin: async (wish, keyOf) => `/tuner/${encodeURIComponent((await api.createTuning(wish, keyOf(wish))).id)}`,
+    estimate: tunings.estimate,
+    begin: async (wish, keyOf) => TUNING.address((await tunings.create(wish, keyOf(wish))).id),
   });
 }

@@ -1,0 +1,115 @@
+/** One job of a list. */
+
+import { ActionIcon, Button, Menu, Text, TextInput } from "@mantine/core";
+import { useMutation, useQueryClient } from "@tanstack/react-query";
+import { useState } from "react";
+import { IconDots } from "../icons";
+import { formatMinute } from "../units/dates";
+import { count, formatWhole } from "../units/format";
+import { isFinal } from "./follow";
+import classes from "./jobs.module.css";
+import { waitsFor } from "./JobState";
+import type { Common, Kind } from "./useJob";
+
+export interface Description {
+  /** What it is called while it has no name. */
+  readonly title: string;
+  readonly details: readonly string[];
+}
+
+interface Props<Item extends Common, Job extends Item> {
+  readonly kind: Kind<Item, Job>;
+  readonly item: Item;
+  readonly description: Description;
+  readonly current: boolean;
+}
+
+const STATE: Readonly<Record<Common["state"], string>> = { queued: "waiting", running: "running", done: "done", cancelled: "cancelled", failed: "failed" };
+
+export function JobEntry<Item extends Common, Job extends Item>({ kind, item, description: { title, details }, current }: Props<Item, Job>) {
+  const [asked, setAsked] = useState<"name" | "delete" | null>(null);
+  const { done, failed, total } = kind.counts(item);
+  const name = item.label ?? title;
+  const texts = [...(item.label === null ? [] : [title]), ...details, formatMinute(item.created_at), count(total, kind.unit)];
+  const close = () => setAsked(null);
+  return (
+    <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
+      <a href={kind.address(item.id)}>
+        <span className={classes.entryTitle}>{name}</span>
+        <span className={classes.entryState}>
+          {[STATE[item.state] + (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`), ...(item.position > 0 ? [waitsFor(item)] : [])].join(" · ")}
+        </span>
+        <span className={classes.entryText}>{texts.join(" · ")}</span>
+      </a>
+      <Menu position="bottom-end" width={160}>
+        <Menu.Target>
+          <ActionIcon variant="subtle" color="gray" size={28} className={classes.entryMenu ?? ""} aria-label={`Rename or delete ${name}`}>
+            <IconDots size={16} />
+          </ActionIcon>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Item onClick={() => setAsked("name")}>Rename</Menu.Item>
+          <Menu.Item disabled={!isFinal(item)} onClick={() => setAsked("delete")}>
+            {isFinal(item) ? "Delete" : "Delete (cancel it first)"}
+          </Menu.Item>
+        </Menu.Dropdown>
+      </Menu>
+      {asked === "name" && <Rename {...{ kind, item }} onClose={close} />}
+      {asked === "delete" && <Delete {...{ kind, item, name }} onClose={close} />}
+    </li>
+  );
+}
+
+/** A call that changes the list, and perhaps the job that the page shows. */
+function useChange<Item extends Common, Job extends Item>({ name }: Kind<Item, Job>, call: () => Promise<unknown>, onClose: () => void) {
+  const queries = useQueryClient();
+  return useMutation({
+    mutationFn: call,
+    networkMode: "always",
+    onSuccess: () => {
+      onClose();
+      return queries.invalidateQueries({ queryKey: [name] });
+    },
+  });
+}
+
+type FormProps<Item extends Common, Job extends Item> = Pick<Props<Item, Job>, "kind" | "item"> & { readonly onClose: () => void };
+
+function Rename<Item extends Common, Job extends Item>({ kind, item, onClose }: FormProps<Item, Job>) {
+  const [label, setLabel] = useState(item.label ?? "");
+  const rename = useChange(kind, () => kind.calls.label(item.id, label.trim() || null), onClose);
+  return (
+    <form
+      className={classes.entryForm}
+      onSubmit={(event) => {
+        event.preventDefault();
+        rename.mutate();
+      }}
+    >
+      <TextInput size="xs" flex={1} aria-label="Name" placeholder="Name" maxLength={200} autoFocus value={label} error={rename.error?.message} onChange={(event) => setLabel(event.currentTarget.value)} />
+      <Button type="submit" size="xs" loading={rename.isPending}>
+        Save
+      </Button>
+      <Button size="xs" variant="default" onClick={onClose}>
+        Close
+      </Button>
+    </form>
+  );
+}
+
+function Delete<Item extends Common, Job extends Item>({ kind, item, name, onClose }: FormProps<Item, Job> & { readonly name: string }) {
+  const deletion = useChange(kind, () => kind.calls.delete(item.id), onClose);
+  return (
+    <div className={classes.entryForm} role="group" aria-label={`Delete ${name}?`}>
+      <Text size="xs" flex={1} {...(deletion.isError && { role: "alert", c: "red" })}>
+        {deletion.error?.message ?? "Delete it for good?"}
+      </Text>
+      <Button size="xs" color="red" autoFocus loading={deletion.isPending} onClick={() => deletion.mutate()}>
+        Delete
+      </Button>
+      <Button size="xs" variant="default" onClick={onClose}>
+        Close
+      </Button>
+    </div>
+  );
+}

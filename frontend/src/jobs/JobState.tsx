@@ -1,0 +1,77 @@
+/** How far a job is, and the way to stop it. */
+
+import { Button, Progress, Text } from "@mantine/core";
+import type { ReactNode } from "react";
+import { count } from "../units/format";
+import { isFinal } from "./follow";
+import classes from "./jobs.module.css";
+import { useJobCall, type Common, type Followed, type Kind } from "./useJob";
+
+interface Props<Item extends Common, Job extends Item> extends Pick<Followed<Job>, "connected"> {
+  readonly kind: Kind<Item, Job>;
+  readonly job: Job;
+  /** In place of the state's own words. */
+  readonly texts?: Partial<Record<Common["state"], string>>;
+  readonly counts: ReactNode;
+  /** The way to go on with one that has ended. */
+  readonly resume?: ReactNode;
+  readonly readOnly?: boolean;
+  /** What it is about. */
+  readonly children: ReactNode;
+}
+
+const STATE: Readonly<Record<Common["state"], string>> = {
+  queued: "Waiting for its turn",
+  running: "Running",
+  done: "Done",
+  cancelled: "Cancelled: what had finished stays",
+  failed: "Failed",
+};
+
+/** `12 runs before it`, empty where nothing is. */
+export const waitsFor = ({ position }: Pick<Common, "position">) => (position > 0 ? `${count(position, "run")} before it` : "");
+
+export function JobState<Item extends Common, Job extends Item>({ kind, job, texts, counts, resume, connected, readOnly = false, children }: Props<Item, Job>) {
+  const cancel = useJobCall(kind, job.id, () => kind.calls.cancel(job.id));
+  const { done, failed, total } = kind.counts(job);
+  const ended = isFinal(job);
+  const text = [texts?.[job.state] ?? STATE[job.state], ...(job.state === "queued" && job.position > 0 ? [waitsFor(job)] : [])].join(", ");
+  return (
+    <section className={`${classes.card ?? ""} ${classes.state ?? ""}`} aria-label="Progress" data-state={job.state}>
+      <div className={classes.stateLine}>
+        <Text size="sm" fw={650} role="status" data-testid={`${kind.name}-state`}>
+          {text}
+          {job.reason !== null && `: ${job.reason}`}
+        </Text>
+        <Text size="sm" className={classes.counts} data-testid={`${kind.name}-counts`}>
+          {counts}
+        </Text>
+        {readOnly ? null : ended ? (
+          resume
+        ) : (
+          <Button size="xs" variant="default" loading={cancel.isPending} onClick={() => cancel.mutate(undefined)}>
+            Cancel
+          </Button>
+        )}
+      </div>
+      <Progress.Root size={8} transitionDuration={200}>
+        <Progress.Section
+          value={total === 0 ? 0 : (100 * (done + failed)) / total}
+          color={job.state === "failed" ? "red" : job.state === "cancelled" ? "var(--faint)" : "var(--accent)"}
+          aria-label={`Finished ${kind.unit}s`}
+        />
+      </Progress.Root>
+      {!connected && !ended && (
+        <Text size="xs" c="dimmed" role="status">
+          The connection is interrupted; the numbers go on by themselves when it is back.
+        </Text>
+      )}
+      {cancel.isError && (
+        <Text size="xs" className={classes.failed} role="alert">
+          It could not be cancelled: {cancel.error.message}
+        </Text>
+      )}
+      {children}
+    </section>
+  );
+}

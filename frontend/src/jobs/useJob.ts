@@ -1,0 +1,100 @@
+/** A job as it stands: read once, then kept up to date by its events. */
+
+import { queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { useEffect, useState } from "react";
+import { batches, tunings, type JobCalls } from "../api/jobs";
+import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
+import { follow, isFinal, type News } from "./follow";
+import { secondsLeft, withMark, type Mark } from "./pace";
+
+export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
+
+/** What a list shows of a job and what its own page has of it differ; what all have in common is `Common`. */
+export interface Kind<Item extends Common, Job extends Item> {
+  readonly name: "batch" | "tuning";
+  /** What is counted. */
+  readonly unit: "run" | "trial";
+  readonly calls: JobCalls<Item, Job>;
+  readonly address: (id: string) => string;
+  readonly counts: (job: Item) => Pick<News, "done" | "failed" | "total">;
+  /** The job with an event's news; null where the job itself has to be asked for. */
+  readonly withNews: (job: Job, news: News) => Job | null;
+}
+
+export const BATCH: Kind<BatchItem, Batch> = {
+  name: "batch",
+  unit: "run",
+  calls: batches,
+  address: (id) => `/b/${encodeURIComponent(id)}`,
+  counts: (batch) => batch,
+  withNews: (batch, news) => {
+    if (isFinal(news)) return null; // when it ended, and why, no event says
+    // The first events are of the past.
+    return news.done + news.failed < batch.done + batch.failed ? batch : { ...batch, ...news };
+  },
+};
+
+export const TUNING: Kind<TuningItem, Tuning> = {
+  name: "tuning",
+  unit: "trial",
+  calls: tunings,
+  address: (id) => `/tuner/${encodeURIComponent(id)}`,
+  counts: ({ trials }) => trials,
+  withNews: () => null,
+};
+
+export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: Kind<Item, Job>, id: string) =>
+  queryOptions({ queryKey: [name, id], queryFn: ({ signal }) => calls.get(id, signal), staleTime: Infinity });
+
+const REPLAY_MS = 1_000;
+/** No event says how many runs are still before it. */
+const QUEUED_MS = 3_000;
+
+export interface Followed<Job> {
+  readonly job: Job | undefined;
+  readonly error: Error | null;
+  readonly connected: boolean;
+  /** Seconds, `null` while unknown. */
+  readonly left: number | null;
+}
+
+export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string): Followed<Job> {
+  const queries = useQueryClient();
+  const { data: job, error } = useQuery({
+    ...jobQuery(kind, id),
+    refetchInterval: ({ state: { data } }) => data?.state === "queued" && data.position > 0 && QUEUED_MS,
+  });
+  const [connected, setConnected] = useState(true);
+  const [marks, setMarks] = useState<readonly Mark[]>([]);
+  const unfinished = job !== undefined && !isFinal(job);
+
+  useEffect(() => {
+    if (!unfinished) return undefined;
+    const opened = performance.now();
+    const { queryKey } = jobQuery(kind, id);
+    return follow((after) => kind.calls.eventsAddress(id, after), {
+      onConnected: setConnected,
+      onNews: (news) => {
+        const mark = { at: performance.now(), finished: news.done + news.failed };
+        // Events of the past come all at once and say nothing of the pace.
+        setMarks((all) => (mark.at - opened < REPLAY_MS ? [mark] : withMark(all, mark)));
+        const before = queries.getQueryData<Job>(queryKey);
+        const now = before ? kind.withNews(before, news) : null;
+        if (now) queries.setQueryData<Job>(queryKey, now);
+        else void queries.invalidateQueries({ queryKey });
+      },
+    });
+  }, [kind, id, unfinished, queries]);
+
+  return { job, error, connected, left: job?.state === "running" ? secondsLeft(marks, kind.counts(job).total) : null };
+}
+
+/** A call that answers with the job as it is then. */
+export function useJobCall<Item extends Common, Job extends Item, Value = undefined>(kind: Kind<Item, Job>, id: string, call: (value: Value) => Promise<Job>) {
+  const queries = useQueryClient();
+  return useMutation({
+    mutationFn: call,
+    networkMode: "always",
+    onSuccess: (now) => queries.setQueryData<Job>([kind.name, id], now),
+  });
+}
