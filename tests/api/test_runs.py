@@ -85,17 +85,6 @@ def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict
     assert client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
 
 
-def test_a_whole_number_is_the_same_run_with_and_without_a_point(service: Any, client: Any) -> None:
-    bodies = [
-        f'{{"strategies": ["passive"], "scenario": {{"speed": {{"initial_speed_kmh": {number}}}}}}}'
-        for number in ("51", "51.0", "5.1e1")
-    ]
-    headers = {"Content-Type": "application/json"}
-    answers = [client.post("/api/v1/runs", content=body, headers=headers).json() for body in bodies]
-    assert len({answer["id"] for answer in answers}) == 1
-    assert [answer["strategies"]["passive"]["cached"] for answer in answers] == [False, True, True]
-
-
 def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh: dict[str, Any]) -> None:
     first = service.live(["lv", "passive"], fresh)
     assert first.status_code == 200

@@ -80,8 +80,3 @@ def test_unstable_loops_are_told_before_anything_else(dashboard: Dashboard, serv
     form = page.get_by_role("form", name="Study")
     expect(form.get_by_label("Damping, to")).to_have_value("0.6")
     expect(form.get_by_role("switch", checked=True)).to_have_count(1)
-
-
-def test_an_address_without_a_study_says_so(dashboard: Dashboard) -> None:
-    dashboard.page.goto("/robustness/AAAAAAAAAAAAAAAAAAAAAA")
-    expect(dashboard.page.get_by_text("There is no study at this address")).to_be_visible()

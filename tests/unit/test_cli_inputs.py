@@ -12,7 +12,7 @@ import pytest
 import sim_core
 from ridelab import RunResult, __version__
 from ridelab.cli import app, fields
-from ridelab.cli.compare import Tolerance, differences, inputs
+from ridelab.cli.compare import Tolerance, differences
 from ridelab.cli.names import Field, Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
@@ -168,13 +168,6 @@ def test_differences_come_largest_first_and_within_the_tolerance_not_at_all(answ
     assert [item.figure for item in differences(a, b, ["lv"], tolerance(0), ["bump.*.peak"])] == [
         "bump.body_acceleration.peak"
     ]
-
-
-def test_inputs_that_differ(services: Services) -> None:
-    a = Scenario().model_dump(mode="json")
-    b = fields.changed(a, ["road.bump.height=0.12", "mpc.stage_weights.cruise=1,1,1"], services)
-    assert inputs(a, a) == []
-    assert inputs(a, b) == [("road.bump.height", 0.1, 0.12), ("mpc.stage_weights.cruise", [8, 1, 1], [1, 1, 1])]
 
 
 def test_comparing_files_needs_no_service(

@@ -64,12 +64,6 @@ def test_changes_always_have_a_sign(change: float, shown: str) -> None:
     assert numbers.percent(change) == shown
 
 
-def test_units_are_raised() -> None:
-    assert numbers.pretty_unit("kg·m^2") == "kg·m²"
-    assert numbers.pretty_unit("m/s^1.75") == "m/s¹·⁷⁵"
-    assert numbers.pretty_unit("1") == ""
-
-
 def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
     changed = {"road.bump.height": 0.12, "mpc.stage_weights.cruise": [5, 1, 1], "actuator.bandwidth": 12}
     scenario = dotted.with_changes(Scenario().model_dump(mode="json"), changed)

@@ -215,7 +215,6 @@ def test_against_zero_the_difference_decides() -> None:
     ("body", "place"),
     [
         ({"strategy": "passive"}, ("strategy",)),
-        ({"objectives": []}, ("objectives",)),
         ({"objectives": [{"kind": "paper", "figure": "travel_time"}]}, ("objectives", 0)),
         ({"objectives": [{"kind": "figure"}]}, ("objectives", 0)),
         ({"objectives": [{"kind": "figure", "figure": "events.target_reached"}]}, ("objectives", 0, "figure")),
@@ -226,14 +225,8 @@ def test_against_zero_the_difference_decides() -> None:
         ({"search": {"lqr.weights.0": [0.1, 1]}}, ()),
         ({"search": {"lqr.weights.3": [0.1, 1]}}, ("search",)),
         ({"search": {"mpc.stage_weights.bump.0": [0, 1]}}, ("search", "mpc.stage_weights.bump.0", 0)),
-        ({"search": {"mpc.stage_weights.bump.0": [1, 1]}}, ("search", "mpc.stage_weights.bump.0")),
-        ({"search": {}}, ("search",)),
         ({"seeds": [1, 1]}, ("seeds",)),
         ({"fresh_seeds": [4, 101]}, ()),
-        ({"fresh_seeds": [101]}, ("fresh_seeds",)),
-        ({"trials": 0}, ("trials",)),
-        ({"population": 257}, ("population",)),
-        ({"more": 1}, ("more",)),
     ],
 )
 def test_what_cannot_be_tuned_is_refused_at_its_place(body: dict[str, Any], place: tuple[Any, ...]) -> None:

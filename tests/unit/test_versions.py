@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario import SCHEMA_VERSION
 from sim_core.scenario.versions import STEPS, NewerScenarioError, restored, upgraded
 from tests.data import release
 
@@ -44,8 +44,3 @@ def test_scenarios_of_release_0_2_0_are_valid_today() -> None:
     assert runs
     for run in runs:
         restored(json.loads(run["scenario"]), run["schema_version"])
-
-
-def test_what_was_added_since_takes_its_default() -> None:
-    assert restored({"speed": {"target_speed_kmh": 30.0}}, SCHEMA_VERSION).speed.target_speed_kmh == 30
-    assert restored({}, SCHEMA_VERSION) == Scenario()
