@@ -9,66 +9,80 @@ import multiprocessing
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
-from typing import Any, TypeVar
+from typing import Any, Literal, TypeVar
 
 from pebble import ProcessPool
 
 from backend.compute import processes
 
 T = TypeVar("T")
-Spawned = tuple[ProcessPool, "Future[None]"]  # a slot, and when it is warm
 GRACE = 15.0  # beyond the task's own time limit: then the slot itself is stuck [s]
 WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
 POLL_INTERVAL = 0.25  # of a slot that computes [s]
 
 
-def new(nice: int) -> ProcessPool:
-    """A slot, whose process starts with its first task."""
-    context = multiprocessing.get_context("spawn")
-    return ProcessPool(max_workers=1, initializer=processes.start, initargs=(nice,), context=context)
+class Slot:
+    """A process that imports and computes what later tasks find done.
 
-
-def schedule(slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> "Future[T]":
-    """Hand the slot a task.
+    Attributes:
+        state: `grown` while a successor of a process that takes too much memory is warmed, `succeeded` once that is
+            warm: then it ends when it is idle.
 
     Raises:
-        BrokenProcessPool: It broke since it was looked at.
+        BrokenProcessPool: It broke at once.
     """
-    try:
-        task: Future[T] = slot.schedule(function, args=args, timeout=timeout)
-    except RuntimeError as error:
-        raise BrokenProcessPool(str(error)) from None
-    return task
 
+    def __init__(self, nice: int) -> None:
+        context = multiprocessing.get_context("spawn")
+        self._pool = ProcessPool(max_workers=1, initializer=processes.start, initargs=(nice,), context=context)
+        self._warm = self._schedule(processes.warm_up, (), WARM_UP)
+        self.state: Literal["serving", "grown", "succeeded"] = "serving"
 
-def warm_up(slot: ProcessPool) -> "Future[None]":
-    """Let its process import and compute what later tasks find done."""
-    return schedule(slot, processes.warm_up, (), WARM_UP)
+    @property
+    def active(self) -> bool:
+        """Whether it can still take tasks."""
+        return bool(self._pool.active)
 
+    async def wait_until_warm(self) -> None:
+        """Until it is warm; raises what kept it from that."""
+        await self._result(self._warm, WARM_UP)
 
-async def result(slot: ProcessPool, task: "Future[T]", timeout: float) -> T:
-    """The task's result; a slot that breaks just as it takes a task would leave it unanswered for ever.
+    async def call(self, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> tuple[T, int]:
+        """What the function returns, and the resident memory of the process afterwards [bytes].
 
-    Raises:
-        BrokenProcessPool: The slot broke.
-        TimeoutError: The slot is stuck beyond the task's own time limit [s].
-    """
-    future = asyncio.wrap_future(task)
-    future.add_done_callback(_retrieve_exception)
-    for _ in range(int((timeout + GRACE) / POLL_INTERVAL)):
-        done, _ = await asyncio.wait({future}, timeout=POLL_INTERVAL)
-        if done:
-            return future.result()
-        if not slot.active:
-            raise BrokenProcessPool("The slot broke")
-    raise TimeoutError
+        Raises:
+            BrokenProcessPool: The slot broke.
+            ProcessExpired: The process died.
+            TimeoutError: It took longer than `timeout` [s] and was ended, or the slot is stuck.
+        """
+        task = self._schedule(processes.call_and_measure, (function, args), timeout)
+        result: tuple[T, int] = await self._result(task, timeout)
+        return result
 
+    def end(self) -> None:
+        """End its process; takes at most a few seconds."""
+        with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
+            self._pool.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
+            self._pool.join()
 
-def end(slot: ProcessPool) -> None:
-    """End its process; takes at most a few seconds."""
-    with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
-        slot.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
-        slot.join()
+    def _schedule(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> "Future[Any]":
+        try:
+            task: Future[Any] = self._pool.schedule(function, args=args, timeout=timeout)
+        except RuntimeError as error:  # it broke since it was looked at
+            raise BrokenProcessPool(str(error)) from None
+        return task
+
+    async def _result(self, task: "Future[T]", timeout: float) -> T:
+        """The task's result; a slot that breaks just as it takes a task would leave it unanswered for ever."""
+        future = asyncio.wrap_future(task)
+        future.add_done_callback(_retrieve_exception)
+        for _ in range(int((timeout + GRACE) / POLL_INTERVAL)):
+            done, _ = await asyncio.wait({future}, timeout=POLL_INTERVAL)
+            if done:
+                return future.result()
+            if not self.active:
+                raise BrokenProcessPool("The slot broke")
+        raise TimeoutError
 
 
 def _retrieve_exception(future: asyncio.Future[Any]) -> None:

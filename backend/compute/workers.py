@@ -12,9 +12,9 @@ from collections.abc import Callable, Coroutine
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any, TypeVar
 
-from pebble import ProcessExpired, ProcessPool
+from pebble import ProcessExpired
 
-from backend.compute import processes, slots
+from backend.compute.slots import Slot
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.metrics import WORKER_FAILURES
 
@@ -35,13 +35,11 @@ class Workers:
         self._max_memory = max_memory
         self._timeout = timeout
         self._nice = nice
-        self._idle: asyncio.LifoQueue[ProcessPool] = asyncio.LifoQueue()
-        self._slots: set[ProcessPool] = set()
-        self._too_large: set[ProcessPool] = set()  # a successor is being warmed, or is warm
-        self._succeeded: set[ProcessPool] = set()  # of those, a successor is warm: they end when they are idle
+        self._idle: asyncio.LifoQueue[Slot] = asyncio.LifoQueue()
+        self._slots: set[Slot] = set()
         self._chores: set[asyncio.Task[Any]] = set()
         self._waiting = 0
-        self._spawned: list[slots.Spawned] = []
+        self._spawned: list[Slot] = []
         self._warm = asyncio.Event()
         self._started = False
 
@@ -49,9 +47,8 @@ class Workers:
         """Begin to spawn and warm every slot, and return; needs no event loop yet. `start` takes them over."""
         os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
         for _ in range(self._count):
-            slot = slots.new(self._nice)
             with contextlib.suppress(OSError, BrokenProcessPool):  # `start` tries again
-                self._spawned.append((slot, slots.warm_up(slot)))
+                self._spawned.append(Slot(self._nice))
 
     def start(self) -> None:
         """Begin to spawn and warm every slot, unless that has begun, and hand each out once it is warm."""
@@ -62,8 +59,8 @@ class Workers:
 
     def abandon(self) -> None:
         """End what `spawn` began, where there is nothing to start."""
-        for slot, _ in self._spawned:
-            slots.end(slot)
+        for slot in self._spawned:
+            slot.end()
 
     async def wait_until_warm(self) -> None:
         """Until the first worker is."""
@@ -124,17 +121,15 @@ class Workers:
                 raise WorkerTimeoutError from None
         raise WorkerLostError
 
-    async def _attempt(self, slot: ProcessPool, function: Callable[..., T], args: tuple[Any, ...]) -> T:
+    async def _attempt(self, slot: Slot, function: Callable[..., T], args: tuple[Any, ...]) -> T:
         """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
         healthy = False
         try:
-            task = slots.schedule(slot, processes.call_and_measure, (function, args), self._timeout)
-            result: T
-            result, memory = await slots.result(slot, task, self._timeout)
+            result, memory = await slot.call(function, args, self._timeout)
             healthy = True
-            if memory > self._max_memory and not self._too_large:
+            if memory > self._max_memory and all(each.state == "serving" for each in self._slots):  # one at a time
                 logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
-                self._too_large.add(slot)
+                slot.state = "grown"
                 self._chore(self._replace(slot))
             return result
         except (ProcessExpired, BrokenProcessPool, TimeoutError):
@@ -143,7 +138,7 @@ class Workers:
             healthy = True  # the function raised, its process is well
             raise
         finally:
-            if healthy and slot not in self._succeeded:
+            if healthy and slot.state != "succeeded":
                 self._idle.put_nowait(slot)
             else:
                 self._discard(slot)
@@ -155,9 +150,9 @@ class Workers:
         for chore in chores:
             chore.cancel()
         await asyncio.gather(*chores, return_exceptions=True)
-        await asyncio.gather(*(asyncio.to_thread(slots.end, slot) for slot in ending))
+        await asyncio.gather(*(asyncio.to_thread(slot.end) for slot in ending))
 
-    async def _free_slot(self) -> ProcessPool:
+    async def _free_slot(self) -> Slot:
         self._waiting += 1
         try:
             async with asyncio.timeout(PATIENCE):
@@ -167,24 +162,18 @@ class Workers:
         finally:
             self._waiting -= 1
 
-    def _discard(self, slot: ProcessPool) -> None:
+    def _discard(self, slot: Slot) -> None:
         if slot not in self._slots:  # the service is closing, and ends it
             return
         self._slots.discard(slot)
-        self._chore(asyncio.to_thread(slots.end, slot))
-        if slot not in self._too_large:  # else its successor is warm, or soon will be
+        self._chore(asyncio.to_thread(slot.end))
+        if slot.state == "serving":  # else its successor is warm, or soon will be
             self._chore(self._add_slot())
-        elif slot in self._succeeded:
-            self._too_large.discard(slot)
-            self._succeeded.discard(slot)
 
-    async def _replace(self, slot: ProcessPool) -> None:
+    async def _replace(self, slot: Slot) -> None:
         """Warm a successor, then end that slot as soon as it is idle."""
         await self._add_slot()
-        if slot not in self._slots:  # died meanwhile
-            self._too_large.discard(slot)
-            return
-        self._succeeded.add(slot)
+        slot.state = "succeeded"
         idle = [self._idle.get_nowait() for _ in range(self._idle.qsize())]
         for each in reversed(idle):  # back in their order, without that one
             if each is slot:
@@ -192,19 +181,21 @@ class Workers:
             else:
                 self._idle.put_nowait(each)
 
-    async def _add_slot(self, spawned: slots.Spawned | None = None) -> None:
+    async def _add_slot(self, slot: Slot | None = None) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
-            slot, warm = spawned or (slots.new(self._nice), None)
-            spawned = None
             try:
-                await slots.result(slot, warm or slots.warm_up(slot), slots.WARM_UP)
+                slot = slot or Slot(self._nice)
+                await slot.wait_until_warm()
             except asyncio.CancelledError:
-                await asyncio.shield(asyncio.to_thread(slots.end, slot))
+                if slot is not None:
+                    await asyncio.shield(asyncio.to_thread(slot.end))
                 raise
             except Exception:  # whatever kept it from starting, the service goes on trying
                 logger.exception("A worker did not start")
-                await asyncio.to_thread(slots.end, slot)
+                if slot is not None:
+                    await asyncio.to_thread(slot.end)
+                slot = None
                 await asyncio.sleep(delay)
             else:
                 self._slots.add(slot)

@@ -5,21 +5,9 @@ the compiled controller in an emulator that counts cycles as the processor's man
 test holds the factor to it.
 """
 
-from dataclasses import dataclass
+from backend.ecu.models import ControllerPart
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Part:
-    """A microcontroller: clock [Hz], memories [bytes], and the stack kept free for the controller [bytes]."""
-
-    name: str
-    clock: float
-    flash: int
-    ram: int
-    stack: int
-
-
-STM32F103 = Part(
+STM32F103 = ControllerPart(
     name="STM32F103xE: Cortex-M3, 72 MHz, no floating-point hardware",
     clock=72e6,
     flash=512 * 1024,
@@ -30,6 +18,6 @@ CYCLES_PER_OPERATION = 206.0  # multiplication and addition in software, with th
 SPREAD = 0.17  # of the emulated cycles around that
 
 
-def seconds(operations: float, part: Part = STM32F103) -> float:
+def seconds(operations: float, part: ControllerPart = STM32F103) -> float:
     """Time of so many operations [s]."""
     return operations * CYCLES_PER_OPERATION / part.clock

@@ -1,12 +1,15 @@
 """The controller of one scenario as C sources: the files, and a zip of them that is the same to the byte every time."""
 
 import io
+import json
 import zipfile
 from pathlib import Path
 
 from backend.ecu import tables
 from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.sources import SOURCES
+from sim_core.scenario import Scenario
 
 CONTROLLER = (
     "ridelab_tables.h",
@@ -53,13 +56,17 @@ def written(place: Path, calibration: Calibration, scenario: str) -> list[Path]:
     return paths
 
 
-def zipped(calibration: Calibration, scenario: str) -> bytes:
-    """The files as a zip."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
-        for name, text in sorted(files(calibration, scenario).items()):
+def archive(scenario: Scenario) -> bytes:
+    """The scenario's controller as a zip of C sources.
+
+    Raises:
+        RidelabError: There is no stabilising controller.
+    """
+    content, plain = io.BytesIO(), json.dumps(scenario.model_dump(mode="json"), indent=1) + "\n"
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as zipped:
+        for name, text in sorted(files(ecu_calibration(scenario), plain).items()):
             entry = zipfile.ZipInfo(f"{FOLDER}/{name}", _OLDEST)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
-            archive.writestr(entry, text)
+            zipped.writestr(entry, text)
     return content.getvalue()

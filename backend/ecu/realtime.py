@@ -8,13 +8,13 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
 from backend.ecu import drive
 from backend.ecu.build import EcuError
 from backend.ecu.link import ProcessEcu, connected
+from backend.ecu.models import Changes, RealtimeReport, Times
 from backend.errors import EcuUnavailableError
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration
@@ -66,8 +66,8 @@ class PacedEcu(Ecu):
         return None
 
 
-def drive_by_clock(scenario: Scenario) -> dict[str, Any]:
-    """Drive once in real time and once in lock-step, as `RealtimeReport`; takes as long as the drive.
+def drive_by_clock(scenario: Scenario) -> RealtimeReport:
+    """Drive once in real time and once in lock-step; takes as long as the drive.
 
     Raises:
         EcuUnavailableError: The program cannot take part.
@@ -87,18 +87,18 @@ def drive_by_clock(scenario: Scenario) -> dict[str, Any]:
     except EcuError as error:
         raise EcuUnavailableError(error.message) from None
     lock_step = drive.simulate(scenario, "lv_hil")
-    return {
-        "steps": len(timing.lateness),
-        "deadline": scenario.mpc.sample_time,
-        "misses": timing.misses,
-        "latency": spread(timing.latency, scenario.mpc.sample_time),
-        "wake_up": spread(timing.lateness, scenario.mpc.sample_time),
-        "computing": spread([value * 1e-9 for value in timing.computing_ns], scenario.mpc.sample_time),
-        "changes": changes(measured, lock_step),
-    }
+    return RealtimeReport(
+        steps=len(timing.lateness),
+        deadline=scenario.mpc.sample_time,
+        misses=timing.misses,
+        latency=spread(timing.latency, scenario.mpc.sample_time),
+        wake_up=spread(timing.lateness, scenario.mpc.sample_time),
+        computing=spread([value * 1e-9 for value in timing.computing_ns], scenario.mpc.sample_time),
+        changes=changes(measured, lock_step),
+    )
 
 
-def spread(values: Sequence[float], longest: float) -> dict[str, Any] | None:
+def spread(values: Sequence[float], longest: float) -> Times | None:
     """Mean, deviation, percentiles and a histogram of times [s]; bins grow evenly in ratio from 1 µs to twice that.
 
     A time outside is counted in the first or the last bin.
@@ -109,23 +109,25 @@ def spread(values: Sequence[float], longest: float) -> dict[str, Any] | None:
     edges = np.geomspace(1e-6, 2 * longest, BINS + 1)
     counts, _ = np.histogram(np.clip(times, edges[0], edges[-1]), edges)
     middle, most = np.percentile(times, [50, 99])
-    return {
-        "mean": float(times.mean()),
-        "deviation": float(times.std()),
-        "median": float(middle),
-        "percentile_99": float(most),
-        "most": float(times.max()),
-        "edges": edges.tolist(),
-        "counts": counts.tolist(),
-    }
+    return Times(
+        mean=float(times.mean()),
+        deviation=float(times.std()),
+        median=float(middle),
+        percentile_99=float(most),
+        most=float(times.max()),
+        edges=edges.tolist(),
+        counts=counts.tolist(),
+    )
 
 
-def changes(found: StrategyResult, base: StrategyResult) -> dict[str, dict[str, float | None]]:
+def changes(result: StrategyResult, base: StrategyResult) -> Changes:
     """Change of Tables 9 and 10's eight figures against a base, by window and signal [%]; None against zero."""
-    table: dict[str, dict[str, float | None]] = {}
-    for window, statistic in PAPER_VIEWS:
-        values = {
-            key: (found.metrics[window][key][statistic], base.metrics[window][key][statistic]) for key in PAPER_SIGNALS
-        }
-        table[window] = {key: (new / old - 1) * 100 if old else None for key, (new, old) in values.items()}
-    return table
+
+    def change(window: str, signal: str, statistic: str) -> float | None:
+        new, old = (each.metrics[window][signal][statistic] for each in (result, base))
+        return (new / old - 1) * 100 if old else None
+
+    return {
+        window: {signal: change(window, signal, statistic) for signal in PAPER_SIGNALS}
+        for window, statistic in PAPER_VIEWS
+    }

@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
 
 from backend.ecu import drive, effort, firmware
 from backend.ecu.build import EcuError
-from backend.ecu.effort import STM32F103, Part
+from backend.ecu.effort import STM32F103
 from backend.ecu.link import connected
+from backend.ecu.models import ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
 from backend.ecu.realtime import changes
 from backend.errors import EcuUnavailableError
 from sim_core.ecu.calibration import Calibration, Checked
@@ -53,8 +53,8 @@ VARIANTS = (
 )
 
 
-def report(scenario: Scenario) -> dict[str, Any]:
-    """The scenario's own controller and smaller ones, as `ControllerReport`.
+def report(scenario: Scenario) -> ControllerReport:
+    """The scenario's own controller and smaller ones.
 
     Raises:
         EcuUnavailableError: A program cannot be built, or fails.
@@ -71,16 +71,16 @@ def report(scenario: Scenario) -> dict[str, Any]:
                 rows.append(_row(changed, variant.checked, part, simulated))
             except EcuError as error:
                 raise EcuUnavailableError(error.message) from None
-    return {
-        "part": {"name": part.name, "clock": part.clock, "flash": part.flash, "ram": part.ram, "stack": part.stack},
-        "sample_time": scenario.mpc.sample_time,
-        "cycles_per_operation": effort.CYCLES_PER_OPERATION,
-        "spread": effort.SPREAD,
-        "rows": rows,
-    }
+    return ControllerReport(
+        part=part,
+        sample_time=scenario.mpc.sample_time,
+        cycles_per_operation=effort.CYCLES_PER_OPERATION,
+        spread=effort.SPREAD,
+        rows=rows,
+    )
 
 
-def _row(scenario: Scenario, checked: Checked, part: Part, simulated: StrategyResult) -> dict[str, Any]:
+def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: StrategyResult) -> ControllerRow:
     calibration = ecu_calibration(scenario, checked)
     linked = firmware.image(calibration)
     operations: list[int] = []
@@ -94,33 +94,33 @@ def _row(scenario: Scenario, checked: Checked, part: Part, simulated: StrategyRe
     result = simulate(scenario, "lv_hil", counted, calibration)
     least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
     reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
-    return {
-        "prediction_horizon": calibration.intervals,
-        "control_horizon": calibration.moves,
-        "checked": checked,
-        "checked_rows": calibration.row_count,
-        "iterations": calibration.iterations,
-        "code": linked.sections.get(".text", 0),
-        "constants": linked.sections.get(".rodata", 0),
-        "variables": linked.ram,
-        "operations": {"least": min(operations), "most": max(operations)},
-        "time": {"least": least, "most": most},
-        "most_iterations": result.events["ecu_most_iterations"],
-        "unfinished": result.events["qp_failures"],
-        "fits": not reasons,
-        "reasons": reasons,
-        "changes": changes(result, simulated),
-    }
+    return ControllerRow(
+        prediction_horizon=calibration.intervals,
+        control_horizon=calibration.moves,
+        checked=checked,
+        checked_rows=calibration.row_count,
+        iterations=calibration.iterations,
+        code=linked.sections.get(".text", 0),
+        constants=linked.sections.get(".rodata", 0),
+        variables=linked.ram,
+        operations=Operations(least=min(operations), most=max(operations)),
+        time=StepTime(least=least, most=most),
+        most_iterations=result.events["ecu_most_iterations"],
+        unfinished=result.events["qp_failures"],
+        fits=not reasons,
+        reasons=reasons,
+        changes=changes(result, simulated),
+    )
 
 
-def _reasons(linked: firmware.Image, most: float, sample_time: float, part: Part) -> list[str]:
+def _reasons(linked: firmware.Image, most: float, sample_time: float, part: ControllerPart) -> list[str]:
     """Why it does not fit; nothing where it does."""
-    found = []
+    reasons = []
     if linked.flash > part.flash:
-        found.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
+        reasons.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
     if linked.ram + part.stack > part.ram:
         needed = (linked.ram + part.stack) / 1024
-        found.append(f"variables and stack take {needed:.0f} KB of {part.ram / 1024:.0f} KB RAM")
+        reasons.append(f"variables and stack take {needed:.0f} KB of {part.ram / 1024:.0f} KB RAM")
     if most > sample_time:
-        found.append(f"the longest step takes about {1000 * most:.3g} ms of {1000 * sample_time:.3g} ms")
-    return found
+        reasons.append(f"the longest step takes about {1000 * most:.3g} ms of {1000 * sample_time:.3g} ms")
+    return reasons

@@ -1,17 +1,18 @@
 """Controllers: exported, measured for the part, driven by the clock. The work is a worker's."""
 
-from typing import Any
+from collections.abc import Callable
+from typing import TypeVar
 
 from backend.compute.workers import Workers
-from backend.ecu import work
-from backend.ecu.realtime import LONGEST
-from backend.ecu.report import VARIANTS
+from backend.ecu import export, realtime, report
+from backend.ecu.models import ControllerReport, RealtimeReport
 from backend.errors import CostLimitError
 from backend.http.admission import Admission
 from backend.http.limits import ConcurrencyLimit
 from sim_core.scenario import Scenario
 from sim_core.workload import duration
 
+T = TypeVar("T")
 STRATEGY = "lv_hil"
 BUILDING = 1.0  # one controller for its part [s of one core]
 
@@ -22,7 +23,9 @@ class Controllers:
     def __init__(self, *, workers: Workers, admission: Admission, max_request_cost: float) -> None:
         self._workers = workers
         self._admission = admission
-        self._longest = min(LONGEST, 2 * max_request_cost)  # a drive by the clock holds a worker and mostly waits [s]
+        self._longest = min(
+            realtime.LONGEST, 2 * max_request_cost
+        )  # a drive by the clock holds a worker and mostly waits [s]
         # One at a time: a drive by the clock wants a core to itself, and a report builds and drives many programs.
         self._long = ConcurrencyLimit(what="controller reports or real-time drives", per_client=1, total=1)
 
@@ -35,19 +38,20 @@ class Controllers:
         """
         self._admission.check(scenario, [STRATEGY])
         with self._admission.computing(client, scenario, [STRATEGY]):
-            return await self._workers.call(work.archive, scenario)
+            return await self._workers.call(export.archive, scenario)
 
-    async def report(self, scenario: Scenario, client: str) -> dict[str, Any]:
-        """`ControllerReport`.
+    async def report(self, scenario: Scenario, client: str) -> ControllerReport:
+        """Whether the scenario's controller fits the part, and what does.
 
         Raises:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        return await self._alone(work.report, scenario, client, len(VARIANTS), BUILDING * len(VARIANTS))
+        programs = len(report.VARIANTS)
+        return await self._alone(report.report, scenario, client, programs, BUILDING * programs)
 
-    async def drive_by_clock(self, scenario: Scenario, client: str) -> dict[str, Any]:
-        """`RealtimeReport`, after as long as the drive takes.
+    async def drive_by_clock(self, scenario: Scenario, client: str) -> RealtimeReport:
+        """A drive in real time, after as long as it takes.
 
         Raises:
             CostLimitError: It would take too much.
@@ -57,13 +61,12 @@ class Controllers:
         if time > self._longest:
             message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
             raise CostLimitError(f"{message}.", pointer="/scenario")
-        return await self._alone(work.drive_by_clock, scenario, client, 2)
+        return await self._alone(realtime.drive_by_clock, scenario, client, 2)
 
     async def _alone(
-        self, function: Any, scenario: Scenario, client: str, drives: int, beside: float = 0.0
-    ) -> dict[str, Any]:
+        self, function: Callable[[Scenario], T], scenario: Scenario, client: str, drives: int, beside: float = 0.0
+    ) -> T:
         names = [STRATEGY] * drives
         self._admission.check(scenario, names, beside)
         with self._long.acquired(client), self._admission.computing(client, scenario, names):
-            answer: dict[str, Any] = await self._workers.call(function, scenario, ends_with_caller=True)
-            return answer
+            return await self._workers.call(function, scenario, ends_with_caller=True)

@@ -49,8 +49,8 @@ def image(calibration: Calibration) -> firmware.Image:
 def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_program(
     tmp_path: Path, calibration: Calibration
 ) -> None:
-    content = export.zipped(calibration, SMALL.model_dump_json())
-    assert content == export.zipped(ecu_calibration(SMALL), SMALL.model_dump_json())
+    content = export.archive(SMALL)
+    assert content == export.archive(SMALL)
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         archive.extractall(tmp_path)
     folder = tmp_path / export.FOLDER
@@ -176,10 +176,10 @@ def test_late_answers_are_misses_and_never_taken_for_a_later_step() -> None:
 def test_a_histogram_counts_everything_once() -> None:
     found = spread([0.0, 1e-5, 1e-3, 5.0], 0.01)
     assert found is not None
-    assert sum(found["counts"]) == 4
-    assert len(found["edges"]) == len(found["counts"]) + 1
-    assert found["counts"][0] == found["counts"][-1] == 1
-    assert found["most"] == 5.0
+    assert sum(found.counts) == 4
+    assert len(found.edges) == len(found.counts) + 1
+    assert found.counts[0] == found.counts[-1] == 1
+    assert found.most == 5.0
     assert spread([], 0.01) is None
 
 

@@ -1,6 +1,6 @@
-"""The report of a run."""
+"""The report of a run; its words and tables are in templates/run.html."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
@@ -29,16 +29,23 @@ from sim_core.catalogue import (
     COMFORT,
     EVENTS,
     METRIC_SIGNALS,
+    METRICS,
     PAPER_SIGNALS,
     PAPER_VIEWS,
     RUN_FIGURES,
     SIGNALS,
-    STATISTICS,
-    WINDOWS,
-    Quantity,
 )
 
-JUDGED = (*COMFORT, "travel_time")  # of the figures of a whole run, those of which less is better
+WHOLE_RUN = (
+    *((f"comfort.{key}", quantity) for key, quantity in COMFORT.items()),
+    *RUN_FIGURES.items(),
+    *((f"events.{key}", quantity) for key, quantity in EVENTS.items()),
+)
+NOT_COMPARED = {"arrival_speed_kmh", *(f"events.{key}" for key in EVENTS)}  # less of these is not always better
+TABLES = {
+    "RMS on the rough road and peak on the bump": PAPER_SIGNALS,
+    "Suspension travel and forces": METRIC_SIGNALS[len(PAPER_SIGNALS) :],
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,28 +80,29 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     ran = {name: entry for name, entry in entries.items() if entry["status"] == "ok"}
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
-    roads, changes = facts.answer.get("roads", 1), facts.answer.get("changes", {})
+    roads = facts.answer.get("roads", 1)
+    numbers = Numbers(ran=ran, changes=facts.answer.get("changes", {}), baseline=facts.baseline)
     values = {
         "run_id": facts.answer["id"],
         "core_version": facts.answer["core_version"],
         "current_version": CORE_VERSION,
         "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
         "strategies": [key_of(name) for name in entries],
-        "baseline": label(facts.baseline),
+        "baseline": key_of(facts.baseline),
         "drive": drive(facts.answer["scenario"]),
         "roads": roads,
         "seed": facts.answer["scenario"]["road"]["seed"],
         "parts": inputs.parts(facts.answer["scenario"]),
         "command": inputs.command(facts.answer["scenario"], list(entries), roads, facts.baseline),
         "doubts": [(label(name), found) for name, entry in entries.items() if (found := doubts(entry))],
-        "comparisons": [
-            comparison(ran, changes, facts.baseline, signals, caption_text)
-            for signals, caption_text in (
-                (PAPER_SIGNALS, "RMS on the rough road and peak on the bump"),
-                (METRIC_SIGNALS[len(PAPER_SIGNALS) :], "Suspension travel and forces"),
-            )
-        ],
-        "whole": whole(ran, changes, facts.baseline),
+        "ran": [key_of(name) for name in ran],
+        "tables": {
+            title: [(signal, SIGNALS[signal].label, *_shown_unit(signal)) for signal in signals]
+            for title, signals in TABLES.items()
+        },
+        "views": PAPER_VIEWS,
+        "whole_run": WHOLE_RUN,
+        "cell": numbers.cell,
         "gone": facts.gone,
         "figures": [caption(name, figure) for name, figure in with_data.items()],
         "without_history": [label(name) for name in ran if with_data and name not in facts.outcomes],
@@ -119,98 +127,43 @@ def drive(scenario: Mapping[str, Any]) -> list[str]:
     ]
 
 
-def comparison(
-    ran: Mapping[str, Any], changes: Mapping[str, Any], baseline: str, signals: Sequence[str], caption_text: str
-) -> dict[str, Any]:
-    """RMS on the rough road and peak on the bump side by side: a row for each strategy.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Numbers:
+    """The strategies' numbers beside the baseline's.
 
-    Args:
+    Attributes:
         ran: By strategy its entry.
         changes: By strategy its paired changes over several roads [%]; empty for a run of one.
         baseline: Whose figures the changes refer to.
-        signals: Which.
-        caption_text: The table's title.
     """
-    shown = {signal: _shown_unit(signal) for signal in signals}
-    return {
-        "caption": caption_text,
-        "groups": [
-            f"{STATISTICS[statistic].label}, {WINDOWS[window].label.lower()}" for window, statistic in PAPER_VIEWS
-        ],
-        "heads": [{"label": SIGNALS[signal].label, "unit": unit} for signal, (unit, _) in shown.items()],
-        "rows": [
-            {
-                "key": key_of(name),
-                "baseline": name == baseline,
-                "cells": [
-                    _cell(
-                        f"{window}.{signal}.{statistic}",
-                        _metric(entry["metrics"], window, signal, statistic),
-                        _change(
-                            _metric(entry["metrics"], window, signal, statistic),
-                            _metric(ran[baseline]["metrics"], window, signal, statistic),
-                            _metric(changes.get(name, {}), window, signal, statistic),
-                        )
-                        if name != baseline and baseline in ran
-                        else None,
-                        scale,
-                    )
-                    for window, statistic in PAPER_VIEWS
-                    for signal, (_, scale) in shown.items()
-                ],
-            }
-            for name, entry in ran.items()
-        ],
-    }
 
+    ran: Mapping[str, Any]
+    changes: Mapping[str, Any]
+    baseline: str
 
-def whole(ran: Mapping[str, Any], changes: Mapping[str, Any], baseline: str) -> dict[str, Any]:
-    """Comfort, time and events: a row for each figure, a column for each strategy; arguments as for `comparison`."""
-    listed = [*_listed("comfort", COMFORT.values()), *_listed(None, RUN_FIGURES.values())]
-    listed += _listed("events", EVENTS.values())
-    rows = []
-    for place, quantity in listed:
-        values = {name: _whole_figure(entry, place, quantity.key) for name, entry in ran.items()}
-        judged = quantity.key in JUDGED and baseline in ran
-        rows.append(
-            {
-                "quantity": quantity,
-                "cells": [
-                    _cell(
-                        quantity.key,
-                        value,
-                        _change(value, values[baseline], changes.get(name, {}).get(place, {}).get(quantity.key))
-                        if judged and name != baseline
-                        else None,
-                        None,
-                    )
-                    for name, value in values.items()
-                ],
-            }
-        )
-    return {"columns": [key_of(name) for name in ran], "rows": rows}
+    def cell(self, key: str, strategy: str, scale: float | None = None) -> dict[str, Any]:
+        """One value, and its change where there is something to compare it with.
 
-
-def _cell(name: str, value: Any, change: tuple[float, float] | None, scale: float | None) -> dict[str, Any]:
-    """One value, and its change where there is something to compare it with.
-
-    Args:
-        name: What it is.
-        value: In SI; of several roads the mean and its interval.
-        change: See `_change`.
-        scale: From SI to the unit shown; None for a value that may be a count, true or false.
-    """
-    value, half = _estimate(value)
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    shown = told(value) if scale is None else significant(value * scale) if number else NO_VALUE
-    percentage, uncertainty = change or (0.0, 0.0)
-    return {
-        "name": name,
-        "raw": value,
-        "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
-        "change": None if change is None else percent(percentage, uncertainty),
-        "verdict": "" if abs(percentage) < max(SAME, uncertainty) else "better" if percentage < 0 else "worse",
-    }
+        Args:
+            key: Of the metric.
+            strategy: Whose.
+            scale: From SI to the unit shown; None for a value that may be a count, true or false.
+        """
+        metric = METRICS[key]
+        value, half = _estimate(metric.of(self.ran[strategy]))
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        shown = told(value) if scale is None else significant(value * scale) if number else NO_VALUE
+        change = None
+        if strategy != self.baseline and self.baseline in self.ran and key not in NOT_COMPARED:
+            paired = self.changes.get(strategy, {})
+            change = _change(value, metric.of(self.ran[self.baseline]), metric.of({"metrics": paired, **paired}))
+        percentage, uncertainty = change or (0.0, 0.0)
+        return {
+            "raw": value,
+            "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
+            "change": None if change is None else percent(percentage, uncertainty),
+            "verdict": "" if abs(percentage) < max(SAME, uncertainty) else "better" if percentage < 0 else "worse",
+        }
 
 
 def _change(value: Any, base: Any, paired: Any) -> tuple[float, float] | None:
@@ -230,16 +183,3 @@ def _shown_unit(signal: str) -> tuple[str, float]:
     """The unit a signal is shown in and the factor to it: the figures say it, the tables follow."""
     panels = (panel.shown for panel in figures.PANELS.values() if panel.signal == signal)
     return next(panels, (pretty_unit(SIGNALS[signal].unit), 1.0))
-
-
-def _metric(by_window: Mapping[str, Any], window: str, signal: str, statistic: str) -> Any:
-    """From a summary that an older core may have written with other names; None where it has it not."""
-    return by_window.get(window, {}).get(signal, {}).get(statistic)
-
-
-def _listed(place: str | None, quantities: Iterable[Quantity]) -> list[tuple[str | None, Quantity]]:
-    return [(place, quantity) for quantity in quantities]
-
-
-def _whole_figure(entry: Mapping[str, Any], place: str | None, key: str) -> Any:
-    return (entry if place is None else entry[place]).get(key)
