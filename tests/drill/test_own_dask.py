@@ -53,7 +53,7 @@ def address(tmp_path: Path) -> Iterator[str]:
 def chunk(seed: int) -> Chunk:
     run = WaitingRun(position=0, changes=f'{{"road.seed":{seed}}}', strategy="passive", key=str(seed))
     return Chunk(
-        batch_id="batch",
+        group="group",
         core_version=__version__,
         schema_version=SCHEMA_VERSION,
         base=Scenario().model_dump(mode="json"),
