@@ -283,7 +283,7 @@ def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard:
     rows = server.get(f"/batches/{path.split('/')[-1]}/results?format=json")["rows"]
     airborne = [str(row["run"]) for row in rows if row["events"]["airborne_ms"] > 0]
     assert airborne
-    marked = page.locator("tr[data-run]:has([data-doubt~=airborne_ms])")
+    marked = page.locator("tr[data-run]:has([data-caveat~=airborne_ms])")
     assert marked.evaluate_all("rows => rows.map(row => row.dataset.run)") == airborne
     expect(page.get_by_test_id("airborne-note")).to_contain_text(f"{len(airborne)} of the 8 runs shown")
     chips = page.get_by_role("group", name="Strategies")

@@ -41,9 +41,9 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
 
     page.get_by_role("radiogroup", name="Strategy").get_by_text("LQR").click()
     page.get_by_role("textbox", name="Training roads").fill("1")
-    page.get_by_role("textbox", name="Fresh roads").fill("101-102")
+    page.get_by_role("textbox", name="Validation roads").fill("101-102")
     page.get_by_role("textbox", name="Trials").fill("12")
-    page.get_by_role("textbox", name="At once").fill("6")
+    page.get_by_role("textbox", name="Population size").fill("6")
     # 12 sets of weights and the passive car on 1 road; then the paper's and the best on all 3, the passive car on 2.
     expect(page.get_by_test_id("tuning-estimate")).to_contain_text(re.compile(r"^\d+ runs in 2 generations, "))
     page.get_by_role("button", name="Start").click()
@@ -61,7 +61,7 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
     assert values == [paper["values"][0], best["values"][0]]
     assert values[1] <= values[0]  # the paper's weights are a trial themselves
 
-    fresh = page.get_by_role("region", name="On fresh roads").locator("tr[data-figure='objectives.0'] td")
+    fresh = page.get_by_role("region", name="Validation roads", exact=True).locator("tr[data-figure='objectives.0'] td")
     compared = tuning["comparison"]["points"]
     expected = [point[roads]["objectives.0"]["mean"] for point in compared for roads in ("training", "fresh")]
     assert fresh.evaluate_all("cells => cells.map(cell => Number(cell.dataset.value))") == expected
@@ -78,10 +78,10 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     page.goto("/tuner")
     start = page.get_by_role("button", name="Start")
     expect(start).to_be_enabled()
-    page.get_by_role("textbox", name="Fresh roads").fill("4-9")
-    expect(page.get_by_text("A fresh road is none that was trained on")).to_be_visible()
+    page.get_by_role("textbox", name="Validation roads").fill("4-9")
+    expect(page.get_by_text("A validation road must not be a training road")).to_be_visible()
     expect(start).to_be_disabled()
-    page.get_by_role("textbox", name="Fresh roads").fill("101-110")
+    page.get_by_role("textbox", name="Validation roads").fill("101-110")
     page.get_by_label("Brake, Pitch acceleration, from").fill("60")
     expect(page.get_by_role("alert")).to_have_text("Brake, Pitch acceleration: From has to be less than to")
     dashboard.expect_accessible()
@@ -113,7 +113,7 @@ def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Serve
     plot = page.get_by_role("region", name="Pareto front")
     expect(plot).to_have_attribute("data-front", str(len(answer["front"])))
     expect(plot).to_have_attribute("data-trials", "16")
-    looked = page.get_by_role("region", name="Point looked at")
+    looked = page.get_by_role("region", name="Selected point")
     point = answer["front"][0]
     looked.get_by_label("Weights of trial").select_option(str(point["number"]))
     weights = looked.locator("td[data-weight]").evaluate_all("cells => cells.map(cell => Number(cell.dataset.value))")

@@ -18,7 +18,7 @@ import { linesOf } from "./lines";
 import { PlotTools } from "./PlotTools";
 import { scatterFigure } from "./scatter";
 import { cell, pointsOf, type Columns } from "./table";
-import { isAirborne, placeOf, tell } from "./told";
+import { describeRow, isAirborne, placeOf } from "./describeRow";
 import type { BatchView } from "./view";
 
 interface Props {
@@ -47,7 +47,7 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
 
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
   const { fields, sweep } = batch;
-  const tellRow = useCallback((row: number) => tell(row, { columns, fields, strategies, y, catalogue }), [columns, fields, strategies, y, catalogue]);
+  const textOf = useCallback((row: number) => describeRow(row, { columns, fields, strategies, y, catalogue }), [columns, fields, strategies, y, catalogue]);
   const points = useMemo(() => pointsOf(columns, visible.map(({ id }) => id), x.name, y.key, y.scale), [columns, visible, x, y]);
   const curves = fields.length === 1;
   const joined = curves || Boolean(sweep.grid);
@@ -55,8 +55,8 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
     const others = fields.map(({ name }) => name).filter((name) => name !== x.name);
     const lines = joined ? linesOf(columns, points, others) : [];
     const isHollow = (row: number) => isAirborne(columns, row);
-    return scatterFigure({ points, strategies, markers, x, y, best, lines, curves, isHollow, tell: tellRow, palette });
-  }, [points, columns, fields, joined, curves, strategies, markers, x, y, best, tellRow, palette]);
+    return scatterFigure({ points, strategies, markers, x, y, best, lines, curves, isHollow, textOf, palette });
+  }, [points, columns, fields, joined, curves, strategies, markers, x, y, best, textOf, palette]);
   const airborne = useMemo(() => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0), [points, columns]);
 
   const [drawing, setDrawing] = useState(0);
@@ -94,7 +94,7 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
       <PlotTools {...{ batch, strategies, markers, figures, x, y, view, onView }} />
       <div ref={ref} className={classes.plot} style={{ height: HEIGHT }}>
         <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
-        <DotLayer {...{ host, drawing, width, onOpen }} dots={figure.dots} height={HEIGHT} tell={tellRow} />
+        <DotLayer {...{ host, drawing, width, onOpen }} dots={figure.dots} height={HEIGHT} textOf={textOf} />
         {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
       </div>
       {airborne > 0 && (

@@ -12,7 +12,7 @@ import { BatchRows } from "./BatchRows";
 import classes from "./batch.module.css";
 import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
 import { lowest, rowsOf, scenarioOf, type Columns } from "./table";
-import { DOUBT_COLUMNS } from "./told";
+import { CAVEAT_COLUMNS } from "./describeRow";
 import { tableQuery } from "./queries";
 import type { BatchView } from "./view";
 
@@ -33,7 +33,7 @@ export function BatchResults({ batch, catalogue, strategies, markers, figures, v
   const y = figures.find(({ key }) => key === view.y) ?? figures.find(({ key }) => key === OPENING_FIGURE) ?? figures[0];
   const x = batch.fields.find(({ name }) => name === view.x) ?? batch.fields[0];
   const keys = useMemo(() => [...new Set([...(y ? [y.key] : []), ...paperFigures(catalogue)])], [catalogue, y]);
-  const asked = useMemo(() => [...new Set([...keys, ...DOUBT_COLUMNS])], [keys]);
+  const asked = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, asked), placeholderData: keepPreviousData });
   const columns = table.data?.columns ?? NOTHING;
   // The first finished runs are shown as soon as they are known of, not when rows are due again.

@@ -11,7 +11,7 @@ import type { Figure } from "./figures";
 import { MarkerKey } from "./MarkerKey";
 import { showCell, showFigure } from "./show";
 import { cell, ordered, rowsOf, type Columns, type Order } from "./table";
-import { doubtsOfRow } from "./told";
+import { caveatsOfRow } from "./describeRow";
 
 interface Props {
   readonly batch: Batch;
@@ -143,7 +143,7 @@ function Row({ row, batch, columns, catalogue, strategies, markers, figures, isB
   const status = String(cell(columns, "status", row));
   const reason = cell(columns, "reason", row);
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row));
-  const doubts = doubtsOfRow(columns, row, catalogue);
+  const caveats = caveatsOfRow(columns, row, catalogue);
   return (
     <tr data-best={isBest || undefined} data-status={status} data-run={run}>
       <td>
@@ -168,13 +168,13 @@ function Row({ row, batch, columns, catalogue, strategies, markers, figures, isB
         <span className={classes.strategy}>
           {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
           {strategy?.label ?? String(cell(columns, "strategy", row))}
-          {doubts.length > 0 && (
+          {caveats.length > 0 && (
             <span
               role="img"
-              className={classes.doubt}
-              data-doubt={doubts.map(({ event }) => event).join(" ")}
-              aria-label={doubts.map(({ text }) => text).join(", ")}
-              title={doubts.map(({ text, description }) => `${text} (${description})`).join("\n")}
+              className={classes.caveat}
+              data-caveat={caveats.map(({ event }) => event).join(" ")}
+              aria-label={caveats.map(({ text }) => text).join(", ")}
+              title={caveats.map(({ text, description }) => `${text} (${description})`).join("\n")}
             >
               <IconAlertTriangle size={14} stroke={1.9} aria-hidden />
             </span>

@@ -3,7 +3,7 @@
 import { Button, Text } from "@mantine/core";
 import { batches } from "../api/jobs";
 import type { Batch } from "../api/types";
-import { otherThanPaper } from "../carried/otherThanPaper";
+import { otherThanPaper } from "../origin/otherThanPaper";
 import type { Group } from "../editor/schema";
 import { isFinal } from "../jobs/follow";
 import { JobState } from "../jobs/JobState";

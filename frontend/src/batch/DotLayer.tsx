@@ -15,7 +15,7 @@ interface Props {
   readonly width: number;
   readonly height: number;
   /** What a row says of itself, line by line. */
-  readonly tell: (row: number) => readonly string[];
+  readonly textOf: (row: number) => readonly string[];
   readonly onOpen: (row: number) => void;
 }
 
@@ -23,7 +23,7 @@ const REACH_PX = 12;
 /** Further is a drag, which zooms. */
 const CLICK_PX = 4;
 
-export function DotLayer({ host, drawing, dots, width, height, tell, onOpen }: Props) {
+export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const drawn = useRef<{ readonly placed: readonly Placed[]; readonly axes: Axes } | null>(null);
   const [hit, setHit] = useState<Hit | null>(null);
@@ -90,7 +90,7 @@ export function DotLayer({ host, drawing, dots, width, height, tell, onOpen }: P
         <div className={classes.tip} data-left={hit.x > width / 2 || undefined} style={{ left: hit.x, top: hit.y }} aria-hidden>
           <span className={classes.tipRing} style={{ borderColor: hit.dots.colour }} />
           <span className={classes.tipText} data-testid="tip">
-            {tell(row).map((line) => (
+            {textOf(row).map((line) => (
               <span key={line}>{line}</span>
             ))}
           </span>

@@ -94,7 +94,7 @@ describe("a plot of many points", () => {
     const list = Array.from({ length: count }, (_, index) => index + 1);
     return [{ strategy: "lv", rows: list, x: list.map((value) => value / count), y: list.map((value) => (value * 7) % 11) }];
   };
-  const rest = { strategies, markers: markersOf(strategies), x, y, lines: [], curves: false, isHollow: (row: number) => row === 2, tell: (row: number) => [`run ${row}`, "Height"], palette };
+  const rest = { strategies, markers: markersOf(strategies), x, y, lines: [], curves: false, isHollow: (row: number) => row === 2, textOf: (row: number) => [`run ${row}`, "Height"], palette };
   const figure = (count: number) => scatterFigure({ ...rest, points: points(count), best: 11 });
 
   it("is plotly's own while there are few", () => {
@@ -102,7 +102,7 @@ describe("a plot of many points", () => {
     expect([count, dots.length, data.map(({ x: xs }) => xs.length)]).toEqual([100, 0, [100, 1]]);
   });
 
-  it("draws what is in doubt hollow, and says where a point is", () => {
+  it("draws airborne runs hollow, and says where a point is", () => {
     const [trace] = figure(3).data;
     expect(trace?.marker.symbol).toEqual(["circle", "circle-open", "circle"]);
     expect(trace?.text?.[0]).toBe("run 1<br>Height");

@@ -24,7 +24,7 @@ interface Input {
   /** The rows whose points are hollow. */
   readonly isHollow: (row: number) => boolean;
   /** What a row says of itself, line by line. */
-  readonly tell: (row: number) => readonly string[];
+  readonly textOf: (row: number) => readonly string[];
   readonly palette: Palette;
 }
 
@@ -71,7 +71,7 @@ const axisTitle = (label: string, unit: string) => (prettyUnit(unit) === "" ? la
 const look = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
 const symbolOf = (markers: Markers, id: string) => markers[id] ?? "circle";
 
-function traces({ points, strategies, markers, isHollow, tell, palette }: Input): readonly PointTrace[] {
+function traces({ points, strategies, markers, isHollow, textOf, palette }: Input): readonly PointTrace[] {
   return points.map(({ strategy, rows, x: xs, y: ys }): PointTrace => {
     const { label = strategy, colour } = look(strategies, strategy) ?? {};
     const symbol = symbolOf(markers, strategy);
@@ -89,7 +89,7 @@ function traces({ points, strategies, markers, isHollow, tell, palette }: Input)
         symbol: hollow.map((open) => (open ? `${symbol}-open` : symbol)),
         line: { width: hollow.map((open) => (open ? 1.6 : 0.75)), color: palette.text },
       },
-      text: rows.map((row) => tell(row).join("<br>")),
+      text: rows.map((row) => textOf(row).join("<br>")),
       hovertemplate: "%{text}<extra></extra>",
     };
   });

@@ -172,8 +172,8 @@ function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: rea
 
 /** The change that is furthest up, and of what. */
 function Loss({ changes, catalogue }: { readonly changes: Readonly<Record<string, number | null>>; readonly catalogue: Catalogue }) {
-  const known = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
-  const worst = known.toSorted((a, b) => b.change - a.change)[0];
+  const changed = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
+  const worst = changed.toSorted((a, b) => b.change - a.change)[0];
   if (!worst) return <>–</>;
   return (
     <>

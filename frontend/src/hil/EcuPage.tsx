@@ -6,8 +6,8 @@ import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Summary } from "../api/types";
-import { useCarried } from "../carried/carried";
-import { CarriedScenario } from "../carried/CarriedScenario";
+import { usePageScenario } from "../origin/origin";
+import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { placeErrors } from "../editor/errors";
 import { Blank } from "../shell/Blank";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
@@ -27,8 +27,8 @@ const NO_ERRORS = { fields: {}, general: [] };
 
 export function EcuPage() {
   const queries = useQueryClient();
-  const carried = useCarried();
-  const { scenario, run, stale, error, change, choose } = useEcuRun(carried);
+  const source = usePageScenario();
+  const { scenario, run, stale, error, change, choose } = useEcuRun(source);
   const schema = useQuery(schemaQuery);
   const strategies = useQuery(strategiesQuery);
   const catalogue = useQuery(catalogueQuery);
@@ -46,7 +46,7 @@ export function EcuPage() {
 
   return (
     <div className={shell.shell}>
-      <PageHeader run={carried.origin.run} />
+      <PageHeader run={source.origin.run} />
       <main className={classes.main}>
         <h1 className={classes.heading}>The controller as an ECU’s program</h1>
         <Text className={classes.lead ?? ""}>
@@ -60,14 +60,14 @@ export function EcuPage() {
         ) : (
           <>
             <section className={`${classes.card ?? ""} ${classes.setup ?? ""}`} aria-label="Scenario and loop">
-              <CarriedScenario carried={{ ...carried, choose }} form={schema.data} />
+              <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
               {schema.data && scenario ? <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} /> : <Skeleton height={58} />}
               {[...refused.general, ...elsewhere(refused.fields)].map((message) => (
                 <Alert key={message} color="red" variant="light" p="xs" role="alert">
                   {message}
                 </Alert>
               ))}
-              <ExportController scenario={carried.scenario} />
+              <ExportController scenario={source.scenario} />
             </section>
             {failures.map(({ id, reason }) => (
               <Alert key={id} color="red" variant="light" p="xs" role="alert">
@@ -82,10 +82,10 @@ export function EcuPage() {
             ) : (
               refused === NO_ERRORS && <EcuLoading />
             )}
-            {carried.scenario && catalogue.data && (
+            {source.scenario && catalogue.data && (
               <>
-                <BuildReport scenario={carried.scenario} catalogue={catalogue.data} />
-                <RealTime scenario={carried.scenario} catalogue={catalogue.data} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
+                <BuildReport scenario={source.scenario} catalogue={catalogue.data} />
+                <RealTime scenario={source.scenario} catalogue={catalogue.data} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
               </>
             )}
           </>

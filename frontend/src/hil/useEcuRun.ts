@@ -3,7 +3,7 @@
 import { keepPreviousData, queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import type { Run, Scenario } from "../api/types";
-import type { Carried } from "../carried/carried";
+import type { PageScenario } from "../origin/origin";
 import { runKey } from "../state/queries";
 
 export const STRATEGIES = ["lv", "lv_hil", "lqr"] as const;
@@ -26,10 +26,10 @@ export interface EcuRun {
   /** Runs the changed scenario; the page's address follows. */
   readonly change: (scenario: Scenario) => void;
   /** Another scenario altogether. */
-  readonly choose: Carried["choose"];
+  readonly choose: PageScenario["choose"];
 }
 
-export function useEcuRun({ scenario: carried, choose }: Carried): EcuRun {
+export function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
   const queries = useQueryClient();
   const changed = useMutation({
     mutationFn: (scenario: Scenario) => api.createRun(scenario, STRATEGIES),
@@ -40,11 +40,11 @@ export function useEcuRun({ scenario: carried, choose }: Carried): EcuRun {
       choose({ run: run.id, preset: null });
     },
   });
-  // Until the server has taken an edit, the form shows it over what is carried.
+  // Until the server has taken an edit, the form shows it over the stored one.
   const edited = changed.isPending || changed.isError ? changed.variables : undefined;
-  const shown = useQuery({ ...ecuRunQuery(carried), placeholderData: keepPreviousData });
+  const shown = useQuery({ ...ecuRunQuery(stored), placeholderData: keepPreviousData });
   return {
-    scenario: edited ?? carried,
+    scenario: edited ?? stored,
     run: shown.data,
     stale: shown.isPlaceholderData || changed.isPending,
     busy: shown.isFetching || changed.isPending,

@@ -83,9 +83,9 @@ function Ends({ scale }: Scaled) {
 }
 
 function Bar({ share, scale }: Scaled & { readonly share: Share }) {
-  const told = PARTS.map(({ part, label }) => `${label} ${formatFixed(share[part], 0)} %`).join(", ");
+  const text = PARTS.map(({ part, label }) => `${label} ${formatFixed(share[part], 0)} %`).join(", ");
   return (
-    <div className={classes.bar} role="img" aria-label={told}>
+    <div className={classes.bar} role="img" aria-label={text}>
       {segmentsOf(share).map(({ part, from, to }) => (
         <span key={part} className={classes.segment} data-part={part} style={{ left: placeOf(from, scale), width: `calc(${placeOf(to, scale)} - ${placeOf(from, scale)})` }} />
       ))}

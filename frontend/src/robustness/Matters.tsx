@@ -53,7 +53,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
       </Text>
       {rows.length === 0 ? (
         <Text size="sm" c="dimmed" className={classes.cardText ?? ""}>
-          Too few points have run to tell, or nothing that varies reaches this strategy.
+          Too few points have run, or nothing that varies reaches this strategy.
         </Text>
       ) : (
         <div className={classes.scroll} tabIndex={0} role="region" aria-label="What matters">

@@ -138,7 +138,7 @@ interface BarRowProps extends Omit<BarsProps, "tornado"> {
 function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, batch }: BarRowProps) {
   const ends = ([["low", low], ["high", high]] as const).flatMap(([side, end]) => (end ? [{ side, end }] : []));
   const change = ({ value }: End) => (nominal === 0 ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}` : formatPercent(100 * (value / nominal - 1)));
-  const told = (end: End) => showCell(end.at, field.unit);
+  const placeText = (end: End) => showCell(end.at, field.unit);
   return (
     <div className={styles.tornadoRow} data-field={field.name}>
       <span className={styles.tornadoName}>{nameOf(field.name, [field])}</span>
@@ -157,12 +157,12 @@ function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, ba
               data-worse={!left || undefined}
               disabled={opening.run !== null}
               style={shares(from, to - from)}
-              title={`${field.title} ${told(end)}: ${change(end)}`}
-              aria-label={`${field.title} ${told(end)}: ${change(end)}; open it in the lab`}
+              title={`${field.title} ${placeText(end)}: ${change(end)}`}
+              aria-label={`${field.title} ${placeText(end)}: ${change(end)}; open it in the lab`}
               onClick={() => opening.open({ run, at: typeof end.at === "undefined" ? {} : { [field.name]: end.at } })}
             >
               <span className={styles.tornadoLabel} data-left={left || undefined}>
-                {told(end)} <b>{change(end)}</b>
+                {placeText(end)} <b>{change(end)}</b>
               </span>
             </button>
           );

@@ -1,4 +1,4 @@
-/** A value whose run opens in the lab; what the fields are there is told before. */
+/** A value whose run opens in the lab; the fields there are in the tooltip. */
 
 import { Button, Tooltip } from "@mantine/core";
 import { IconExternalLink } from "../icons";
@@ -18,9 +18,9 @@ interface Props {
 
 export function PlaceButton({ place, text, what, opening }: Props) {
   if (place === null) return <>–</>;
-  const told = Object.entries(place.at).map(([name, value]) => `${nameOf(name)} ${showCell(value)}`);
+  const fields = Object.entries(place.at).map(([name, value]) => `${nameOf(name)} ${showCell(value)}`);
   return (
-    <Tooltip label={`Open run ${place.run} in the lab: ${told.join(", ")}`} multiline w={320} openDelay={300}>
+    <Tooltip label={`Open run ${place.run} in the lab: ${fields.join(", ")}`} multiline w={320} openDelay={300}>
       <Button
         size="compact-xs"
         variant="subtle"

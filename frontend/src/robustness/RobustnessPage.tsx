@@ -5,8 +5,8 @@ import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { isNotFound, isTransient } from "../api/problem";
 import { BatchFault, BatchLoading } from "../batch/BatchBlank";
-import { useCarried } from "../carried/carried";
-import { CarriedScenario } from "../carried/CarriedScenario";
+import { usePageScenario } from "../origin/origin";
+import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
 import { PageHeader } from "../shell/PageHeader";
 import shell from "../shell/shell.module.css";
@@ -22,16 +22,16 @@ export function RobustnessPage({ id }: { readonly id: string | null }) {
 
 function NewStudy() {
   const queries = useQueryClient();
-  const carried = useCarried();
+  const source = usePageScenario();
   const defaults = useQuery(defaultsQuery);
   const strategies = useQuery(strategiesQuery);
   const form = useQuery(schemaQuery);
   useDocumentTitle("Robustness · Ridelab");
   const fault = [defaults.error, strategies.error, form.error].find((error) => error !== null && !isTransient(error));
-  const lost = carried.error !== null && !isNotFound(carried.error) && !isTransient(carried.error) ? carried.error : fault;
+  const lost = source.error !== null && !isNotFound(source.error) && !isTransient(source.error) ? source.error : fault;
   return (
     <div className={shell.shell}>
-      <PageHeader run={carried.origin.run} />
+      <PageHeader run={source.origin.run} />
       <main className={classes.main}>
         <header className={classes.intro}>
           <h1 className={classes.title}>Robustness</h1>
@@ -47,8 +47,8 @@ function NewStudy() {
             defaults={defaults.data}
             strategies={strategies.data}
             form={form.data}
-            scenario={carried.scenario}
-            head={<CarriedScenario carried={carried} form={form.data} />}
+            scenario={source.scenario}
+            head={<ScenarioChoice source={source} form={form.data} />}
           />
         ) : (
           <BatchLoading />

@@ -9,7 +9,7 @@ import { isNotFound, isTransient } from "../api/problem";
 import { BatchFault, BatchLoading } from "../batch/BatchBlank";
 import { BatchState } from "../batch/BatchState";
 import { figuresOf } from "../batch/figures";
-import { otherThanPaper } from "../carried/otherThanPaper";
+import { otherThanPaper } from "../origin/otherThanPaper";
 import { BATCH, useJob } from "../jobs/useJob";
 import { Blank } from "../shell/Blank";
 import { ConnectionBanner } from "../shell/ConnectionBanner";

@@ -11,14 +11,14 @@ interface Props {
 }
 
 export function Unstable({ summary, strategies }: Props) {
-  const told = strategies.flatMap(({ id, label }) => {
+  const sentences = strategies.flatMap(({ id, label }) => {
     const found = summary.strategies[id]?.stability;
     return found && found.unstable > 0 ? [`${label} is unstable at ${formatWhole(found.unstable)} of ${formatWhole(found.known)} points`] : [];
   });
-  if (told.length === 0) return null;
+  if (sentences.length === 0) return null;
   return (
     <Alert color="red" variant="light" icon={<IconAlertTriangle size={18} />} role="alert" data-testid="unstable">
-      {told.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels go on swinging by themselves. Those runs are in the figures below, and they are those of an oscillation, not of a ride.
+      {sentences.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels go on swinging by themselves. Those runs are in the figures below, and they are those of an oscillation, not of a ride.
     </Alert>
   );
 }

@@ -13,9 +13,9 @@ const FIRST_WAIT_S = 1;
 const LONGEST_WAIT_S = 8;
 
 const MESSAGE: Readonly<Record<Readiness, string>> = {
-  down: "The server does not answer. Your edits are kept.",
+  down: "The server does not answer. Your edits are not lost.",
   starting: "The server is starting.",
-  ready: "The server is busy. Your edits are kept.",
+  ready: "The server is busy. Your edits are not lost.",
 };
 
 /** `onBack` asks again for what queries do not hold. */

@@ -5,8 +5,8 @@ import type { Scene } from "../state/scene";
 import { prettyUnit } from "../units/format";
 import { BaselineButton } from "./BaselineButton";
 import { ChangeMark } from "./ChangeMark";
-import { DoubtMarks } from "./DoubtMarks";
-import { doubtsOf } from "./doubts";
+import { CaveatMarks } from "./CaveatMarks";
+import { caveatsOf } from "./caveats";
 import { Estimated } from "./Estimated";
 import { statisticsOf, type RoadsStatistics } from "./overRoads";
 import classes from "./tables.module.css";
@@ -73,7 +73,7 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
             <tr key={strategy.id} data-baseline={strategy.id === scene.baseline || undefined} data-strategy={strategy.id}>
               <th scope="row" className={classes.rowHeader}>
                 <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} />
-                <DoubtMarks doubts={doubtsOf(scene.summaries[strategy.id]?.events, catalogue)} />
+                <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} />
               </th>
               {VIEWS.map(({ window, statistic }) =>
                 signals.map((signal, index) => (

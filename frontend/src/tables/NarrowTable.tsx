@@ -5,8 +5,8 @@ import { prettyUnit } from "../units/format";
 import { BaselineButton } from "./BaselineButton";
 import { ChangeMark } from "./ChangeMark";
 import type { ComparisonProps, WindowView } from "./ComparisonTable";
-import { DoubtMarks } from "./DoubtMarks";
-import { doubtsOf } from "./doubts";
+import { CaveatMarks } from "./CaveatMarks";
+import { caveatsOf } from "./caveats";
 import { Estimated } from "./Estimated";
 import { statisticsOf } from "./overRoads";
 import classes from "./tables.module.css";
@@ -30,7 +30,7 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
             {scene.strategies.map((strategy) => (
               <th key={strategy.id} scope="col" className={classes.narrowColumn}>
                 <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} upright />
-                <DoubtMarks doubts={doubtsOf(scene.summaries[strategy.id]?.events, catalogue)} upright />
+                <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} upright />
               </th>
             ))}
           </tr>

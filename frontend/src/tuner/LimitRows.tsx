@@ -1,4 +1,4 @@
-/** What may not be exceeded on any road trained on. */
+/** What may not be exceeded on any training road. */
 
 import { ActionIcon, Text, TextInput } from "@mantine/core";
 import { IconX } from "../icons";

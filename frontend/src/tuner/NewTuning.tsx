@@ -4,8 +4,8 @@ import { Alert, Button, SegmentedControl, Text, TextInput } from "@mantine/core"
 import { useState } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
-import type { Carried } from "../carried/carried";
-import { CarriedScenario } from "../carried/CarriedScenario";
+import type { PageScenario } from "../origin/origin";
+import { ScenarioChoice } from "../origin/ScenarioChoice";
 import type { Group } from "../editor/schema";
 import { formatDuration } from "../units/dates";
 import { count } from "../units/format";
@@ -23,13 +23,13 @@ interface Props {
   readonly strategies: readonly Strategy[];
   /** Those that are numbers. */
   readonly figures: readonly Figure[];
-  readonly carried: Carried;
+  readonly source: PageScenario;
 }
 
-export function NewTuning({ form, catalogue, strategies, figures, carried }: Props) {
+export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
   const [draft, setDraft] = useState<TuningDraft>(() => firstDraft(form));
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
-  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, figures, carried.scenario);
+  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, figures, source.scenario);
   const entry = (key: "seeds" | "freshSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
     <TextInput
       size="xs"
@@ -50,7 +50,7 @@ export function NewTuning({ form, catalogue, strategies, figures, carried }: Pro
       }}
     >
       <Part title="What is tuned">
-        <CarriedScenario carried={carried} form={form} />
+        <ScenarioChoice source={source} form={form} />
         <div className={classes.field}>
           <span className={classes.label}>Strategy</span>
           <SegmentedControl
@@ -63,16 +63,16 @@ export function NewTuning({ form, catalogue, strategies, figures, carried }: Pro
           />
         </div>
       </Part>
-      <Part title="Made small">
+      <Part title="Minimise">
         <ObjectiveRows objectives={draft.objectives} windows={catalogue.windows} {...{ figures, errors }} onChange={(objectives) => patch({ objectives })} />
       </Part>
-      <Part title="Within limits" detail="on every road trained on">
+      <Part title="Within limits" detail="on every training road">
         <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
       </Part>
       <Part title="Weights" detail="searched between these ends, by ratio">
         <RangesTable
           tunable={tunableOf(form, draft.strategy)}
-          scenario={carried.scenario}
+          scenario={source.scenario}
           ranges={draft.ranges}
           errors={errors}
           onChange={(name, change) => {
@@ -84,9 +84,9 @@ export function NewTuning({ form, catalogue, strategies, figures, carried }: Pro
       <Part title="Roads and effort">
         <div className={classes.entries}>
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
-          {entry("freshSeeds", "Fresh roads", "Compared on, none trained on", "fresh_seeds")}
+          {entry("freshSeeds", "Validation roads", "For the comparison, no training roads", "fresh_seeds")}
           {entry("trials", "Trials", "Sets of weights tried")}
-          {entry("population", "At once", "Sets in a generation")}
+          {entry("population", "Population size", "Sets in a generation")}
           {entry("seed", "Search seed", "Same seed, same trials")}
         </div>
       </Part>

@@ -1,4 +1,4 @@
-/** What is made small: up to three objectives. */
+/** What is minimised: up to three objectives. */
 
 import { ActionIcon, NativeSelect, Text, TextInput } from "@mantine/core";
 import { IconX } from "../icons";

@@ -1,4 +1,4 @@
-/** The best points beside the paper's weights: what they give on the roads trained on, and their weights. */
+/** The best points beside the paper's weights: what they give on the training roads, and their weights. */
 
 import { Button } from "@mantine/core";
 import type { Tuning } from "../api/types";
@@ -27,7 +27,7 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
   const single = travel && points.some(({ trial }) => weightAt(trial.weights, dotted(travel.pointer)) !== undefined) ? travel : null;
   return (
     <section className={classes.card} aria-label="Best points">
-      <h2 className={classes.cardTitle}>Best points, on the roads trained on</h2>
+      <h2 className={classes.cardTitle}>Best points, on the training roads</h2>
       <div className={tables.scroll} tabIndex={0} role="region" aria-label="Best points and their weights">
         <table className={`${tables.table ?? ""} ${results.points ?? ""}`}>
           <thead>

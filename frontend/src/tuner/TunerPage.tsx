@@ -6,7 +6,7 @@ import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isTransient } from "../api/problem";
 import { figuresOf } from "../batch/figures";
-import { useCarried } from "../carried/carried";
+import { usePageScenario } from "../origin/origin";
 import type { PageProps } from "../pages";
 import { Blank } from "../shell/Blank";
 import { ConnectionBanner } from "../shell/ConnectionBanner";
@@ -31,14 +31,14 @@ function useGround() {
   const strategies = useQuery(strategiesQuery);
   const catalogue = useQuery(catalogueQuery);
   const templates = useQuery(figuresQuery);
-  const known = useMemo(() => {
+  const data = useMemo(() => {
     if (!schema.data || !strategies.data || !catalogue.data || !templates.data) return null;
     const flags = catalogue.data.events.filter(({ key }) => key === "target_reached").map(({ key }) => `events.${key}`);
     const figures = figuresOf(catalogue.data, templates.data).filter(({ key }) => !flags.includes(key));
     return { form: schema.data, strategies: strategies.data, catalogue: catalogue.data, figures };
   }, [schema.data, strategies.data, catalogue.data, templates.data]);
   const fault = [schema, strategies, catalogue, templates].find(({ error }) => error !== null && !isTransient(error))?.error ?? null;
-  return { known, fault };
+  return { data, fault };
 }
 
 function Frame({ run = null, fault, children }: { readonly run?: string | null; readonly fault: Error | null; readonly children: React.ReactNode }) {
@@ -62,31 +62,31 @@ function Frame({ run = null, fault, children }: { readonly run?: string | null; 
   );
 }
 
-function OneTuning({ id, ground: { known, fault } }: { readonly id: string; readonly ground: Ground }) {
+function OneTuning({ id, ground: { data, fault } }: { readonly id: string; readonly ground: Ground }) {
   return (
     <Frame fault={fault}>
       <Anchor href="/tuner" size="sm">
         New tuning, earlier tunings
       </Anchor>
-      <TuningPage id={id} ground={known} />
+      <TuningPage id={id} ground={data} />
     </Frame>
   );
 }
 
-function Tuner({ ground: { known, fault } }: { readonly ground: Ground }) {
-  const carried = useCarried();
+function Tuner({ ground: { data, fault } }: { readonly ground: Ground }) {
+  const source = usePageScenario();
   useDocumentTitle("Weight tuner · Ridelab");
   return (
-    <Frame run={carried.origin.run} fault={fault}>
+    <Frame run={source.origin.run} fault={fault}>
       <h1 className={classes.heading}>Weight tuner</h1>
       <Text className={classes.lead ?? ""}>
-        Searches the weights of a strategy that make an objective small on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several
-        objectives give a Pareto front. The paper’s weights are always the first trial, and the best ones drive fresh roads beside them at the end, so that tuning to single roads shows.
+        Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several
+        objectives give a Pareto front. The paper’s weights are always the first trial, and at the end it is compared with the best ones on validation roads, which shows weights that fit single roads only.
       </Text>
-      {known ? (
+      {data ? (
         <div className={classes.columns}>
-          <NewTuning form={known.form} catalogue={known.catalogue} strategies={known.strategies} figures={known.figures} carried={carried} />
-          <TuningList strategies={known.strategies} figures={known.figures} />
+          <NewTuning form={data.form} catalogue={data.catalogue} strategies={data.strategies} figures={data.figures} source={source} />
+          <TuningList strategies={data.strategies} figures={data.figures} />
         </div>
       ) : (
         <div className={classes.columns} aria-busy aria-label="Loading the form">

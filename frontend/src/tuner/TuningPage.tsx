@@ -11,7 +11,7 @@ import type { Group } from "../editor/schema";
 import { TUNING, useJob } from "../jobs/useJob";
 import { Blank } from "../shell/Blank";
 import { ofLimit, ofObjective } from "./figures";
-import { FreshTable } from "./FreshTable";
+import { ValidationTable } from "./ValidationTable";
 import { pointsOf } from "./points";
 import { PointsTable } from "./PointsTable";
 import { tunableOf } from "./space";
@@ -74,16 +74,16 @@ function Found({ tuning, form, strategies, figures }: { readonly tuning: Tuning 
       )}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
-      <FreshTable {...{ tuning, objectives, figures }} />
+      <ValidationTable {...{ tuning, objectives, figures }} />
     </>
   );
 }
 
 function warningOf({ paper, trials }: Tuning): string | null {
   if (paper === null) return null;
-  if (trials.feasible === 0) return "No trial so far keeps the limits on every road trained on.";
+  if (trials.feasible === 0) return "No trial so far is within the limits on every training road.";
   if (paper.status === "failed") return "The paper’s weights could not be driven: there is nothing to compare with.";
-  return paper.feasible ? null : "The paper’s own weights are over a limit on the roads trained on: what keeps the limits may be worse than they are.";
+  return paper.feasible ? null : "The paper’s own weights are over a limit on the training roads: weights within the limits may give larger objectives.";
 }
 
 function TuningLoading() {

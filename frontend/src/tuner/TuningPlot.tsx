@@ -39,7 +39,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
     <div className={results.plotRow}>
       <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setChosen} />
       {picked && (
-        <section className={classes.card} aria-label="Point looked at" data-trial={picked.number}>
+        <section className={classes.card} aria-label="Selected point" data-trial={picked.number}>
           <div className={results.picked}>
             <NativeSelect
               size="xs"

@@ -6,7 +6,7 @@ import { useState } from "react";
 import { tunings } from "../api/jobs";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
-import { otherThanPaper } from "../carried/otherThanPaper";
+import { otherThanPaper } from "../origin/otherThanPaper";
 import type { Group } from "../editor/schema";
 import { isFinal } from "../jobs/follow";
 import { JobState } from "../jobs/JobState";
@@ -95,7 +95,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
         onChange={(event) => setTrials(event.currentTarget.value)}
       />
       <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
-        {tuning.state === "done" ? "Search on" : "Resume"}
+        {tuning.state === "done" ? "Continue search" : "Resume"}
       </Button>
       {wrong && <span className={classes.error}>{formatWhole(least)} or more</span>}
       {resume.isError && (
@@ -116,12 +116,12 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
   });
   const facts: readonly (readonly [string, string])[] = [
     ["Strategy", strategies.find(({ id }) => id === tuning.strategy)?.label ?? tuning.strategy],
-    ["Made small", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
+    ["Minimised", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
     ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
     ["Searched", count(Object.keys(search).length, "weight")],
-    ["Roads", `${formatSeeds(seeds)} trained on, ${formatSeeds(fresh)} fresh`],
+    ["Roads", `${formatSeeds(seeds)} training, ${formatSeeds(fresh)} validation`],
     ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
-    ["Handed in", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
+    ["Submitted", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
   ];
   return (
     <dl className={results.facts}>

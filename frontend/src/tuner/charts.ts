@@ -64,7 +64,7 @@ export interface FrontInput extends Look {
   readonly objectives: readonly Shown[];
 }
 
-function tell(trial: Trial, objectives: readonly Shown[], name?: string): string {
+function textOf(trial: Trial, objectives: readonly Shown[], name?: string): string {
   const values = objectives.map((shown, index) => `${shown.label}: ${formatResult(valueOf(trial, index, shown), 4)} ${prettyUnit(shown.unit)}`.trim());
   return [name ?? `Trial ${trial.number}`, ...values, ...(trial.feasible ? [] : ["over a limit"])].join("<br>");
 }
@@ -80,10 +80,10 @@ export function frontFigure({ trials, front, named, picked, x, y, objectives, pa
     y: some.map((trial) => valueOf(trial, y, shownY)),
     customdata: some.map(({ number }) => number),
     marker: { ...marker },
-    text: some.map((trial, index) => tell(trial, objectives, names[index])),
+    text: some.map((trial, index) => textOf(trial, objectives, names[index])),
     hovertemplate: "%{text}<extra></extra>",
   });
-  const known = trials.filter(({ values }) => values !== null);
+  const driven = trials.filter(({ values }) => values !== null);
   const sorted = [...front].sort((a, b) => valueOf(a, x, shownX) - valueOf(b, x, shownX));
   // With three objectives the front is a surface: its points in this plane are not joined.
   const line: LineTrace = {
@@ -91,15 +91,15 @@ export function frontFigure({ trials, front, named, picked, x, y, objectives, pa
     x: sorted.map((trial) => valueOf(trial, x, shownX)), y: sorted.map((trial) => valueOf(trial, y, shownY)),
     line: { color: colour, width: 1.5, shape: "hv" },
   };
-  const ring = known.filter(({ number }) => number === picked);
+  const ring = driven.filter(({ number }) => number === picked);
   const must = [...front, ...named.map(({ trial }) => trial), ...ring];
   const along = (some: readonly Trial[], objective: number, shown: Shown) => some.map((trial) => valueOf(trial, objective, shown)).filter(Number.isFinite);
-  const [rangeX, rangeY] = [rangeOf(along(must, x, shownX), along(known, x, shownX)), rangeOf(along(must, y, shownY), along(known, y, shownY))];
+  const [rangeX, rangeY] = [rangeOf(along(must, x, shownX), along(driven, x, shownX)), rangeOf(along(must, y, shownY), along(driven, y, shownY))];
   return {
-    beyond: known.filter((trial) => valueOf(trial, x, shownX) > rangeX[1] || valueOf(trial, y, shownY) > rangeY[1]).length,
+    beyond: driven.filter((trial) => valueOf(trial, x, shownX) > rangeX[1] || valueOf(trial, y, shownY) > rangeY[1]).length,
     data: [
-      points("Over a limit", known.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
-      points("Trials", known.filter(({ feasible }) => feasible), { color: palette.text, size: 5, opacity: 0.35 }),
+      points("Over a limit", driven.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
+      points("Trials", driven.filter(({ feasible }) => feasible), { color: palette.text, size: 5, opacity: 0.35 }),
       ...(objectives.length === 2 ? [line] : []),
       points("Front", sorted, { color: colour, size: 9, symbol: "circle", line: { width: 0.75, color: palette.text } }),
       points("Named", named.map(({ trial }) => trial), { color: palette.text, size: 11, symbol: named.map(({ name }) => symbolOf(name)) }, named.map(({ name }) => name)),
@@ -135,21 +135,21 @@ export interface HistoryInput extends Look {
 }
 
 /** Each trial that was better than all before it, and the last one. */
-function bestSoFar(known: readonly Trial[], shown: Shown): readonly { readonly number: number; readonly value: number }[] {
+function bestSoFar(driven: readonly Trial[], shown: Shown): readonly { readonly number: number; readonly value: number }[] {
   let least = Infinity;
-  const better = known.flatMap((trial) => {
+  const better = driven.flatMap((trial) => {
     const value = valueOf(trial, 0, shown);
     if (!trial.feasible || value >= least) return [];
     least = value;
     return [{ number: trial.number, value }];
   });
-  const last = known.at(-1);
+  const last = driven.at(-1);
   return last && better.length > 0 ? [...better, { number: last.number, value: least }] : better;
 }
 
 /** One objective: every trial, and the best so far as a line. */
 export function historyFigure({ trials, paper, picked, shown, palette, colour }: HistoryInput): SearchFigure {
-  const known = trials.filter(({ values }) => values !== null);
+  const driven = trials.filter(({ values }) => values !== null);
   const points = (name: string, some: readonly Trial[], marker: object): PointTrace => ({
     type: "scatter",
     mode: "markers",
@@ -158,24 +158,24 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
     y: some.map((trial) => valueOf(trial, 0, shown)),
     customdata: some.map(({ number }) => number),
     marker: { ...marker },
-    text: some.map((trial) => tell(trial, [shown])),
+    text: some.map((trial) => textOf(trial, [shown])),
     hovertemplate: "%{text}<extra></extra>",
   });
-  const best = bestSoFar(known, shown);
+  const best = bestSoFar(driven, shown);
   const reference = paper ? valueOf(paper, 0, shown) : NaN;
-  const values = known.map((trial) => valueOf(trial, 0, shown));
+  const values = driven.map((trial) => valueOf(trial, 0, shown));
   const must = [...best.map(({ value }) => value), reference].filter(Number.isFinite);
   const line: LineTrace = {
     type: "scatter", mode: "lines", name: "Best so far", opacity: 1, hoverinfo: "skip",
     x: best.map(({ number }) => number), y: best.map(({ value }) => value), line: { color: colour, width: 2.5, shape: "hv" },
   };
-  const ring = known.filter(({ number }) => number === picked);
+  const ring = driven.filter(({ number }) => number === picked);
   const range = must.length > 0 ? rangeOf(must, values) : null;
   return {
     beyond: range ? values.filter((value) => value > range[1]).length : 0,
     data: [
-      points("Over a limit", known.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
-      points("Trials", known.filter(({ feasible }) => feasible), { color: palette.text, size: 6, opacity: 0.4 }),
+      points("Over a limit", driven.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
+      points("Trials", driven.filter(({ feasible }) => feasible), { color: palette.text, size: 6, opacity: 0.4 }),
       line,
       ...(ring.length > 0 ? [points("Picked", ring, { color: palette.text, size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : []),
     ],
@@ -198,10 +198,10 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
 
 /** Several objectives: how much of the box under the paper's weights the front has taken. */
 export function volumeFigure(history: readonly Generation[], { palette, colour }: Look): ChartFigure {
-  const known = history.flatMap(({ trials, hypervolume }) => (hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }]));
+  const driven = history.flatMap(({ trials, hypervolume }) => (hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }]));
   const line: LineTrace = {
     type: "scatter", mode: "lines", name: "Front", opacity: 1, hoverinfo: "skip",
-    x: known.map(({ trials }) => trials), y: known.map(({ hypervolume }) => hypervolume), line: { color: colour, width: 2, shape: "hv" },
+    x: driven.map(({ trials }) => trials), y: driven.map(({ hypervolume }) => hypervolume), line: { color: colour, width: 2, shape: "hv" },
   };
   return {
     data: [line],

@@ -101,7 +101,7 @@ function whole(text: string, low: number, high: number, field: string, put: Put)
 }
 
 function objectives({ objectives: drafts }: TuningDraft, put: Put): TuningChoice["objectives"] {
-  if (drafts.length === 0) put("objectives", "Add what is to be made small");
+  if (drafts.length === 0) put("objectives", "Add an objective");
   return drafts.map(({ kind, q, window, figure }, index) => {
     if (kind === "figure") return { kind, figure };
     const coefficients = q.map((text) => number(text, 0, 1000, () => put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000")));
@@ -144,7 +144,7 @@ export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Readi
   const put: Put = (field, message) => void (errors[field] ??= message);
   const seeds = roads(draft.seeds, "seeds", 1, put);
   const fresh = roads(draft.freshSeeds, "fresh_seeds", 2, put);
-  if (fresh.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A fresh road is none that was trained on");
+  if (fresh.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A validation road must not be a training road");
   const wish: TuningChoice = {
     strategy: draft.strategy,
     objectives: objectives(draft, put),

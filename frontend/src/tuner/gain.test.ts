@@ -14,7 +14,7 @@ const point = (training: number, fresh: number, verdict: "better" | "worse" | "u
 const paper: ComparedPoint = { ...point(0, 0, "unclear", ["paper"]), trial: 0, verdict: null };
 const gains = (best: ComparedPoint) => gainsOf({ batch: "b", figures: [], points: [paper, best] }, 1);
 
-describe("a gain on fresh roads", () => {
+describe("a gain on validation roads", () => {
   it.each([
     [point(-20, -19, "better"), "keeps"],
     [point(-20, -12, "better"), "shrinks"],
@@ -25,7 +25,7 @@ describe("a gain on fresh roads", () => {
 
   it("says both changes and the interval", () => {
     expect(gains(point(-20, -12, "better"))[0]?.text).toBe(
-      "−20.0\u2009% on the roads trained on, −12.0\u2009% (−13.0\u2009% to −11.0\u2009%) on fresh ones: less of the gain is left there.",
+      "−20.0\u2009% on the training roads, −12.0\u2009% (−13.0\u2009% to −11.0\u2009%) on the validation roads: less of the gain is left there.",
     );
   });
 

@@ -1,4 +1,4 @@
-/** Whether a gain on the roads trained on is still there on fresh ones, in a sentence. */
+/** Whether a gain on the training roads is still there on the validation roads, in a sentence. */
 
 import type { Comparison, ComparedPoint } from "../api/types";
 import { formatPercent } from "../tables/change";
@@ -29,18 +29,18 @@ const interval = (low: number | null, high: number | null) => (low === null || h
 const ENDING: Readonly<Record<Keeps, string>> = {
   keeps: "the gain holds",
   shrinks: "less of the gain is left there",
-  unclear: "no gain can be told there: the interval holds zero",
-  worse: "the weights are tuned to the roads trained on and worse elsewhere",
+  unclear: "there is no certain gain: the interval holds zero",
+  worse: "the weights are tuned to the training roads and worse elsewhere",
   none: "no gain over the paper’s weights",
 };
 
 function gainOf(point: ComparedPoint, objective: number): Gain | null {
-  if (point.roles.includes("paper")) return { trial: point.trial, objective, keeps: "none", text: "No weights that were tried are better than the paper’s on the roads trained on." };
+  if (point.roles.includes("paper")) return { trial: point.trial, objective, keeps: "none", text: "No weights that were tried are better than the paper’s on the training roads." };
   const key = `objectives.${objective}`;
   const [training, fresh] = [point.training[key]?.change, point.fresh[key]?.change];
   if (!training || !fresh) return null;
   const keeps = keepsOf(training.value, fresh.value, point.verdict?.[objective]);
-  const text = `${formatPercent(training.value)} on the roads trained on, ${formatPercent(fresh.value)}${interval(fresh.low, fresh.high)} on fresh ones: ${ENDING[keeps]}.`;
+  const text = `${formatPercent(training.value)} on the training roads, ${formatPercent(fresh.value)}${interval(fresh.low, fresh.high)} on the validation roads: ${ENDING[keeps]}.`;
   return { trial: point.trial, objective, keeps, text };
 }
 

@@ -1,4 +1,4 @@
-/** The paper's weights and the tuned ones, on the roads trained on and on fresh ones. */
+/** The paper's weights and the tuned ones, on the training and on the validation roads. */
 
 import { Skeleton, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck, IconEqual } from "../icons";
@@ -22,16 +22,16 @@ interface Props {
 
 const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = { keeps: IconCheck, shrinks: IconAlertTriangle, unclear: IconAlertTriangle, worse: IconAlertTriangle, none: IconEqual };
 
-export function FreshTable({ tuning, objectives, figures }: Props) {
+export function ValidationTable({ tuning, objectives, figures }: Props) {
   const { comparison } = tuning;
   if (!comparison) {
     return (
-      <section className={classes.card} aria-label="On fresh roads" aria-busy={!isFinal(tuning) || undefined}>
-        <h2 className={classes.cardTitle}>On fresh roads</h2>
+      <section className={classes.card} aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined}>
+        <h2 className={classes.cardTitle}>Validation roads</h2>
         <div className={classes.note}>
           <Text size="sm" c="dimmed">
             {isFinal(tuning)
-              ? "The comparison is made once the search is complete: resume it to have it."
+              ? "The comparison is made once the search is complete: resume it for that."
               : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside the paper’s.`}
           </Text>
           {tuning.step === "comparison" && !isFinal(tuning) && <Skeleton height={120} radius={6} mt={10} />}
@@ -43,8 +43,8 @@ export function FreshTable({ tuning, objectives, figures }: Props) {
   const gains = gainsOf(comparison, objectives.length);
   const [paper, ...tuned] = comparison.points;
   return (
-    <section className={classes.card} aria-label="On fresh roads">
-      <h2 className={classes.cardTitle}>On fresh roads: {tuning.seeds.length} trained on, {tuning.fresh_seeds.length} fresh</h2>
+    <section className={classes.card} aria-label="Validation roads">
+      <h2 className={classes.cardTitle}>Validation: {tuning.seeds.length} training and {tuning.fresh_seeds.length} validation roads</h2>
       <ul className={results.gains}>
         {gains.map((gain) => (
           <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
@@ -60,7 +60,7 @@ export function FreshTable({ tuning, objectives, figures }: Props) {
           )),
         )}
       </ul>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="The paper’s and the tuned weights over training and fresh roads">
+      <div className={tables.scroll} tabIndex={0} role="region" aria-label="The paper’s and the tuned weights over training and validation roads">
         <table className={`${tables.table ?? ""} ${results.fresh ?? ""}`}>
           <thead>
             <tr>
@@ -78,7 +78,7 @@ export function FreshTable({ tuning, objectives, figures }: Props) {
                   training
                 </th>,
                 <th key={`${trial} fresh`} scope="col">
-                  fresh
+                  validation
                 </th>,
               ])}
             </tr>

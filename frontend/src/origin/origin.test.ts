@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { standardScenario } from "../editor/diff";
 import { FORM } from "../editor/form.fixture";
 import { setAt } from "../editor/path";
-import { formatOrigin, readOrigin } from "./carried";
+import { formatOrigin, readOrigin } from "./origin";
 import { otherThanPaper } from "./otherThanPaper";
 
 describe("where a page's scenario comes from", () => {

@@ -1,4 +1,4 @@
-/** The scenario a page beside the dashboard works on: a run's, carried over by the address, or a preset's. */
+/** The scenario a page beside the dashboard works on: that of the run in the address, or a preset's. */
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
@@ -26,7 +26,7 @@ export function formatOrigin({ run, preset }: Origin): string {
 const runQuery = (id: string | null) =>
   queryOptions({ queryKey: runKey(id ?? ""), queryFn: ({ signal }) => api.run(id ?? "", signal), enabled: id !== null, staleTime: Infinity });
 
-export interface Carried {
+export interface PageScenario {
   readonly origin: Origin;
   /** `undefined` until it is known. */
   readonly scenario: Scenario | undefined;
@@ -36,7 +36,7 @@ export interface Carried {
   readonly choose: (origin: Origin) => void;
 }
 
-export function useCarried(): Carried {
+export function usePageScenario(): PageScenario {
   const [origin, setOrigin] = useState(() => readOrigin(window.location.search));
   const presets = useQuery(presetsQuery);
   const run = useQuery(runQuery(origin.run));

@@ -1,7 +1,7 @@
-/** What a run of a sweep says of itself: where it is, what came out, and whether to believe it. */
+/** A run of a sweep in words: where it is, its values, and its caveats. */
 
 import type { Batch, Catalogue, Strategy } from "../api/types";
-import { DOUBTFUL_EVENTS, doubtsOf, type Doubt } from "../tables/doubts";
+import { CAVEAT_EVENTS, caveatsOf, type Caveat } from "../tables/caveats";
 import { formatResult, isNothing, prettyUnit } from "../units/format";
 import { fullName, type Figure } from "./figures";
 import { showCell } from "./show";
@@ -10,14 +10,14 @@ import { cell, type Columns } from "./table";
 const columnOf = (event: string) => `events.${event}`;
 
 /** Asked for with every table, whatever is shown. */
-export const DOUBT_COLUMNS = DOUBTFUL_EVENTS.map(columnOf);
+export const CAVEAT_COLUMNS = CAVEAT_EVENTS.map(columnOf);
 
-export function doubtsOfRow(columns: Columns, row: number, catalogue: Catalogue): readonly Doubt[] {
-  const events = DOUBTFUL_EVENTS.map((event) => {
+export function caveatsOfRow(columns: Columns, row: number, catalogue: Catalogue): readonly Caveat[] {
+  const events = CAVEAT_EVENTS.map((event) => {
     const value = cell(columns, columnOf(event), row);
     return [event, typeof value === "number" || typeof value === "boolean" ? value : null] as const;
   });
-  return doubtsOf(Object.fromEntries(events), catalogue);
+  return caveatsOf(Object.fromEntries(events), catalogue);
 }
 
 export function isAirborne(columns: Columns, row: number): boolean {
@@ -29,7 +29,7 @@ export function isAirborne(columns: Columns, row: number): boolean {
 export const placeOf = (columns: Columns, row: number, fields: Batch["fields"]): readonly string[] =>
   fields.map(({ name, title, unit }) => `${title} ${showCell(cell(columns, name, row), unit)}`);
 
-interface Telling {
+interface Context {
   readonly columns: Columns;
   readonly fields: Batch["fields"];
   readonly strategies: readonly Strategy[];
@@ -38,12 +38,12 @@ interface Telling {
 }
 
 /** The lines of what stands by a point under the pointer. */
-export function tell(row: number, { columns, fields, strategies, y, catalogue }: Telling): readonly string[] {
+export function describeRow(row: number, { columns, fields, strategies, y, catalogue }: Context): readonly string[] {
   const value = formatResult(Number(cell(columns, y.key, row)) * y.scale, 4);
   return [
     strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "",
     ...placeOf(columns, row, fields),
     `${fullName(y)}: ${value} ${prettyUnit(y.unit)}`.trim(),
-    ...doubtsOfRow(columns, row, catalogue).map(({ text }) => `⚠ ${text}`),
+    ...caveatsOfRow(columns, row, catalogue).map(({ text }) => `⚠ ${text}`),
   ];
 }

@@ -5,7 +5,7 @@ import { formatInput, isNothing, prettyUnit } from "../units/format";
 
 type Events = Summary["events"];
 
-export interface Doubt {
+export interface Caveat {
   readonly event: string;
   /** A few words: `airborne 94 ms`. */
   readonly text: string;
@@ -29,10 +29,10 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
   target_reached: (value) => (value === false ? "target speed not reached" : null),
 };
 
-/** The events that can put a result in doubt. */
-export const DOUBTFUL_EVENTS = Object.keys(WORDINGS);
+/** The events that are caveats of a result. */
+export const CAVEAT_EVENTS = Object.keys(WORDINGS);
 
-export function doubtsOf(events: Events | undefined, catalogue: Pick<Catalogue, "events">): readonly Doubt[] {
+export function caveatsOf(events: Events | undefined, catalogue: Pick<Catalogue, "events">): readonly Caveat[] {
   return Object.entries(WORDINGS).flatMap(([event, wording]) => {
     const value = events?.[event];
     const quantity = catalogue.events.find(({ key }) => key === event);

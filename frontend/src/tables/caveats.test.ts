@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { doubtsOf } from "./doubts";
+import { caveatsOf } from "./caveats";
 
 const quantity = (key: string, unit: string) => ({ key, label: key, symbol: "", unit, description: "what it means" });
 const CATALOGUE = { events: [quantity("airborne_ms", "ms"), quantity("travel_exceeded_mm", "mm"), quantity("target_reached", "1")] };
-const texts = (events: Record<string, number | boolean | null>) => doubtsOf(events, CATALOGUE).map(({ text }) => text);
+const texts = (events: Record<string, number | boolean | null>) => caveatsOf(events, CATALOGUE).map(({ text }) => text);
 
-describe("a result in doubt", () => {
+describe("the caveats of a result", () => {
   it("says why, in numbers", () => {
     expect(texts({ airborne_ms: 94, travel_exceeded_mm: 6.97, target_reached: false })).toEqual([
       "airborne 94\u00a0ms", "7\u00a0mm over the travel limit", "target speed not reached",
@@ -14,12 +14,12 @@ describe("a result in doubt", () => {
   });
 
   it("means what the catalogue says", () => {
-    expect(doubtsOf({ airborne_ms: 1 }, CATALOGUE)[0]?.description).toBe("airborne_ms: what it means");
+    expect(caveatsOf({ airborne_ms: 1 }, CATALOGUE)[0]?.description).toBe("airborne_ms: what it means");
   });
 
   it("is none where nothing happened, no target was set, or rounding is all there is", () => {
     expect(texts({ airborne_ms: 0, travel_exceeded_mm: 1e-14, target_reached: null })).toEqual([]);
     expect(texts({ target_reached: true })).toEqual([]);
-    expect(doubtsOf(undefined, CATALOGUE)).toEqual([]);
+    expect(caveatsOf(undefined, CATALOGUE)).toEqual([]);
   });
 });

@@ -4,25 +4,25 @@ import { Anchor, NativeSelect, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Group } from "../editor/schema";
 import { isNotFound } from "../api/problem";
-import type { Carried } from "./carried";
-import classes from "./carried.module.css";
+import type { PageScenario } from "./origin";
+import classes from "./origin.module.css";
 import { otherThanPaper } from "./otherThanPaper";
 
 interface Props {
-  readonly carried: Carried;
+  readonly source: PageScenario;
   readonly form: Group | undefined;
   readonly disabled?: boolean;
 }
 
 const runAddress = (id: string) => `/r/${encodeURIComponent(id)}`;
 
-export function CarriedScenario({ carried: { origin, scenario, presets, error, choose }, form, disabled = false }: Props) {
+export function ScenarioChoice({ source: { origin, scenario, presets, error, choose }, form, disabled = false }: Props) {
   // A run that was once chosen stays on offer.
   const [run, setRun] = useState(origin.run);
   if (origin.run !== null && origin.run !== run) setRun(origin.run);
   const wrong = error === null ? undefined : isNotFound(error) ? "There is no run at this address: choose another scenario" : error.message;
   return (
-    <div className={classes.carried}>
+    <div className={classes.choice}>
       <NativeSelect
         size="xs"
         label="Scenario"
