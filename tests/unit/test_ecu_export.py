@@ -146,9 +146,10 @@ def test_a_variant_is_never_more_than_the_scenarios_own() -> None:
     assert Variant().of(SMALL) == SMALL
 
 
-def test_late_answers_are_misses_and_never_taken_for_a_later_step() -> None:
+@pytest.mark.parametrize("overslept", [False, True])
+def test_late_answers_are_misses_and_never_taken_for_a_later_step(overslept: bool) -> None:
     class Slow:
-        """Answers each frame 1.5 periods later."""
+        """Answers each frame 1.5 periods later, and perhaps lies there when this side wakes up too late."""
 
         def __init__(self) -> None:
             self.queue: list[tuple[float, int]] = []
@@ -157,7 +158,7 @@ def test_late_answers_are_misses_and_never_taken_for_a_later_step() -> None:
             self.queue.append((time.monotonic() + 0.03, frame.step))
 
         def receive(self, deadline: float) -> tuple[int, str] | None:
-            if self.queue and self.queue[0][0] <= deadline:
+            if overslept or (self.queue and self.queue[0][0] <= deadline):
                 due, step = self.queue.pop(0)
                 time.sleep(max(0.0, due - time.monotonic()))
                 return step, "late"
