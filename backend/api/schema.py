@@ -1,12 +1,12 @@
 """What the core knows about itself: the scenario's schema, presets, strategies, signals, figure templates."""
 
 import dataclasses
-from collections.abc import Iterable
 from functools import cache
 from typing import Any
 
 import orjson
 from fastapi import Response
+from pydantic import BaseModel
 
 from backend import models
 from backend.api import router
@@ -26,30 +26,20 @@ def _schema() -> bytes:
 
 @cache
 def _presets() -> bytes:
-    return orjson.dumps(
-        [
-            {
-                "id": preset.id,
-                "label": preset.label,
-                "description": preset.description,
-                "scenario": preset.scenario.model_dump(mode="json"),
-            }
-            for preset in PRESETS.values()
-        ]
-    )
+    return _json([models.PresetAnswer.model_validate(preset) for preset in PRESETS.values()])
 
 
 @cache
 def _strategies() -> bytes:
-    return orjson.dumps(
+    return _json(
         [
-            {
-                "id": strategy.id,
-                "label": strategy.label,
-                "description": strategy.description,
-                "reads": strategy.reads,
+            models.StrategyAnswer(
+                id=strategy.id,
+                label=strategy.label,
+                description=strategy.description,
+                reads=strategy.reads,
                 **dataclasses.asdict(figures.STYLES[strategy.id]),
-            }
+            )
             for strategy in STRATEGIES.values()
         ]
     )
@@ -57,28 +47,18 @@ def _strategies() -> bytes:
 
 @cache
 def _catalogue() -> bytes:
-    def listed(quantities: Iterable[catalogue.Quantity]) -> list[dict[str, Any]]:
-        return [dataclasses.asdict(quantity) for quantity in quantities]
-
-    return orjson.dumps(
-        {
-            "signals": listed(catalogue.SIGNALS.values()),
-            "metric_signals": catalogue.METRIC_SIGNALS,
-            "paper_signals": catalogue.PAPER_SIGNALS,
-            "windows": listed(catalogue.WINDOWS.values()),
-            "statistics": listed(catalogue.STATISTICS.values()),
-            "stages": listed(catalogue.STAGES.values()),
-            "comfort": listed(catalogue.COMFORT.values()),
-            "events": listed(catalogue.EVENTS.values()),
-            "run_figures": listed(catalogue.RUN_FIGURES.values()),
-            "references": listed(catalogue.REFERENCES.values()),
-        }
-    )
+    lists = {name: getattr(catalogue, name.upper()) for name in models.Catalogue.model_fields}
+    plain = {name: list(items.values()) if isinstance(items, dict) else items for name, items in lists.items()}
+    return _json(models.Catalogue(**plain))
 
 
 @cache
 def _templates() -> bytes:
     return orjson.dumps({"figures": figures.templates()})
+
+
+def _json(content: BaseModel | list[Any]) -> bytes:
+    return orjson.dumps(content, default=lambda model: model.model_dump(mode="json"))
 
 
 def _answer(content: bytes) -> Response:

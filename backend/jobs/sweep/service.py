@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from cachetools import LRUCache
 
 from backend.analysis import reading, robustness
+from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
@@ -70,6 +71,7 @@ class Sweeps:
         self._admission = admission
         self._settings = settings
         self._summaries: LRUCache[tuple[str, ...], _Summary] = LRUCache(SUMMARIES)
+        self._summarising: Flights[tuple[str | int, ...], dict[str, Any]] = Flights()
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """What that batch would be.
@@ -207,8 +209,11 @@ class Sweeps:
             return {**made.answer, "state": job.state}
         begin = time.perf_counter()
         cost = SUMMARY_COST * ended
+        rows, call = self.rows(job.id), partial(self._call, cost)
         with self._admission.background(client, cost):
-            answer = await reading.summarised(job, self.rows(job.id), partial(self._call, cost), figures, against)
+            answer = await self._summarising.join(
+                (*asked, ended), partial(reading.summarised, job, rows, call, figures, against)
+            )
         until = clock() + REUSE * (time.perf_counter() - begin)
         self._summaries[asked] = _Summary(answer=answer, ended=ended, reusable_until=until)
         return answer

@@ -3,10 +3,11 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from inspect import cleandoc
 from typing import Any
 
 from backend.runs.reports import numbers
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,17 +37,24 @@ class Part:
 
 def parts(scenario: Mapping[str, Any]) -> list[Part]:
     """Every part of a complete scenario, in the schema's order; parts inside parts follow them."""
-    schema = _schema()
-    found: list[Part] = []
-    for name, node in schema["properties"].items():
-        _collect(found, (name,), _resolved(node), "", scenario[name], _paper()[name])
-    return found
+    by_part: dict[str, list[Field]] = {}
+    for name, described in dotted.fields().items():
+        path = name.split(".")[:-1]
+        if ".".join(path) in dotted.fields():  # one of three weights, which are shown together
+            continue
+        for length in range(1, len(path) + 1):
+            by_part.setdefault(".".join(path[:length]), [])
+        by_part[".".join(path)].append(_field(described, dotted.value(scenario, name), dotted.value(_paper(), name)))
+    return [
+        Part(name=name, title=_title(name), description=_described(name)[1], fields=tuple(fields))
+        for name, fields in by_part.items()
+    ]
 
 
 def command(scenario: Mapping[str, Any], strategies: list[str], roads: int = 1, baseline: str | None = None) -> str:
     """The command line that runs it again, over several roads with that baseline."""
     changes = [
-        f"--set {field.name}={_typed(_at(scenario, field.name))}"
+        f"--set {field.name}={_typed(dotted.value(scenario, field.name))}"
         for part in parts(scenario)
         for field in part.fields
         if field.paper is not None
@@ -55,35 +63,12 @@ def command(scenario: Mapping[str, Any], strategies: list[str], roads: int = 1, 
     return " ".join(["ridelab run", *changes, f"--strategy {','.join(strategies)}", *over])
 
 
-def _collect(
-    found: list[Part],
-    path: tuple[str, ...],
-    node: dict[str, Any],
-    above: str,
-    values: Mapping[str, Any],
-    paper: Mapping[str, Any],
-) -> None:
-    own, inside = [], []
-    title = f"{above}: {_title(path, node)}" if above else _title(path, node)
-    for key, child in node["properties"].items():
-        field = _resolved(child)
-        if "properties" in field:
-            inside.append((key, field))
-        else:
-            own.append(_field((*path, key), field, values[key], paper[key]))
-    description = str(node.get("description", "")).replace("`", "")
-    found.append(Part(name=".".join(path), title=title, description=description, fields=tuple(own)))
-    for key, field in inside:
-        _collect(found, (*path, key), field, title, values[key], paper[key])
-
-
-def _field(path: tuple[str, ...], node: Mapping[str, Any], value: Any, paper: Any) -> Field:
-    unit = str(node.get("unit", "1"))
+def _field(described: dotted.DottedField, value: Any, paper: Any) -> Field:
     return Field(
-        name=".".join(path),
-        title=str(node["title"]),
-        shown=_shown(value, unit),
-        paper=None if value == paper else _shown(paper, unit),
+        name=described.name,
+        title=described.title,
+        shown=_shown(value, described.unit),
+        paper=None if value == paper else _shown(paper, described.unit),
     )
 
 
@@ -104,28 +89,24 @@ def _typed(value: Any) -> str:
     return f"{value:.10g}" if isinstance(value, float) else "null" if value is None else str(value)
 
 
-def _title(path: tuple[str, ...], node: Mapping[str, Any]) -> str:
-    """A part's title; a model's own name, which the schema puts there for one without, is no title."""
-    title = str(node.get("title", ""))
-    return title if " " in title or len(path) == 1 else path[-1].replace("_", " ").capitalize()
-
-
-def _resolved(node: Mapping[str, Any]) -> dict[str, Any]:
-    """A node of the schema with its $ref followed; what stands beside the $ref comes first."""
-    target = _schema()["$defs"][node["$ref"].rsplit("/", 1)[1]] if "$ref" in node else {}
-    return {**target, **{key: value for key, value in node.items() if key != "$ref"}}
-
-
-def _at(scenario: Mapping[str, Any], name: str) -> Any:
-    found: Any = scenario
-    for key in name.split("."):
-        found = found[key]
-    return found
+def _title(name: str) -> str:
+    """A part's title behind that of the part it is in; a model's own name, for one without, is no title."""
+    above, _, key = name.rpartition(".")
+    title = _described(name)[0]
+    if not above:
+        return title
+    return f"{_title(above)}: {title if ' ' in title else key.replace('_', ' ').capitalize()}"
 
 
 @cache
-def _schema() -> dict[str, Any]:
-    return Scenario.model_json_schema()
+def _described(name: str) -> tuple[str, str]:
+    """A part's own title and description."""
+    model: Any = Scenario
+    for key in name.split("."):
+        field = model.model_fields[key]
+        model = field.annotation
+    title = field.title or model.model_config.get("title") or model.__name__
+    return title, (field.description or cleandoc(model.__doc__ or "")).replace("`", "")
 
 
 @cache

@@ -1,10 +1,25 @@
 """Batches and tunings become kinds of one job, with a parent, a label and an owner."""
 
-import sqlalchemy as sa
 from alembic import op
+from sqlalchemy import (
+    Boolean,
+    Column,
+    DateTime,
+    Float,
+    ForeignKey,
+    Index,
+    Integer,
+    String,
+    Text,
+    UniqueConstraint,
+)
+
+from backend.db.migrations.columns import key, optional, position, required
 
 revision = "0006"
 down_revision = "0005"
+
+TIME = DateTime(timezone=True)
 
 # A tuning's batches were known by their idempotency keys: "tuning <id> <attempt> <name>".
 PARENT = "CASE WHEN idempotency_key LIKE 'tuning %' THEN substr(idempotency_key, 8, 22) END"
@@ -45,74 +60,46 @@ def upgrade() -> None:
 
 
 def _create_tables() -> None:
-    time = sa.DateTime(timezone=True)
     op.create_table(
         "jobs",
-        sa.Column("id", sa.String(22), primary_key=True),
-        sa.Column("kind", sa.String(16), nullable=False),
-        sa.Column("parent_id", sa.String(22), sa.ForeignKey("jobs.id"), index=True),
-        sa.Column("label", sa.String(200)),
-        sa.Column("owner", sa.String(64)),
-        sa.Column("state", sa.String(16), nullable=False, index=True),
-        sa.Column("reason", sa.Text()),
-        sa.Column("core_version", sa.String(32), nullable=False),
-        sa.Column("schema_version", sa.Integer(), nullable=False),
-        sa.Column("request", sa.Text(), nullable=False),
-        sa.Column("sweep", sa.Text()),
-        sa.Column("progress", sa.Text(), nullable=False),
-        sa.Column("answer", sa.Text()),
-        sa.Column("estimated_cost", sa.Float(), nullable=False),
-        sa.Column("total", sa.Integer(), nullable=False),
-        sa.Column("done", sa.Integer(), nullable=False),
-        sa.Column("failed", sa.Integer(), nullable=False),
-        sa.Column("idempotency_key", sa.String(255)),
-        sa.Column("request_hash", sa.String(43), nullable=False),
-        sa.Column("created_at", time, nullable=False, index=True),
-        sa.Column("started_at", time),
-        sa.Column("finished_at", time),
-        sa.UniqueConstraint("kind", "idempotency_key", name="uq_jobs_kind"),
+        key("id", 22),
+        Column("parent_id", String(22), ForeignKey("jobs.id"), index=True),
+        *required(kind=String(16), state=String(16), core_version=String(32), schema_version=Integer()),
+        *required(request=Text(), progress=Text(), estimated_cost=Float()),
+        *required(total=Integer(), done=Integer(), failed=Integer(), request_hash=String(43), created_at=TIME),
+        *optional(label=String(200), owner=String(64), reason=Text(), sweep=Text(), answer=Text()),
+        *optional(idempotency_key=String(255), started_at=TIME, finished_at=TIME),
+        Index("ix_jobs_state", "state"),
+        Index("ix_jobs_created_at", "created_at"),
+        UniqueConstraint("kind", "idempotency_key", name="uq_jobs_kind"),
     )
     op.create_table(
         "job_runs",
-        sa.Column("job_id", sa.String(22), sa.ForeignKey("jobs.id"), primary_key=True),
-        sa.Column("position", sa.Integer(), primary_key=True, autoincrement=False),
-        sa.Column("changes", sa.Text(), nullable=False),
-        sa.Column("strategy", sa.String(64), nullable=False),
-        sa.Column("status", sa.String(16), nullable=False),
-        sa.Column("result_key", sa.String(43)),
-        sa.Column("reason", sa.Text()),
-        sa.Index("ix_job_runs_result_key_job_id", "result_key", "job_id"),
+        *(key("job_id", 22, ForeignKey("jobs.id")), position("position")),
+        *required(changes=Text(), strategy=String(64), status=String(16)),
+        *optional(result_key=String(43), reason=Text()),
+        Index("ix_job_runs_result_key_job_id", "result_key", "job_id"),
     )
     op.create_table(
         "job_events",
-        sa.Column("job_id", sa.String(22), sa.ForeignKey("jobs.id"), primary_key=True),
-        sa.Column("number", sa.Integer(), primary_key=True, autoincrement=False),
-        sa.Column("kind", sa.String(16), nullable=False),
-        sa.Column("data", sa.Text(), nullable=False),
+        *(key("job_id", 22, ForeignKey("jobs.id")), position("number")),
+        *required(kind=String(16), data=Text()),
     )
     op.create_table(
         "trials",
-        sa.Column("job_id", sa.String(22), sa.ForeignKey("jobs.id"), primary_key=True),
-        sa.Column("number", sa.Integer(), primary_key=True, autoincrement=False),
-        sa.Column("generation", sa.Integer(), nullable=False),
-        sa.Column("weights", sa.Text(), nullable=False),
-        sa.Column("status", sa.String(16), nullable=False),
-        sa.Column("reason", sa.Text()),
-        sa.Column("feasible", sa.Boolean(), nullable=False),
-        sa.Column("objectives", sa.Text()),
-        sa.Column("limits", sa.Text()),
+        *(key("job_id", 22, ForeignKey("jobs.id")), position("number")),
+        *required(generation=Integer(), weights=Text(), status=String(16), feasible=Boolean()),
+        *optional(reason=Text(), objectives=Text(), limits=Text()),
     )
 
 
 def _create_links() -> None:
     op.create_table(
         "links",
-        sa.Column("slug", sa.String(22), primary_key=True),
-        sa.Column("kind", sa.String(8), nullable=False),
-        sa.Column("run_id", sa.String(22), sa.ForeignKey("runs.id")),
-        sa.Column("job_id", sa.String(22), sa.ForeignKey("jobs.id")),
-        sa.Column("view", sa.Text(), nullable=False),
-        sa.Column("created_at", sa.DateTime(timezone=True), nullable=False),
+        key("slug", 22),
+        *required(kind=String(8), view=Text(), created_at=TIME),
+        Column("run_id", String(22), ForeignKey("runs.id")),
+        Column("job_id", String(22), ForeignKey("jobs.id")),
     )
 
 

@@ -1,0 +1,42 @@
+"""Equal computations are joined, and one nobody waits for any more is called off."""
+
+import asyncio
+
+import pytest
+
+from backend.compute.flights import Flights
+from tests.servers import loops
+
+
+def test_two_that_are_equal_are_computed_once_and_the_last_that_goes_calls_it_off() -> None:
+    async def use() -> None:
+        flights: Flights[str, int] = Flights()
+        begun, ended = 0, asyncio.Event()
+
+        async def compute() -> int:
+            nonlocal begun
+            begun += 1
+            await ended.wait()
+            return begun
+
+        waiting = [asyncio.create_task(flights.join("key", compute)) for _ in range(3)]
+        await asyncio.sleep(0)
+        under_way = flights.find(lambda key: key == "key")
+        assert under_way is not None
+        waiting[0].cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await waiting[0]
+        assert not under_way.cancelled(), "two others wait"
+        ended.set()
+        assert await asyncio.gather(*waiting[1:]) == [1, 1]
+        assert flights.find(lambda key: key == "key") is None
+        ended.clear()
+        last = asyncio.create_task(flights.join("key", compute))
+        await asyncio.sleep(0)
+        last.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await last
+        assert flights.find(lambda key: key == "key") is None
+        assert await flights.join("other", lambda: asyncio.sleep(0, 7)) == 7
+
+    loops.run(use)
