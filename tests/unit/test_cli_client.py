@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import httpx
-import numpy as np
 import pytest
 
 from ridelab import (
@@ -21,9 +20,8 @@ from ridelab import (
 from ridelab.cli import app
 from ridelab.cli.service import Services
 from ridelab.files import save
-from ridelab.http import LONGEST_WAIT, Http, plain
+from ridelab.http import LONGEST_WAIT, Http
 from ridelab.streams import json_rows, server_sent
-from sim_core.scenario import Bump, Road, Scenario
 
 FULL = {"type": "about:blank", "title": "Full", "status": 503, "detail": "Full.", "errors": []}
 
@@ -128,14 +126,6 @@ def test_an_errors_text_is_its_places() -> None:
     assert [RidelabAPIError.of(404, {"type": kind}).kind for kind in kinds] == ["not-found", None, None, None]
     broken = {"status": 500, "detail": "Something went wrong.", "errors": [], "request_id": "abc"}
     assert str(RidelabAPIError.of(500, broken)) == "Something went wrong. (request abc)"
-
-
-def test_scenarios_and_numpy_values_are_sent_as_json() -> None:
-    scenario = Scenario(road=Road(bump=Bump(height=0.12)))
-    values = {"scenario": scenario, "sweep": {"a": np.linspace(0, 1, 3), "b": (np.int64(3), range(2))}}
-    sent = json.loads(json.dumps(values, default=plain))
-    assert sent["scenario"]["road"]["bump"]["height"] == 0.12
-    assert sent["sweep"] == {"a": [0, 0.5, 1], "b": [3, [0, 1]]}
 
 
 def test_events_as_the_standard_has_them() -> None:

@@ -1,20 +1,21 @@
 """The command and its subcommands."""
 
 import os
+import re
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from ridelab import __version__
 from ridelab.cli import jobs
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
+from ridelab.cli.options import option
 from ridelab.cli.paper import paper
-from ridelab.cli.parsing import Command
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
@@ -32,6 +33,28 @@ or shared link. What it leaves out takes the paper's value. Commands work with t
 """
 EPILOG = "Exit codes: 0 well; 1 failed runs, or different (compare); 2 bad input; 3 no service, or it failed."
 
+_ID = re.compile(r"-[A-Za-z0-9_-]{21}")
+_LONG_OPTION = re.compile(r"--[a-z-]+")
+
+
+class Command(TyperCommand):
+    """A command with arguments that may be ids: of earlier versions' ids one in 64 begins with `-`."""
+
+    def make_parser(self, ctx: Any) -> Any:
+        """The parser of the command's options, which takes ids as arguments."""
+        parser: Any = super().make_parser(ctx)
+        read_option = parser._process_opts  # raises "No such option"
+
+        def read(word: str, state: Any) -> None:
+            if _ID.fullmatch(word) and not _LONG_OPTION.fullmatch(word):
+                state.largs.append(word)
+            else:
+                read_option(word, state)
+
+        parser._process_opts = read
+        return parser
+
+
 app = typer.Typer(
     name="ridelab",
     cls=ReportingGroup,
@@ -42,26 +65,17 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-COMMANDS: dict[str, Callable[..., None]] = {
-    "serve": serve,
-    "run": run_,
-    "sweep": sweep,
-    "robustness": robustness,
-    "tune": tune,
-    "paper": paper,
-    "controller": controller,
-    "hil": hil,
-    "compare": compare,
-    "open": open_,
-    "export": export,
-    "backup": backup,
-}
+COMMANDS = (serve, run_, sweep, robustness, tune, paper, controller, hil, compare, open_, export, backup)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
-for name, command in COMMANDS.items():
-    app.command(name, cls=Command)(command if command in (serve, backup) else with_services(command))
-for name, command in jobs.COMMANDS.items():
-    JOBS.command(name, cls=Command)(with_services(command))
+for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
+    for command in commands:
+        own = command if command in (serve, backup) else with_services(command)
+        group.command(command.__name__.partition("_")[0], cls=Command)(own)
+
+
+_VERSION = "Show the version and exit."
+_FILE = "File with the token that --server asks for; RIDELAB_TOKEN holds one itself."
 
 
 def _version(asked: bool) -> None:
@@ -72,17 +86,8 @@ def _version(asked: bool) -> None:
 
 @app.callback()
 def _options(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
-    ] = False,
-    token_file: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="File with the token that --server asks for; RIDELAB_TOKEN holds one itself.",
-            show_default=False,
-        ),
-    ] = None,
+    version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help=_VERSION)] = False,
+    token_file: Annotated[Path | None, option("FILE", _FILE)] = None,
 ) -> None:
     """Options of the command itself."""
     if token_file is not None:

@@ -16,6 +16,9 @@ from ridelab.results import Figure, RunResult, flat
 
 _RESULT = "File of a scenario or of a saved run (run --json), preset, run id, or address of a run or link."
 _RELATIVE, _ABSOLUTE = 1e-6, 1e-9  # room for rounding
+_METRICS = "Only these metrics, such as bump.*.peak; with commas or repeated."
+_PART = "Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Of several the last."
+_MUCH = "Equal up to this much, in each metric's own unit [default: 1e-9]; likewise."
 
 
 def compare(
@@ -23,32 +26,14 @@ def compare(
     a: Annotated[str, typer.Argument(metavar="A", help=_RESULT, autocompletion=options.completes("presets"))],
     b: Annotated[str, typer.Argument(metavar="B", help="The same; changes are from A to B.")],
     strategy: options.Strategies = None,
-    metric: Annotated[
-        list[str] | None,
-        options.option(
-            "PATTERN",
-            "Only these metrics, such as bump.*.peak; with commas or repeated.",
-            autocompletion=options.completes("metrics"),
-        ),
-    ] = None,
-    tolerance: Annotated[
-        list[str] | None,
-        options.option(
-            "[PATTERN=]REL",
-            "Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Repeated: the "
-            "last that fits.",
-        ),
-    ] = None,
-    tolerance_abs: Annotated[
-        list[str] | None,
-        options.option("[PATTERN=]ABS", "Equal up to this much, in each metric's own unit [default: 1e-9]; likewise."),
-    ] = None,
+    metric: Annotated[list[str] | None, options.option("PATTERN", _METRICS, completes="metrics")] = None,
+    tolerance: Annotated[list[str] | None, options.option("[PATTERN=]REL", _PART)] = None,
+    tolerance_abs: Annotated[list[str] | None, options.option("[PATTERN=]ABS", _MUCH)] = None,
     worse: Annotated[
-        bool,
-        typer.Option("--worse", help="Only where B is worse: greater, no longer true, or failed."),
+        bool, options.flag("Only what is worse in B: greater, no longer true, failed.", "--worse")
     ] = False,
     limit: Annotated[int, typer.Option(metavar="N", min=0, help="Show the N largest differences, 0 for all.")] = 20,
-    as_json: Annotated[bool, typer.Option("--json", help="Every difference, as JSON.")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Compare two results metric by metric, the largest change first.
 
@@ -64,27 +49,28 @@ def compare(
         absolute=_limits(tolerance_abs or [], "--tolerance-abs", _ABSOLUTE),
     )
     sides = [targets.find(target, services) for target in (a, b)]
-    named = options.listed(strategy)
-    runs = [_run(side, named, sides, services) for side in sides]
-    field_units = services.names.units() if services.used else {}
-    names = named or list(dict.fromkeys([*runs[0].strategies, *runs[1].strategies]))
-    patterns = options.listed(metric) or ["*"]
-    differing = differences(runs[0], runs[1], names, equal, patterns)
-    differing = [item for item in differing if item.worse or not worse]
+    named, patterns = options.listed(strategy), options.listed(metric) or ["*"]
+    first, second = (_run(side, named, sides, services) for side in sides)
+    names = named or list(dict.fromkeys([*first.strategies, *second.strategies]))
+    differing = [item for item in differences(first, second, names, equal, patterns) if item.worse or not worse]
+    changed = inputs(first.scenario, second.scenario)
     if as_json:
-        _print_json(runs, differing)
+        head = {key: {"id": run.id, "core_version": run.core_version} for key, run in (("a", first), ("b", second))}
+        fields = [{"field": name, "a": one, "b": other} for name, one, other in changed]
+        listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
+        print_json({**head, "equal": not differing, "inputs": fields, "differences": listed})
     else:
-        for letter, side, run in zip("AB", sides, runs, strict=True):
+        for letter, side, run in zip("AB", sides, (first, second), strict=True):
             over = f", mean of {run.roads} roads" if run.roads > 1 else ""
             typer.echo(f"{letter}  {side.name} (core {run.core_version}{over})")
-        for name, one, other in inputs(runs[0].scenario, runs[1].scenario):
-            typer.echo(f"   {with_unit(name, field_units.get(name, ''))}: {shown(one)} -> {shown(other)}")
+        units = services.names.fields if services.opened else {}
+        for name, one, other in changed:
+            typer.echo(f"   {with_unit(name, units.get(name, ''))}: {shown(one)} -> {shown(other)}")
         if differing:
-            _show(differing[:limit] if limit else differing, len(differing))
+            _show(differing[: limit or None], len(differing))
         else:
-            count = sum(
-                _fits(metric, patterns) for name in names for metric in _all(runs[0], name) if metric != "status"
-            )
+            metrics = [metric for name in names for metric in _all(first, name) if metric != "status"]
+            count = sum(_fits(metric, patterns) for metric in metrics)
             how = "Not worse beyond" if worse else "Equal within"
             typer.echo(f"{how} the tolerance: {count} metrics of {', '.join(names)}")
     if differing:
@@ -172,13 +158,12 @@ def _run(item: targets.Target, named: list[str], both: list[targets.Target], ser
     if item.batch is not None:
         raise InputError(f"{item.name}: compare takes single runs; export writes a batch's table")
     if item.run is not None:
-        missing = [name for name in named if name not in item.run.strategies]
-        if missing:
+        if missing := [name for name in named if name not in item.run.strategies]:
             raise InputError(f"{item.name}: it has no {', '.join(missing)}, only {', '.join(item.run.strategies)}")
         return item.run
-    others = [name for other in both for name in targets.strategies_of(other)]
+    names = named or [name for other in both for name in other.strategies] or list(services.names.strategies)
     roads = max((other.run.roads for other in both if other.run is not None), default=1)
-    return services.at().run(item.scenario, named or others or list(services.names.strategies), roads=roads)
+    return services.at().run(item.scenario, names, roads=roads)
 
 
 def _all(run: RunResult, strategy: str) -> dict[str, Figure | str]:
@@ -190,25 +175,10 @@ def _number(value: Figure | str) -> float | None:
     return value if isinstance(value, float | int) and not isinstance(value, bool) else None
 
 
-def _print_json(runs: list[RunResult], differing: list[Difference]) -> None:
-    listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
-    sides = [{"id": run.id, "core_version": run.core_version} for run in runs]
-    changed = [{"field": name, "a": one, "b": other} for name, one, other in inputs(runs[0].scenario, runs[1].scenario)]
-    print_json({"a": sides[0], "b": sides[1], "equal": not differing, "inputs": changed, "differences": listed})
-
-
 def _show(differing: list[Difference], total: int) -> None:
-    rows = [
-        [
-            item.strategy,
-            with_unit(item.figure, item.unit),
-            shown(item.a),
-            shown(item.b),
-            f"{100 * item.change:+.2f} %" if math.isfinite(item.change) else "-",
-        ]
-        for item in differing
-    ]
     typer.echo()
-    show_table(["strategy", "metric", "A", "B", "change"], rows, left={0, 1})
+    changes = [f"{100 * item.change:+.2f} %" if math.isfinite(item.change) else "-" for item in differing]
+    rows = [[item.strategy, with_unit(item.figure, item.unit), item.a, item.b] for item in differing]
+    show_table(["strategy", "metric", "A", "B", "change"], [[*row, at] for row, at in zip(rows, changes, strict=True)])
     more = f"; these are the {len(differing)} largest, --limit 0 shows all" if total > len(differing) else ""
     typer.echo(f"\n{total} metrics differ beyond the tolerance{more}")

@@ -1,7 +1,6 @@
 """`ridelab controller` and `ridelab hil`: LV's controller as an ECU's program."""
 
 import json
-import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
@@ -11,23 +10,21 @@ import typer
 from ridelab.cli import fields, options
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError, deliver, note, print_json
-from ridelab.cli.service import Services, server_command, server_environment
+from ridelab.cli.service import Services, end_as_server
 from ridelab.cli.tables import show_table
+
+_OUT = "Write the C sources there, as a zip; - is stdout."
+_PROGRAM = "Drive this program, built from those sources."
 
 
 def controller(
     services: Services,
     scenario: options.Scenario = "paper",
-    out: Annotated[
-        str | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write the C sources there, as a zip; - is stdout."),
-    ] = None,
-    report: Annotated[bool, typer.Option("--report", help="Say whether it fits an STM32F103, and what does.")] = False,
-    program: Annotated[
-        Path | None, options.option("FILE", "Drive this program, built from those sources.", exists=True)
-    ] = None,
+    out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
+    report: Annotated[bool, options.flag("Say whether it fits an STM32F103, and what does.", "--report")] = False,
+    program: Annotated[Path | None, options.option("FILE", _PROGRAM, exists=True)] = None,
     changes: options.Changes = None,
-    as_json: Annotated[bool, typer.Option("--json", help="The whole report, as JSON.")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Export the scenario's lv_hil controller as C sources with a README and a Makefile, or measure it for its part.
 
@@ -40,8 +37,8 @@ def controller(
     if out is not None:
         deliver([ridelab.controller(design)], out)
         return
-    if program is not None:
-        _drive(program, design)
+    if program is not None:  # a program of somebody's is run here, never by a service
+        end_as_server("--drive", str(program), content=json.dumps(design).encode())
     note("Building and driving each controller; this takes about ten seconds")
     measured = ridelab.controller_report(design)
     print_json(measured) if as_json else _show_fit(measured)
@@ -51,7 +48,7 @@ def hil(
     services: Services,
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
-    as_json: Annotated[bool, typer.Option("--json", help="The whole report with its histograms, as JSON.")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Drive lv_hil once by the clock: latency, jitter and missed deadlines, and what they change.
 
@@ -64,45 +61,32 @@ def hil(
     print_json(measured) if as_json else _show_clock(measured, services.names)
 
 
-def _drive(program: Path, scenario: Mapping[str, Any]) -> None:
-    """A program of somebody's is run here, never by a service.
-
-    Raises:
-        typer.Exit: How the drive ended.
-    """
-    command = server_command("--drive", str(program))
-    run = subprocess.run(  # noqa: S603  # our own module and the program that was named, no shell
-        command, input=json.dumps(scenario).encode(), env=server_environment(), check=False
-    )
-    raise typer.Exit(run.returncode)
-
-
 def _show_fit(measured: Mapping[str, Any]) -> None:
     part = measured["part"]
     typer.echo(f"{part['name']}; {part['flash'] // 1024} KB flash, {part['ram'] // 1024} KB RAM")
     typer.echo(f"One step every {1000 * measured['sample_time']:g} ms; times within {100 * measured['spread']:.0f} %")
     heads = ["Np", "Nc", "limits", "iterations", "flash", "RAM", "operations", "on the part", "fits", "worst change"]
-    show_table(heads, list(map(_fit, measured["rows"])), {2})
+    show_table(heads, list(map(_fit, measured["rows"])))
     for row in measured["rows"]:
+        name = f"Np {row['prediction_horizon']}, Nc {row['control_horizon']}, {row['checked']} limits"
         for reason in row["reasons"]:
-            name = f"Np {row['prediction_horizon']}, Nc {row['control_horizon']}, {row['checked']} limits"
             typer.echo(f"{name}: {reason}")
     typer.echo("Worst change: of Tables 9 and 10's eight metrics against lv simulated")
 
 
-def _fit(row: Mapping[str, Any]) -> list[str]:
+def _fit(row: Mapping[str, Any]) -> list[Any]:
     operations, time = row["operations"], row["time"]
     changes = [value for window in row["changes"].values() for value in window.values() if value is not None]
     return [
-        str(row["prediction_horizon"]),
-        str(row["control_horizon"]),
+        row["prediction_horizon"],
+        row["control_horizon"],
         f"{row['checked']} ({row['checked_rows']})",
-        str(row["iterations"]),
+        row["iterations"],
         f"{(row['code'] + row['constants']) / 1024:.1f} KB",
         f"{row['variables'] / 1024:.1f} KB",
         f"{operations['least']} to {operations['most']}",
         f"{1000 * time['least']:.1f} to {1000 * time['most']:.1f} ms",
-        "yes" if row["fits"] else "no",
+        row["fits"],
         f"{max(changes):+.1f} %" if changes else "none",
     ]
 

@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-from collections.abc import Iterator
 from typing import Annotated
 
 import typer
@@ -15,23 +14,20 @@ from ridelab.cli.run import with_units
 from ridelab.cli.service import Services
 from ridelab.results import Interval, RunResult, flat
 
+_SIGNALS = "Of a run: some signals, with commas; time and position always."
+_METRICS = "Of a run: its metrics, as .csv or as the .json that compare reads."
+
 
 def export(
     services: Services,
     target: Annotated[str, typer.Argument(metavar="RESULT", help="Id or address of a run, a batch or a link.")],
-    out: Annotated[
-        str, typer.Option("--out", "-o", metavar="FILE", help="Where to write: .csv, .parquet or .json; - is stdout.")
-    ],
+    out: Annotated[str, options.option("FILE", "Where to write: .csv, .parquet or .json; - is stdout.", "--out", "-o")],
     file_format: options.Format = None,
     strategy: options.Strategies = None,
-    signals: Annotated[
-        list[str] | None, options.option("KEYS", "Of a run: some signals, with commas; time and position always.")
-    ] = None,
+    signals: Annotated[list[str] | None, options.option("KEYS", _SIGNALS)] = None,
     points: Annotated[int | None, options.option("N", "Of a run: about N samples instead of all.", min=2)] = None,
-    metrics: Annotated[
-        bool, typer.Option("--metrics", help="Of a run: its metrics, as .csv or as the .json that compare reads.")
-    ] = False,
-    wait: Annotated[bool, typer.Option("--wait", help="Of a batch: until it has ended.")] = False,
+    metrics: Annotated[bool, options.flag(_METRICS, "--metrics")] = False,
+    wait: Annotated[bool, options.flag("Of a batch: until it has ended.", "--wait")] = False,
 ) -> None:
     """Write a run's time histories or metrics, or a batch's table, to a file; units are in the header.
 
@@ -66,14 +62,10 @@ def _metrics_csv(run: RunResult) -> str:
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(["strategy", "metric", "unit", "value", *(["low", "high"] if run.roads > 1 else [])])
-    writer.writerows(_metric_rows(run))
-    return file.getvalue()
-
-
-def _metric_rows(run: RunResult) -> Iterator[list[object]]:
     for outcome in run:
         intervals = dict(flat({**outcome.metrics, "comfort": outcome.comfort}))
         for name, value in outcome.figures().items():
             interval = intervals.get(name)
             ends = [interval.low, interval.high] if isinstance(interval, Interval) else [None] * 2 * (run.roads > 1)
-            yield [outcome.strategy, name, run.units.get(name, "1"), value, *ends]
+            writer.writerow([outcome.strategy, name, run.units.get(name, "1"), value, *ends])
+    return file.getvalue()

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 import typer
+from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from ridelab.cli.reporting import (
@@ -17,23 +18,20 @@ from ridelab.cli.reporting import (
     UnavailableError,
     note,
     print_json,
-    terminal,
 )
 from ridelab.cli.service import Services
+from ridelab.client import Ridelab
 from ridelab.errors import RidelabClientError
 from ridelab.jobs import Job, Tuning
 
 AnyJob = TypeVar("AnyJob", bound=Job)
 
 
-def may_detach(detach: bool, services: Services) -> None:
-    """Nothing happens where a job can be left alone.
-
-    Raises:
-        InputError: It cannot.
-    """
-    if detach and services.private:
+def left_alone(services: Services) -> Ridelab:
+    """The service that goes on with a job that is left to it."""
+    if services.private:
         raise InputError("--detach needs --server: a private service ends with this command")
+    return services.at()
 
 
 def submitted(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
@@ -43,9 +41,6 @@ def submitted(submit: Callable[[str], AnyJob], services: Services, *options: str
         submit: Hands it in under that key.
         services: Where.
         options: Those of the command that takes its results later.
-
-    Raises:
-        typer.Exit: It was interrupted.
     """
     key = uuid.uuid4().hex
     try:
@@ -72,8 +67,6 @@ def followed(job: Job, services: Services, *options: str, ours: bool = True, tim
 
     Raises:
         typer.Exit: The command ends without its results, and what becomes of them has been said.
-        JobTimeoutError: It has not ended in that time.
-        RidelabClientError: The service refused, or does not answer.
     """
     try:
         _follow(job, timeout)
@@ -96,11 +89,7 @@ def file_options(out: str | None, file_format: str | None) -> list[str]:
 
 
 def say_end(job: Job) -> int:
-    """Say how it ended; the exit code.
-
-    Raises:
-        UnavailableError: It failed as a whole.
-    """
+    """Say how it ended; the exit code."""
     if job.state == "failed":
         raise UnavailableError(f"The {job.NAME} {job.id} failed: {job.reason}")
     note(f"{job.NAME} {job.id}: {job.state}, {job.done} of {job.total} done, {job.failed} failed")
@@ -118,11 +107,7 @@ def show_estimate(estimate: Mapping[str, Any], runs: str, units: str, *, as_json
 
 
 def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bool) -> int:
-    """Cancel what is left of a job that is ours; the exit code where its results can still be taken.
-
-    Raises:
-        typer.Exit: They cannot, and how to get them has been said.
-    """
+    """Cancel what is left of a job that is ours; the exit code where its results can still be taken."""
     terminated = isinstance(interrupt, Terminated)
     if terminated or not ours:
         why = "Ended" if terminated else "Stopped waiting"
@@ -141,14 +126,9 @@ def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bo
 
 
 def _follow(job: Job, timeout: float | None) -> None:
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[remarks]}"),
-        TimeRemainingColumn(),
-    )
-    console = terminal()
+    texts = TextColumn("{task.description}"), TextColumn("{task.fields[remarks]}")
+    columns = (texts[0], BarColumn(), MofNCompleteColumn(), texts[1], TimeRemainingColumn())
+    console = Console(stderr=True)
     with Progress(*columns, console=console, disable=not console.is_terminal, transient=True) as bar:
         task = bar.add_task(job.state, total=job.total, remarks="")
 

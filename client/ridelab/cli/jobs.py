@@ -1,6 +1,5 @@
 """`ridelab jobs`: batches and tunings on a service, wherever they were handed in."""
 
-from collections.abc import Callable
 from typing import Annotated, Any
 
 import typer
@@ -13,7 +12,9 @@ from ridelab.cli.tables import show_table
 from ridelab.jobs import Job
 
 JobId = Annotated[str, typer.Argument(metavar="JOB", help="Id of a batch or a tuning.")]
-AsJson = Annotated[bool, typer.Option("--json", help="As the service answers.")]
+JobIds = Annotated[list[str], typer.Argument(metavar="JOB...", help="Ids of batches and tunings.")]
+Text = Annotated[str, typer.Argument(metavar="TEXT", help="Empty takes the label away.")]
+Timeout = Annotated[float | None, options.option("SECONDS", "Wait so long at most.", min=0)]
 
 
 def list_jobs(
@@ -21,7 +22,7 @@ def list_jobs(
     state: Annotated[str | None, options.option("STATE", "queued, running, done, cancelled or failed only.")] = None,
     label: Annotated[str | None, options.option("TEXT", "Of this label only.")] = None,
     limit: Annotated[int, typer.Option(metavar="N", min=1, help="The newest N of each kind.")] = 20,
-    as_json: AsJson = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """The newest jobs first."""
     ridelab = services.at()
@@ -33,20 +34,17 @@ def list_jobs(
     if as_json:
         print_json([{"kind": job.NAME, **job.answer} for job in listed])
     elif listed:
-        show_table(
-            ["", "id", "state", "done", "failed", "of", "created", "label"], list(map(_row, listed)), {0, 1, 2, 7}
-        )
+        show_table(["", "id", "state", "done", "failed", "of", "created", "label"], list(map(_row, listed)))
     else:
         note("There are none")
 
 
-def show(services: Services, job_id: JobId, as_json: AsJson = False) -> None:
+def show(services: Services, job_id: JobId, as_json: options.AsJson = False) -> None:
     """How a job stands."""
     job = targets.job_of(job_id, services)
     if as_json:
         print_json(job.answer)
         return
-    follow_up = later(job, services)
     answer = job.answer
     lines: dict[str, Any] = {
         job.NAME: job.id,
@@ -59,37 +57,28 @@ def show(services: Services, job_id: JobId, as_json: AsJson = False) -> None:
         "core": answer.get("core_version"),
         "created": answer.get("created_at"),
         "finished": answer.get("finished_at"),
-        "results": follow_up,
+        "results": later(job, services),
     }
     for name, value in lines.items():
         if value not in (None, ""):
             typer.echo(f"{name + ':':<16}{value}")
 
 
-def follow(
-    services: Services,
-    job_id: JobId,
-    timeout: Annotated[float | None, options.option("SECONDS", "Wait so long at most.", min=0)] = None,
-) -> None:
+def follow(services: Services, job_id: JobId, timeout: Timeout = None) -> None:
     """Wait for a job's end; Ctrl-C only ends the waiting."""
     job = targets.job_of(job_id, services)
     followed(job, services, ours=False, timeout=timeout)
     raise typer.Exit(say_end(job))
 
 
-def label_job(
-    services: Services,
-    job_id: JobId,
-    text: Annotated[str, typer.Argument(metavar="TEXT", help="Empty takes the label away.")],
-) -> None:
+def label_job(services: Services, job_id: JobId, text: Text) -> None:
     """Give a job a label, by which lists find it."""
     targets.job_of(job_id, services).rename(text or None)
 
 
 def cancel(services: Services, job_id: JobId) -> None:
     """Stop a job; what is finished stays."""
-    job = targets.job_of(job_id, services).cancel()
-    say_end(job)
+    say_end(targets.job_of(job_id, services).cancel())
 
 
 def resume(services: Services, job_id: JobId) -> None:
@@ -100,10 +89,7 @@ def resume(services: Services, job_id: JobId) -> None:
     say_end(job)
 
 
-def delete(
-    services: Services,
-    job_ids: Annotated[list[str], typer.Argument(metavar="JOB...", help="Ids of batches and tunings.")],
-) -> None:
+def delete(services: Services, job_ids: JobIds) -> None:
     """Remove jobs that have ended and that no link shows."""
     for each in job_ids:
         job = targets.job_of(each, services)
@@ -111,17 +97,9 @@ def delete(
         note(f"{job.NAME} {job.id}: deleted")
 
 
-def _row(job: Job) -> list[str]:
+def _row(job: Job) -> list[Any]:
     created = str(job.answer["created_at"])[:16].replace("T", " ")
-    return [job.NAME, job.id, job.state, str(job.done), str(job.failed), str(job.total), created, job.label or ""]
+    return [job.NAME, job.id, job.state, job.done, job.failed, job.total, created, job.label or ""]
 
 
-COMMANDS: dict[str, Callable[..., None]] = {
-    "list": list_jobs,
-    "show": show,
-    "follow": follow,
-    "label": label_job,
-    "cancel": cancel,
-    "resume": resume,
-    "delete": delete,
-}
+COMMANDS = (list_jobs, show, follow, label_job, cancel, resume, delete)

@@ -13,19 +13,11 @@ from ridelab.files import save
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Field:
-    """A scenario's field; `kind` is `number`, `integer`, `array` (of weights), `string` or `boolean`."""
-
-    unit: str
-    kind: str
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Names:
     """Names by which a service can be asked.
 
     Attributes:
-        fields: By dotted name, in the scenario's order.
+        fields: Unit by dotted name, in the scenario's order.
         strategies: Label by id.
         presets: Complete scenario by id; the paper's first, which is what fields that are left out have.
         signals: Label and unit by key.
@@ -34,7 +26,7 @@ class Names:
         metrics: Unit by flat name.
     """
 
-    fields: Mapping[str, Field]
+    fields: Mapping[str, str]
     strategies: Mapping[str, str]
     presets: Mapping[str, dict[str, Any]]
     signals: Mapping[str, tuple[str, str]]
@@ -44,11 +36,7 @@ class Names:
 
     @classmethod
     def of(cls, ridelab: Ridelab) -> Self:
-        """Those of a service; the shell completes them from now on.
-
-        Raises:
-            RidelabClientError: It refuses, or does not answer.
-        """
+        """Those of a service; the shell completes them from now on."""
         schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
         names = cls(
             fields=dict(_fields(schema, schema["$defs"], "")),
@@ -72,12 +60,7 @@ class Names:
 
     def signal(self, key: str) -> str:
         """A signal's label and unit, as a column's head."""
-        label, unit = self.signals[key]
-        return f"{label} [{unit}]"
-
-    def units(self) -> dict[str, str]:
-        """Unit of each field."""
-        return {name: field.unit for name, field in self.fields.items()}
+        return "{} [{}]".format(*self.signals[key])
 
 
 def remembered() -> dict[str, list[str]]:
@@ -93,14 +76,11 @@ def _remembered_in() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ridelab" / "names.json"
 
 
-def _fields(part: Mapping[str, Any], parts: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Field]]:
-    """The fields in a part of the scenario's JSON Schema, weights one by one too."""
+def _fields(part: Mapping[str, Any], parts: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
+    """Name and unit of the fields in a part of the scenario's JSON Schema, weights one by one too."""
     for key, schema in part["properties"].items():
         if "$ref" in schema:
             yield from _fields(parts[schema["$ref"].rpartition("/")[2]], parts, f"{prefix}{key}.")
             continue
-        unit = schema.get("unit", "1")
-        kind = schema.get("type") or schema["anyOf"][0]["type"]  # the other one is null
-        yield prefix + key, Field(unit=unit, kind=kind)
-        for index in range(schema.get("maxItems", 0)):
-            yield f"{prefix}{key}.{index}", Field(unit=unit, kind="number")
+        for name in (key, *(f"{key}.{index}" for index in range(schema.get("maxItems", 0)))):
+            yield prefix + name, schema.get("unit", "1")

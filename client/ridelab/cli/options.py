@@ -10,19 +10,22 @@ from ridelab.cli.names import remembered
 
 
 def folder(text: str) -> Path:
-    """A folder's name.
-
-    Raises:
-        BadParameter: There is none.
-    """
+    """A folder's name, which is not empty."""
     if not text:
         raise typer.BadParameter("it is empty; leave it out for the default")
     return Path(text)
 
 
 def option(metavar: str, help: str, *names: str, **more: Any) -> Any:  # noqa: A002  # typer's name for it
-    """An option without a default to show."""
+    """An option without a default to show; `completes` says what the shell completes."""
+    if kind := more.pop("completes", None):
+        more["autocompletion"] = completes(*kind.split())
     return typer.Option(*names, metavar=metavar, help=help, show_default=False, **more)
+
+
+def flag(help: str, *names: str) -> Any:  # noqa: A002  # as above
+    """An option without a value."""
+    return typer.Option(*names, help=help)
 
 
 def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
@@ -35,50 +38,24 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
     return complete
 
 
-Server = Annotated[
-    str | None,
-    option(
-        "URL",
-        "Service to work with; without one a private one is started for as long as the command runs.",
-        envvar="RIDELAB_SERVER",
-    ),
-]
-DataDir = Annotated[
-    Path | None,
-    option(
-        "DIR", "Where the private service keeps its database [default: data].", envvar="RIDELAB_DATA_DIR", parser=folder
-    ),
-]
-Scenario = Annotated[
-    str,
-    typer.Argument(
-        metavar="SCENARIO",
-        help="File, - for standard input, preset, run id, or address of a result.",
-        autocompletion=completes("presets"),
-    ),
-]
-Changes = Annotated[
-    list[str] | None,
-    option(
-        "FIELD=VALUE",
-        "Change one field, such as road.bump.height=0.12; may be repeated.",
-        "--set",
-        autocompletion=completes("fields", "="),
-    ),
-]
-Strategies = Annotated[
-    list[str] | None,
-    option(
-        "ID", "Strategies to run, with commas or repeated.", "--strategy", "-s", autocompletion=completes("strategies")
-    ),
-]
-Baseline = Annotated[
-    str | None, option("ID", "Strategy that changes refer to.", autocompletion=completes("strategies"))
-]
+_SERVER = "Service to work with; without one a private one is started for as long as the command runs."
+_DATA = "Where the private service keeps its database [default: data]."
+_TARGET = "File, - for standard input, preset, run id, or address of a result."
+_CHANGE = "Change one field, such as road.bump.height=0.12; may be repeated."
+_IDS = "Strategies to run, with commas or repeated."
+
+Server = Annotated[str | None, option("URL", _SERVER, envvar="RIDELAB_SERVER")]
+DataDir = Annotated[Path | None, option("DIR", _DATA, envvar="RIDELAB_DATA_DIR", parser=folder)]
+Scenario = Annotated[str, typer.Argument(metavar="SCENARIO", help=_TARGET, autocompletion=completes("presets"))]
+Changes = Annotated[list[str] | None, option("FIELD=VALUE", _CHANGE, "--set", completes="fields =")]
+Strategies = Annotated[list[str] | None, option("ID", _IDS, "--strategy", "-s", completes="strategies")]
+Baseline = Annotated[str | None, option("ID", "Strategy that changes refer to.", completes="strategies")]
 Format = Annotated[str | None, option("csv|parquet|json", "Instead of the file name's end.", "--format")]
-Detach = Annotated[bool, typer.Option("--detach", help="Hand it in and leave; needs --server.")]
+Detach = Annotated[bool, flag("Hand it in and leave; needs --server.", "--detach")]
 Label = Annotated[str | None, option("TEXT", "Call the job so; lists find it by that.")]
-DryRun = Annotated[bool, typer.Option("--dry-run", help="Only say how many runs and how long.")]
+DryRun = Annotated[bool, flag("Only say how many runs and how long.", "--dry-run")]
+AsJson = Annotated[bool, flag("All of it, as JSON.", "--json")]
+Seed = Annotated[int, typer.Option(metavar="N", min=0, help="Of what is drawn: same seed, same points.")]
 
 
 def listed(names: list[str] | None) -> list[str]:

@@ -1,10 +1,14 @@
-"""What a command says, to whom, and with which exit code it ends."""
+"""What a command says, to whom, and with which exit code it ends.
+
+Whatever a command calls may raise `InputError` and `UnavailableError` besides the client's own errors.
+"""
 
 import json
 import os
 import signal
 import sys
 from collections.abc import Iterable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -26,11 +30,7 @@ _TRY_AGAIN = 429
 
 
 class InputError(Exception):
-    """What was typed, or a file that was named, cannot be used.
-
-    Args:
-        lines: What to show, `field: message` where a field is concerned.
-    """
+    """What was typed, or a file that was named, cannot be used; `lines` say why, `field: message` for a field."""
 
     def __init__(self, *lines: str) -> None:
         super().__init__(*lines)
@@ -49,11 +49,7 @@ class ReportingGroup(TyperGroup):
     """Commands whose expected errors are a line on stderr and an exit code, never a traceback."""
 
     def invoke(self, ctx: Any) -> Any:
-        """Run the command.
-
-        Raises:
-            typer.Exit: It ended with an error that has been said.
-        """
+        """Run the command; an error that has been said ends it with its exit code."""
         try:
             result = super().invoke(ctx)
             sys.stdout.flush()
@@ -101,9 +97,10 @@ def note(line: str) -> None:
     typer.echo(line, err=True)
 
 
-def terminal() -> Console:
-    """Stderr for what moves while one waits; it is only drawn where somebody looks (`is_terminal`)."""
-    return Console(stderr=True)
+def waiting(what: str) -> AbstractContextManager[Any]:
+    """Something that moves on stderr while one waits, where somebody looks."""
+    console = Console(stderr=True)
+    return console.status(what) if console.is_terminal else nullcontext()
 
 
 def print_json(value: Any) -> None:
@@ -111,14 +108,15 @@ def print_json(value: Any) -> None:
     typer.echo(json.dumps(value, indent=1, ensure_ascii=False))
 
 
-def chosen_format(out: str, file_format: str | None) -> str:
-    """The format asked for, else the one the file's name ends with; said before anything is computed for it.
-
-    Raises:
-        InputError: There is no such format, or no such folder.
-    """
+def folder_of(out: str, option: str) -> None:
+    """Refuse a file whose folder does not exist."""
     if not Path(out).parent.is_dir():
-        raise InputError(f"--out: there is no folder {Path(out).parent}")
+        raise InputError(f"{option}: there is no folder {Path(out).parent}")
+
+
+def chosen_format(out: str, file_format: str | None) -> str:
+    """The format asked for, else the one the file's name ends with; judged before anything is computed for it."""
+    folder_of(out, "--out")
     try:
         return format_of(out, file_format)
     except ValueError as error:
@@ -126,13 +124,5 @@ def chosen_format(out: str, file_format: str | None) -> str:
 
 
 def deliver(content: Iterable[bytes], out: str) -> None:
-    """Write the pieces there, `-` is standard output; a file is whole or not touched.
-
-    Raises:
-        OSError: It cannot be written.
-    """
-    if out != "-":
-        save(content, out)
-        return
-    for piece in content:
-        sys.stdout.buffer.write(piece)
+    """Write the pieces there, `-` is standard output; a file is whole or not touched."""
+    sys.stdout.buffer.writelines(content) if out == "-" else save(content, out)

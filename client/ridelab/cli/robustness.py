@@ -14,25 +14,23 @@ from ridelab.jobs import Batch
 
 _FOLLOWED = 2  # fields named beside a figure
 _CHANCE = 0.001  # what chance makes more often than this is not named
+_RANGE = "Instead of, or beside, the default ranges."
+_EXACT = "Known exactly: not varied; with commas or repeated."
 
 
 def robustness(
     services: Services,
     scenario: options.Scenario = "paper",
     samples: Annotated[int | None, options.option("N", "Points drawn [default: 200].", min=2)] = None,
-    ranges: Annotated[
-        list[str] | None, options.option("FIELD=LOW:HIGH", "Instead of, or beside, the default ranges.", "--range")
-    ] = None,
-    exact: Annotated[
-        list[str] | None, options.option("FIELD", "Known exactly: not varied; with commas or repeated.")
-    ] = None,
-    only: Annotated[bool, typer.Option("--only", help="Vary only what --range names.")] = False,
-    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Same seed, same points.")] = 0,
+    ranges: Annotated[list[str] | None, options.option("FIELD=LOW:HIGH", _RANGE, "--range")] = None,
+    exact: Annotated[list[str] | None, options.option("FIELD", _EXACT)] = None,
+    only: Annotated[bool, options.flag("Vary only what --range names.", "--only")] = False,
+    seed: options.Seed = 0,
     strategy: options.Strategies = None,
     baseline: options.Baseline = None,
     changes: options.Changes = None,
     label: options.Label = None,
-    as_json: Annotated[bool, typer.Option("--json", help="The whole summary, as JSON.")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Worst case and quantiles of each strategy over uncertain mass, stiffness, damping, preview and actuators.
 
@@ -45,8 +43,13 @@ def robustness(
     names = options.listed(strategy) or usual["strategies"]
     if baseline is not None and baseline not in names:
         raise InputError(f"--baseline: {baseline} is not among the strategies {', '.join(names)}")
-    given = fields.ranges_of(ranges or [], "--range", services)
-    varied = _ranges([] if only else usual["ranges"], given, options.listed(exact))
+    varied = {} if only else {each["field"]: [each["low"], each["high"]] for each in usual["ranges"]}
+    varied |= fields.ranges_of(ranges or [], "--range")
+    for name in options.listed(exact):
+        if varied.pop(name, None) is None:
+            raise InputError(f"--exact: {name} is not varied; what is: {', '.join(varied) or 'nothing'}")
+    if not varied:
+        raise InputError("Nothing is uncertain: every field is exact. Name one with --range FIELD=LOW:HIGH")
     sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
     batch = submitted(lambda key: ridelab.submit(start, names, sweep, key, label), services)
     code = followed(batch, services)
@@ -54,23 +57,6 @@ def robustness(
         summary = batch.summary(baseline=baseline)
         print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)
     raise typer.Exit(code or say_end(batch))
-
-
-def _ranges(
-    usual: Sequence[Mapping[str, Any]], given: Mapping[str, list[float]], exact: Sequence[str]
-) -> dict[str, list[float]]:
-    """What varies, the usual fields first.
-
-    Raises:
-        InputError: Nothing does, or a field that does not vary is to be exact.
-    """
-    varied = {each["field"]: [each["low"], each["high"]] for each in usual} | dict(given)
-    for name in exact:
-        if varied.pop(name, None) is None:
-            raise InputError(f"--exact: {name} is not varied; what is: {', '.join(varied) or 'nothing'}")
-    if not varied:
-        raise InputError("Nothing is uncertain: every field is exact. Name one with --range FIELD=LOW:HIGH")
-    return varied
 
 
 def _show(
@@ -86,13 +72,12 @@ def _show(
         event = key.startswith("events.")
         heads = ["", "nominal", "median", "5 %", "95 %", "worst", "in run"]
         heads += [*(["over 0"] if event else ["change, median", "5 %", "95 %", "better"]), "follows"]
-        rows = [[label(name), *_row(each["figures"][key], percents, event)] for name, each in strategies.items()]
         typer.echo(f"\n{with_unit(key, unit)}")
-        show_table(heads, rows, left={0, len(heads) - 1})
+        figures = {label(name): each["figures"][key] for name, each in strategies.items()}
+        show_table(heads, [[name, *_row(figure, percents, event)] for name, figure in figures.items()])
     typer.echo("\nleast damping ratio of the closed loop (below 0: unstable)")
     heads = ["", "nominal", "median", "lowest", "in run", "unstable", "follows"]
-    rows = [[label(name), *_stability(each["stability"], percents)] for name, each in strategies.items()]
-    show_table(heads, rows, left={0, len(heads) - 1})
+    show_table(heads, [[label(name), *_stability(each["stability"], percents)] for name, each in strategies.items()])
     for name, each in strategies.items():
         for reason, count in each["reasons"].items():
             typer.echo(f"{label(name)}: {count} failed: {reason}")
@@ -100,40 +85,28 @@ def _show(
 
 def _row(figure: Mapping[str, Any], percents: Sequence[float], event: bool) -> list[str]:
     """What happens at few points only (an event) says at how many; a change in % would have nothing to refer to."""
-    return [
-        shown(figure["nominal"], 4),
-        *(shown(_quantile(figure, percents, at), 4) for at in (50, 5, 95, 100)),
-        "-" if figure["highest"] is None or (event and not figure["above_zero"]) else str(figure["highest"]["run"]),
-        *([f"{figure['above_zero']} of {figure['n']}"] if event else _compared(figure["margin"], percents)),
-        _follows(figure["sensitivity"]),
-    ]
-
-
-def _compared(margin: Mapping[str, Any] | None, percents: Sequence[float]) -> list[str]:
-    if margin is None:
-        return ["", "", "", ""]
-    better = None if margin["better"] is None else 100 * margin["better"]
-    return [*(_percent(_quantile(margin, percents, at)) for at in (50, 5, 95)), _percent(better, signed=False)]
+    values = [figure["nominal"], *_quantiles(figure, percents, 50, 5, 95, 100)]
+    run = "-" if figure["highest"] is None or (event and not figure["above_zero"]) else str(figure["highest"]["run"])
+    compared = ["", "", "", ""]
+    if event:
+        compared = [f"{figure['above_zero']} of {figure['n']}"]
+    elif (margin := figure["margin"]) is not None:
+        better = "-" if margin["better"] is None else f"{100 * margin['better']:.0f} %"
+        changes = ("-" if value is None else f"{value:+.0f} %" for value in _quantiles(margin, percents, 50, 5, 95))
+        compared = [*changes, better]
+    return [*(shown(value, 4) for value in values), run, *compared, _follows(figure["sensitivity"])]
 
 
 def _stability(stability: Mapping[str, Any], percents: Sequence[float]) -> list[str]:
-    return [
-        shown(stability["nominal"], 3),
-        shown(_quantile(stability, percents, 50), 3),
-        shown(_quantile(stability, percents, 0), 3),
-        "-" if stability["lowest"] is None else str(stability["lowest"]["run"]),
-        f"{stability['unstable']} of {stability['known']}",
-        _follows(stability["sensitivity"]),
-    ]
+    values = [stability["nominal"], *_quantiles(stability, percents, 50, 0)]
+    run = "-" if stability["lowest"] is None else str(stability["lowest"]["run"])
+    unstable = f"{stability['unstable']} of {stability['known']}"
+    return [*(shown(value, 3) for value in values), run, unstable, _follows(stability["sensitivity"])]
 
 
-def _quantile(distribution: Mapping[str, Any], percents: Sequence[float], at: float) -> float | None:
+def _quantiles(distribution: Mapping[str, Any], percents: Sequence[float], *asked: float) -> list[float | None]:
     values = distribution["quantiles"]
-    return None if values is None else float(values[list(percents).index(at)])
-
-
-def _percent(value: float | None, *, signed: bool = True) -> str:
-    return "-" if value is None else f"{value:{'+' if signed else ''}.0f} %"
+    return [None if values is None else values[list(percents).index(percent)] for percent in asked]
 
 
 def _follows(sensitivity: Sequence[Mapping[str, Any]]) -> str:

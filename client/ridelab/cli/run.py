@@ -8,8 +8,11 @@ from ridelab.cli import fields, options, targets
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_run
-from ridelab.results import RunResult
+from ridelab.cli.tables import show_table
+from ridelab.results import Interval, Outcome, RunResult
+
+_VIEWS = (("rough_road", "rms", "RMS on the rough road"), ("bump", "peak", "peak on the bump"))
+_ROADS = "Drive N roads, seeds road.seed and on: mean and interval."
 
 
 def run(
@@ -17,12 +20,9 @@ def run(
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
     strategy: options.Strategies = None,
-    roads: Annotated[
-        int,
-        typer.Option(metavar="N", min=1, max=50, help="Drive N roads, seeds road.seed and on: mean and interval."),
-    ] = 1,
+    roads: Annotated[int, typer.Option(metavar="N", min=1, max=50, help=_ROADS)] = 1,
     baseline: options.Baseline = None,
-    as_json: Annotated[bool, typer.Option("--json", help="The whole run as JSON, as compare reads it.")] = False,
+    as_json: Annotated[bool, options.flag("The whole run as JSON, as compare reads it.", "--json")] = False,
 ) -> None:
     """Run strategies over one scenario and show how they compare.
 
@@ -51,11 +51,45 @@ def with_units(run: RunResult) -> dict[str, Any]:
     return {**run.answer, "units": run.units}
 
 
-def _show(result: RunResult, name: str, baseline: str | None, names: Names) -> None:
-    ran = list(result.strategies)
-    against = baseline or result.baseline or ("passive" if "passive" in ran else ran[0])
-    if result.roads > 1:
-        seed = result.scenario["road"]["seed"]
-        name = f"{name}, {result.roads} roads (seeds {seed} to {seed + result.roads - 1}; events of {seed})"
-    typer.echo(f"Ridelab core {result.core_version}, {name}; changes against {names.label(against)}")
-    show_run(result, against, names)
+def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None:
+    """The paper's signals of each strategy that ran and how its drive went; then why others did not run."""
+    against = baseline or run.baseline or ("passive" if "passive" in run.strategies else next(iter(run.strategies)))
+    seed, drive = run.scenario["road"]["seed"], ""
+    if run.roads > 1:
+        name = f"{name}, {run.roads} roads (seeds {seed} to {seed + run.roads - 1}; events of {seed})"
+        drive = f"road seed {seed} alone"
+    typer.echo(f"Ridelab core {run.core_version}, {name}; changes against {names.label(against)}\n")
+    ran = {names.label(outcome.strategy): outcome for outcome in run if outcome.status == "ok"}
+    base = run[against] if run[against].status == "ok" else None
+    for window, statistic, title in _VIEWS:
+        places = [(window, key, statistic) for key in names.paper_signals]
+        rows = [[label, *(_cell(run, outcome, base, place) for place in places)] for label, outcome in ran.items()]
+        show_table([title, *map(names.signal, names.paper_signals)], rows)
+        typer.echo()
+    heads = [drive, "travel time", "at the bump", "airborne", "over travel", "QPs", "run"]
+    show_table(heads, [[label, *_drive(outcome)] for label, outcome in ran.items()])
+    for outcome in run:
+        if outcome.status != "ok":
+            typer.echo(f"{names.label(outcome.strategy)}  failed: {outcome.reason}")
+
+
+def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, place: tuple[str, str, str]) -> str:
+    """A metric and its change; over several roads both with half their interval's width."""
+    window, signal, statistic = place
+    value: Any = outcome.metrics[window][signal][statistic]  # type: ignore[literal-required]  # one of both
+    if isinstance(value, Interval):
+        change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
+        return f"{value}{f' ({change.mean:+.1f} ± {change.half:.1f} %)' if isinstance(change, Interval) else ''}"
+    reference: Any = base.figures()[".".join(place)] if base is not None and base is not outcome else None
+    return f"{value:.4g}{f' ({100 * (value - reference) / reference:+.1f} %)' if reference else ''}"
+
+
+def _drive(outcome: Outcome) -> list[str]:
+    return [
+        f"{outcome.travel_time:.2f} s",
+        f"{outcome.arrival_speed_kmh:.1f} km/h",
+        f"{outcome.events['airborne_ms']:.0f} ms",
+        f"{outcome.events['travel_exceeded_mm']:.1f} mm",
+        str(outcome.events["qp_solves"]),
+        f"{outcome.compute_ms:8.1f} ms",  # a width that how busy the machine is does not change
+    ]

@@ -3,7 +3,6 @@
 import contextlib
 import os
 import signal
-import subprocess
 import sys
 import webbrowser
 from pathlib import Path
@@ -13,12 +12,11 @@ import typer
 
 from ridelab.cli import fields, options, targets
 from ridelab.cli.reporting import note
-from ridelab.cli.service import Services, server_command, server_environment
+from ridelab.cli.service import Services, end_as_server, server_command, server_environment
 
-DatabaseDir = Annotated[
-    Path | None,
-    options.option("DIR", "Where the database is [default: data].", envvar="RIDELAB_DATA_DIR", parser=options.folder),
-]
+_WHERE = "Where the database is [default: data]."
+_RESULT = "Scenario, preset, run id, batch id, link, or address of one."
+DatabaseDir = Annotated[Path | None, options.option("DIR", _WHERE, envvar="RIDELAB_DATA_DIR", parser=options.folder)]
 
 
 def serve(
@@ -30,41 +28,29 @@ def serve(
 
     The same as python -m backend; more settings are RIDELAB_* variables (docs/operations.md).
     """
-    command = server_command("--host", host, "--port", str(port), *_in(data_dir))
+    command = server_command("--host", host, "--port", str(port), data_dir=data_dir)
     # The service takes this process's place: signals reach it, and what it spawns never passes through this command.
     os.execve(sys.executable, command, server_environment())  # noqa: S606  # no shell is wanted
 
 
 def backup(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="Where to write the copy.")],
-    force: Annotated[bool, typer.Option("--force", help="Replace a file that is there already.")] = False,
+    force: Annotated[bool, options.flag("Replace a file that is there already.", "--force")] = False,
     data_dir: DatabaseDir = None,
 ) -> None:
     """Copy the SQLite database to a file, while a service uses it or while none does.
 
     The copy is a whole database. Nothing is written meanwhile: new runs are refused with Retry-After, batches wait.
     """
-    command = server_command("--back-up", str(file), *(["--force"] if force else []), *_in(data_dir))
-    run = subprocess.run(  # noqa: S603  # our own module and paths, no shell
-        command, env=server_environment(), capture_output=True, text=True, check=False
-    )
-    typer.echo(run.stdout, nl=False)
-    typer.echo(run.stderr, nl=False, err=True)
-    raise typer.Exit(run.returncode)
-
-
-def _in(data_dir: Path | None) -> list[str]:
-    return [] if data_dir is None else ["--data-dir", str(data_dir)]
+    end_as_server("--back-up", str(file), *["--force"] * force, data_dir=data_dir)
 
 
 def open_(
     services: Services,
-    target: Annotated[
-        str, typer.Argument(metavar="RESULT", help="Scenario, preset, run id, batch id, link, or address of one.")
-    ] = "paper",
+    target: Annotated[str, typer.Argument(metavar="RESULT", help=_RESULT)] = "paper",
     changes: options.Changes = None,
     strategy: options.Strategies = None,
-    only_print: Annotated[bool, typer.Option("--print", help="Print the address, start no browser.")] = False,
+    only_print: Annotated[bool, options.flag("Print the address, start no browser.", "--print")] = False,
 ) -> None:
     """Open a result in the browser, and print its address.
 
@@ -74,7 +60,7 @@ def open_(
     typer.echo(address)
     if not only_print:
         webbrowser.open(address)
-    if services.started:
+    if None in services.opened:
         with contextlib.suppress(KeyboardInterrupt):  # which may come as soon as it is said
             note("Serving until Ctrl-C")
             signal.pause()
@@ -90,6 +76,6 @@ def _address(target: str, changes: list[str], strategies: list[str], services: S
         if source.run is not None:
             return f"{source.ridelab.address}/r/{source.run.id}"
     ridelab = source.ridelab or services.at()
-    names = strategies or targets.strategies_of(source) or list(services.names.strategies)
+    names = strategies or source.strategies or list(services.names.strategies)
     run = ridelab.run(fields.changed(source.scenario, changes, services), names)
     return f"{ridelab.address}/r/{run.id}"

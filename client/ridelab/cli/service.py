@@ -12,12 +12,13 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from pathlib import Path
-from types import TracebackType
-from typing import IO, Any, Self
+from typing import IO, Any, NoReturn
+
+import typer
 
 from ridelab.cli.names import Names
 from ridelab.cli.options import DataDir, Server
-from ridelab.cli.reporting import InputError, UnavailableError, terminal
+from ridelab.cli.reporting import InputError, UnavailableError, waiting
 from ridelab.client import Ridelab
 from ridelab.http import without_login
 
@@ -26,18 +27,15 @@ END = 15.0  # and so long to end; the service itself promises ten
 _ADDRESS = re.compile(r"^Ridelab is at (http://\S+)$", re.MULTILINE)
 
 
-def server_command(*arguments: str) -> list[str]:
-    """The command line of `python -m backend`, which only an installed server has.
-
-    Raises:
-        UnavailableError: There is none; the message says what to install.
-    """
+def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
+    """The command line of `python -m backend`, which only an installed server has."""
     if importlib.util.find_spec("sim_core") is None:  # `backend` may be anybody's
         raise UnavailableError(
             "Ridelab's server is not installed here: pip install 'ridelab[server]', or name a service with --server "
             "or RIDELAB_SERVER"
         )
-    return [sys.executable, "-P", "-m", "backend", *arguments]
+    where = [] if data_dir is None else ["--data-dir", str(data_dir)]
+    return [sys.executable, "-P", "-m", "backend", *arguments, *where]
 
 
 def server_environment() -> dict[str, str]:
@@ -48,7 +46,14 @@ def server_environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
 
 
-class Services:
+def end_as_server(*arguments: str, content: bytes = b"", data_dir: Path | None = None) -> NoReturn:
+    """Run the server's own command, which reads that content, and end as it ends."""
+    command = server_command(*arguments, data_dir=data_dir)
+    run = subprocess.run(command, env=server_environment(), input=content, check=False)  # noqa: S603  # no shell
+    raise typer.Exit(run.returncode)
+
+
+class Services(ExitStack):
     """Connections, made when they are first needed and closed together; a context manager.
 
     Args:
@@ -57,33 +62,15 @@ class Services:
     """
 
     def __init__(self, server: str | None, data_dir: Path | None) -> None:
+        super().__init__()
         self.server = server
         self.data_dir = data_dir
-        self._open: dict[str | None, Ridelab] = {}
-        self._stack = ExitStack()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._stack.close()
+        self.opened: dict[str | None, Ridelab] = {}  # None is the private one
 
     @property
     def private(self) -> bool:
         """Whether the service ends with the command."""
         return self.server is None
-
-    @property
-    def started(self) -> bool:
-        """Whether a private service runs now."""
-        return None in self._open
-
-    @property
-    def used(self) -> bool:
-        """Whether the service the command works with has been asked."""
-        return self.server in self._open
 
     @cached_property
     def names(self) -> Names:
@@ -98,23 +85,18 @@ class Services:
         return [] if self.data_dir is None else ["--data-dir", str(self.data_dir)]
 
     def at(self, server: str | None = None) -> Ridelab:
-        """The client of the service there; None is the one the command works with.
-
-        Raises:
-            InputError: That is no address.
-            UnavailableError: The private service does not start.
-        """
+        """The client of the service there; None is the one the command works with."""
         address = server or self.server
         if server is not None and self.server is not None and server == without_login(self.server).rstrip("/"):
             address = self.server  # messages show addresses without their login
-        if address not in self._open:
-            url = address if address is not None else self._stack.enter_context(private(self.data_dir))
+        if address not in self.opened:
+            url = address if address is not None else self.enter_context(private(self.data_dir))
             token = None if address is not None and address == self.server else ""  # nobody else is told it
             try:
-                self._open[address] = self._stack.enter_context(Ridelab(url, token=token))
+                self.opened[address] = self.enter_context(Ridelab(url, token=token))
             except ValueError as error:
                 raise InputError(f"--server or RIDELAB_SERVER: {error}") from None
-        return self._open[address]
+        return self.opened[address]
 
 
 def with_services(command: Callable[..., None]) -> Callable[..., None]:
@@ -135,17 +117,12 @@ def with_services(command: Callable[..., None]) -> Callable[..., None]:
 
 @contextmanager
 def private(data_dir: Path | None) -> Iterator[str]:
-    """A service on a free port of this machine, ended with the block; gives its address.
-
-    Raises:
-        UnavailableError: It does not start; the message is its own.
-    """
-    options = [] if data_dir is None else ["--data-dir", str(data_dir)]
+    """A service on a free port of this machine, ended with the block; gives its address."""
     environment = server_environment()
     environment.pop("RIDELAB_TOKENS_FILE", None)  # it answers this command alone
     with tempfile.TemporaryFile() as log:
         process = subprocess.Popen(  # noqa: S603  # our own module and a path, no shell
-            server_command("--port", "0", "--until-input-ends", *options),
+            server_command("--port", "0", "--until-input-ends", data_dir=data_dir),
             stdin=subprocess.PIPE,  # it ends with this pipe, and so with this process, however that ends
             stdout=log,
             stderr=log,
@@ -155,37 +132,28 @@ def private(data_dir: Path | None) -> Iterator[str]:
         try:
             yield _wait(process, log)
         finally:
-            _end(process)
+            if process.stdin is not None:
+                process.stdin.close()
+            try:
+                process.wait(END)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
 
 
 def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
     """The address the service prints once it serves."""
     end = time.monotonic() + START
-    with terminal() as console, console.status("Starting a private service") if console.is_terminal else ExitStack():
+    with waiting("Starting a private service"):
         while time.monotonic() < end:
             ended = process.poll() is not None
             text = os.pread(log.fileno(), 1 << 20, 0).decode(errors="replace")
             address = _ADDRESS.search(text)
             if address is not None:
                 return address[1]
-            if ended:
-                raise UnavailableError(_said(text))
+            if ended:  # it says why to people, or in its last log entry
+                lines = [line for line in text.splitlines() if line.strip()]
+                plain = [line for line in lines if not line.startswith("{")]
+                raise UnavailableError("\n".join(plain or lines[-1:]) or "The private service ended without a word")
             time.sleep(0.02)  # the log is a file, which nothing can wait on
     raise UnavailableError(f"The private service did not start within {START:.0f} s")
-
-
-def _said(log: str) -> str:
-    """Why it did not start: what it says to people, or its last log entry."""
-    lines = [line for line in log.splitlines() if line.strip()]
-    plain = [line for line in lines if not line.startswith("{")]
-    return "\n".join(plain or lines[-1:]) or "The private service ended without a word"
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if process.stdin is not None:
-        process.stdin.close()
-    try:
-        process.wait(END)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.wait()

@@ -2,15 +2,15 @@
 
 import itertools
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options
-from ridelab.cli.following import file_options, followed, later, may_detach, say_end, show_estimate, submitted
+from ridelab.cli import fields, options, targets
+from ridelab.cli.following import file_options, followed, later, left_alone, say_end, show_estimate, submitted
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
-from ridelab.cli.tables import show_table, shown, with_unit
+from ridelab.cli.tables import show_table, with_unit
 from ridelab.errors import RidelabClientError
 from ridelab.jobs import Batch
 from ridelab.results import flat
@@ -18,45 +18,28 @@ from ridelab.results import flat
 _PREVIEW = 20  # rows shown where no file is asked for
 _FIGURES = ("rough_road.body_acceleration.rms", "bump.body_acceleration.peak", "bump.front_tyre_load.peak")
 
+_GRID = "road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination."
+_CUBE = "Evenly spread random points in these ranges."
+_LIST = 'JSON list of points, [{"road.bump.height": 0.1}, ..].'
+_OUT = "Write every row to .csv, .parquet or .json; - is stdout."
+
 
 def sweep(
     services: Services,
     scenario: options.Scenario = "paper",
-    grid: Annotated[
-        list[str] | None,
-        options.option(
-            "FIELD=VALUES",
-            "road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination.",
-            autocompletion=options.completes("fields", "="),
-        ),
-    ] = None,
-    latin_hypercube: Annotated[
-        list[str] | None,
-        options.option(
-            "FIELD=LOW:HIGH",
-            "Evenly spread random points in these ranges.",
-            autocompletion=options.completes("fields", "="),
-        ),
-    ] = None,
+    grid: Annotated[list[str] | None, options.option("FIELD=VALUES", _GRID, completes="fields =")] = None,
+    latin_hypercube: Annotated[list[str] | None, options.option("FIELD=LOW:HIGH", _CUBE, completes="fields =")] = None,
     samples: Annotated[int | None, options.option("N", "Points of the hypercube.", min=1)] = None,
-    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Of the hypercube: same seed, same points.")] = 0,
-    points: Annotated[
-        Path | None,
-        options.option(
-            "FILE", 'JSON list of points, [{"road.bump.height": 0.1}, ..].', "--list", exists=True, dir_okay=False
-        ),
-    ] = None,
+    seed: options.Seed = 0,
+    points: Annotated[Path | None, options.option("FILE", _LIST, "--list", exists=True, dir_okay=False)] = None,
     strategy: options.Strategies = None,
     changes: options.Changes = None,
-    out: Annotated[
-        str | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write every row to .csv, .parquet or .json; - is stdout."),
-    ] = None,
+    out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
     file_format: options.Format = None,
     label: options.Label = None,
     detach: options.Detach = False,
     dry_run: options.DryRun = False,
-    as_json: Annotated[bool, typer.Option("--json", help="How the batch ended, as JSON.")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Run many variants of a scenario; Ctrl-C cancels and keeps what is finished.
 
@@ -67,12 +50,16 @@ def sweep(
     if (samples is not None) != bool(latin_hypercube):
         raise InputError("--latin-hypercube and --samples belong together")
     kind = None if out is None else chosen_format(out, file_format)
-    may_detach(detach, services)
-    swept = fields.sweep_of(
-        services, grid=grid or [], ranges=latin_hypercube or [], samples=samples, seed=seed, points=points
-    )
+    swept: dict[str, Any]
+    if points is not None:
+        swept = {"list": targets.document(points.read_bytes(), str(points))}
+    elif grid:
+        swept = {"grid": fields.grid_of(grid)}
+    else:
+        ranges = fields.ranges_of(latin_hypercube or [], "--latin-hypercube")
+        swept = {"latin_hypercube": {"ranges": ranges, "samples": samples, "seed": seed}}
+    ridelab, names = left_alone(services) if detach else services.at(), options.listed(strategy) or ["lv"]
     start = fields.scenario_of(scenario, changes, services)
-    ridelab, names = services.at(), options.listed(strategy) or ["lv"]
     if dry_run:
         show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
@@ -112,10 +99,10 @@ def _preview(batch: Batch, services: Services) -> None:
     for row in taken:
         figures = dict(flat(row.get("metrics") or {}))
         cells = [*(row.get(name) for name, _ in swept), row["strategy"], row["status"], *map(figures.get, _FIGURES)]
-        rows.append([*map(shown, cells), row.get("reason") or ""])
+        rows.append([*cells, row.get("reason") or ""])
     heads = [with_unit(*item) for item in (*swept, ("strategy", ""), ("status", ""))]
     heads += [with_unit(name, services.names.metrics[name]) for name in _FIGURES]
     heads.append("reason" if any(row[-1] for row in rows) else "")
-    show_table(heads, rows, left={len(swept), len(swept) + 1, len(heads) - 1})
+    show_table(heads, rows)
     if batch.total > len(rows):
         typer.echo(f"... {batch.total - len(rows)} more; --out FILE writes all with every metric")

@@ -3,7 +3,7 @@
 import json
 import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,6 @@ from ridelab.jobs import Batch, Job
 from ridelab.results import LinkedResult, RunResult
 
 _ID = re.compile(r"[A-Za-z0-9_-]{22}")
-Result = RunResult | Batch | LinkedResult
 _PAGES = {"r": "get_run", "b": "get_batch", "s": "open_link"}
 
 
@@ -42,15 +41,16 @@ class Target:
     slug: str | None = None
     ridelab: Ridelab | None = None
 
+    @property
+    def strategies(self) -> list[str]:
+        """Those of the stored result; none where there is only a scenario."""
+        if self.run is not None:
+            return list(self.run.strategies)
+        return [] if self.batch is None else list(self.batch.answer["strategies"])
+
 
 def find(target: str, services: Services) -> Target:
-    """Look up a target.
-
-    Raises:
-        InputError: There is nothing of that name, or it cannot be read.
-        RidelabAPIError: The service refused.
-        RidelabConnectionError: No answer.
-    """
+    """Look up a target."""
     if target == "-":
         return _document(sys.stdin.buffer.read(), "standard input")
     if target.startswith(("http://", "https://")):
@@ -59,8 +59,8 @@ def find(target: str, services: Services) -> Target:
         return _document(Path(target).read_bytes(), target)
     if _ID.fullmatch(target):
         ridelab = services.at()
-        lookups = (ridelab.get_run, ridelab.get_batch, ridelab.open_link)
-        return _target(_first(target, lookups, "run, batch or link"), ridelab)
+        found = _first(target, "run, batch or link", ridelab.get_run, ridelab.get_batch, ridelab.open_link)
+        return _target(found, ridelab)
     presets = services.names.presets
     if target in presets:
         return Target(name=target, scenario=presets[target])
@@ -69,12 +69,15 @@ def find(target: str, services: Services) -> Target:
     )
 
 
-def document(content: bytes, name: str) -> Any:
-    """A JSON document; a key that stands twice in an object is a mistake, and so is NaN.
+def job_of(job_id: str, services: Services) -> Job:
+    """The batch or the tuning of an id."""
+    ridelab = services.at()
+    job: Job = _first(job_id, "batch or tuning", ridelab.get_batch, ridelab.get_tuning)
+    return job
 
-    Raises:
-        InputError: It is not such a document.
-    """
+
+def document(content: bytes, name: str) -> Any:
+    """A JSON document; a key that stands twice in an object is a mistake, and so is NaN."""
     try:
         return json.loads(content.decode(), object_pairs_hook=_once, parse_constant=_no_number)
     except UnicodeDecodeError:
@@ -125,23 +128,17 @@ def _address(address: str, services: Services) -> Target:
     return _target(getattr(ridelab, _PAGES[page])(rest), ridelab)
 
 
-def _target(result: Result, ridelab: Ridelab) -> Target:
+def _target(result: RunResult | Batch | LinkedResult, ridelab: Ridelab) -> Target:
     if isinstance(result, LinkedResult):
-        slug, name = result.slug, f"link {result.slug}"
-        return Target(
-            name=name, scenario=result.scenario, run=result.run, batch=result.batch, slug=slug, ridelab=ridelab
-        )
+        of: dict[str, Any] = {"run": result.run, "batch": result.batch, "slug": result.slug}
+        return Target(name=f"link {result.slug}", scenario=result.scenario, ridelab=ridelab, **of)
     if isinstance(result, RunResult):
         return Target(name=f"run {result.id}", scenario=result.scenario, run=result, ridelab=ridelab)
     return Target(name=f"batch {result.id}", scenario=result.answer["scenario"], batch=result, ridelab=ridelab)
 
 
-def _first(name: str, lookups: Iterable[Callable[[str], Any]], what: str) -> Any:
-    """What the first of them finds: ids of all kinds look alike.
-
-    Raises:
-        InputError: None does.
-    """
+def _first(name: str, what: str, *lookups: Callable[[str], Any]) -> Any:
+    """What the first of them finds: ids of all kinds look alike."""
     for lookup in lookups:
         try:
             return lookup(name)
@@ -149,21 +146,3 @@ def _first(name: str, lookups: Iterable[Callable[[str], Any]], what: str) -> Any
             if error.status != 404:
                 raise
     raise InputError(f"{without_login(name)}: the service has no {what} of this id")
-
-
-def strategies_of(target: Target) -> list[str]:
-    """Those of the stored result; none where there is only a scenario."""
-    if target.run is not None:
-        return list(target.run.strategies)
-    return [] if target.batch is None else list(target.batch.answer["strategies"])
-
-
-def job_of(job_id: str, services: Services) -> Job:
-    """The batch or the tuning of an id.
-
-    Raises:
-        InputError: There is none.
-    """
-    ridelab = services.at()
-    job: Job = _first(job_id, (ridelab.get_batch, ridelab.get_tuning), "batch or tuning")
-    return job

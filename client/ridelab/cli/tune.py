@@ -1,74 +1,69 @@
-"""`ridelab tune`: look for better weights."""
+"""`ridelab tune`: look for better weights, and what a tuning's answer comes to as text."""
 
 import json
-import sys
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options, tuned
-from ridelab.cli.following import followed, later, may_detach, say_end, show_estimate, submitted
-from ridelab.cli.reporting import DIFFERENT, note, print_json
+from ridelab.cli import fields, options
+from ridelab.cli.following import followed, later, left_alone, say_end, show_estimate, submitted
+from ridelab.cli.names import Names
+from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
 from ridelab.cli.service import Services
+from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.client import Ridelab
 from ridelab.files import save
 from ridelab.jobs import Tuning
+
+_NORMALISED = re.compile(r"(paper|peaks)(?:@(\w+))?(?::(.*))?")
+_SPAN = re.compile(r"(\d+)(?:-(\d+))?")
+_MOST_SEEDS = 1000
+_OBJECTIVE = (
+    "paper (Eq. 16), peaks (the same with peaks), or a figure such as bump.body_acceleration.peak; paper@bump is over "
+    "that window, paper:2,1,1 has other q. Up to three: a Pareto front [default: paper]."
+)
+_LIMIT = "On every training road, such as events.travel_exceeded_mm=1."
+_SEARCH = "Only these weights, such as mpc.stage_weights.bump.2=0.1:20 [default: all, 0.05:50]."
+_OUT = "Write the scenario with the tuned weights, as JSON."
 
 
 def tune(
     services: Services,
     scenario: options.Scenario = "paper",
-    objective: Annotated[
-        list[str] | None,
-        options.option(
-            "OBJECTIVE",
-            "paper (Eq. 16), peaks (the same with peaks), or a figure such as bump.body_acceleration.peak; "
-            "paper@bump is over that window, paper:2,1,1 has other q. Up to three: a Pareto front [default: paper].",
-        ),
-    ] = None,
-    limit: Annotated[
-        list[str] | None,
-        typer.Option(metavar="FIGURE=MOST", help="On every training road, such as events.travel_exceeded_mm=1."),
-    ] = None,
+    objective: Annotated[list[str] | None, options.option("OBJECTIVE", _OBJECTIVE)] = None,
+    limit: Annotated[list[str] | None, options.option("FIGURE=MOST", _LIMIT)] = None,
     strategy: Annotated[str, typer.Option("--strategy", "-s", metavar="ID", help="lv, suspension_only or lqr.")] = "lv",
-    search: Annotated[
-        list[str] | None,
-        options.option(
-            "WEIGHT=LOW:HIGH", "Only these weights, such as mpc.stage_weights.bump.2=0.1:20 [default: all, 0.05:50]."
-        ),
-    ] = None,
+    search: Annotated[list[str] | None, options.option("WEIGHT=LOW:HIGH", _SEARCH)] = None,
     trials: Annotated[int | None, options.option("N", "Sets of weights in all [default: 200].", min=1)] = None,
     seeds: Annotated[str | None, options.option("SEEDS", "Roads trained on [default: 1-4].")] = None,
     fresh: Annotated[str | None, options.option("SEEDS", "Roads compared on [default: 101-110].")] = None,
     population: Annotated[int | None, options.option("N", "Tried at once [default: 16].", min=1)] = None,
-    seed: Annotated[int, typer.Option(metavar="N", min=0, help="Same request, same trials.")] = 0,
+    seed: options.Seed = 0,
     changes: options.Changes = None,
     resume: Annotated[str | None, options.option("TUNING", "Go on with this one, or show it where it is done.")] = None,
-    out: Annotated[
-        Path | None,
-        options.option("FILE", "Write the scenario with the tuned weights, as JSON.", "--out", "-o", dir_okay=False),
-    ] = None,
+    out: Annotated[Path | None, options.option("FILE", _OUT, "--out", "-o", dir_okay=False)] = None,
     label: options.Label = None,
     detach: options.Detach = False,
     dry_run: options.DryRun = False,
-    as_json: Annotated[bool, typer.Option("--json", help="The whole tuning, as JSON.")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Look for weights that make an objective small, and compare them with the paper's on fresh roads.
 
     Ctrl-C cancels; --resume goes on where it stopped. With several objectives --out takes the front's knee.
     """
-    may_detach(detach, services)
-    ridelab = services.at()
+    ridelab = services.at() if not detach else left_alone(services)
     if resume is not None:
         tuning = _resumed(ridelab, resume, trials)
     else:
         asked = {
-            "objectives": [tuned.objective(text) for text in objective or ["paper"]],
-            "limits": [tuned.limit(text) for text in limit or []],
-            "search": fields.ranges_of(search, "--search", services) if search else None,
-            "seeds": tuned.seeds(seeds, "--seeds"),
-            "fresh_seeds": tuned.seeds(fresh, "--fresh"),
+            "objectives": [objective_of(text) for text in objective or ["paper"]],
+            "limits": [_limit(text) for text in limit or []],
+            "search": fields.ranges_of(search, "--search") if search else None,
+            "seeds": seeds_of(seeds, "--seeds"),
+            "fresh_seeds": seeds_of(fresh, "--fresh"),
             "trials": trials,
             "population": population,
             "label": label,
@@ -87,10 +82,16 @@ def tune(
     if code := followed(tuning, services):
         note(f"To go on: {later(tuning, services)}")
         raise typer.Exit(code)
-    if tuning.state == "done":
-        _show(tuning, out, services, as_json=as_json)
-    code = say_end(tuning)
-    raise typer.Exit(code if tuning.state != "done" else DIFFERENT * (_wanted(tuning) is None))
+    if tuning.state != "done":
+        raise typer.Exit(say_end(tuning))
+    print_json(tuning.answer) if as_json else _show(tuning, services.names)
+    best = tuning.knee or tuning.best[0]
+    if out is not None and best is not None:
+        tuned = fields.with_values(tuning.answer["scenario"], best["weights"])
+        save([json.dumps(tuned, indent=1).encode() + b"\n"], out)
+        note(f"{out} has the weights of trial {best['number']}")
+    say_end(tuning)
+    raise typer.Exit(DIFFERENT * (best is None))
 
 
 def _resumed(ridelab: Ridelab, tuning_id: str, trials: int | None) -> Tuning:
@@ -101,15 +102,113 @@ def _resumed(ridelab: Ridelab, tuning_id: str, trials: int | None) -> Tuning:
     return tuning.resume(trials)
 
 
-def _wanted(tuning: Tuning) -> dict[str, Any] | None:
-    return tuning.knee or tuning.best[0]
+def objective_of(text: str) -> dict[str, Any]:
+    """`paper`, `peaks@bump:1,1,2`, or a figure's name."""
+    match = _NORMALISED.fullmatch(text)
+    if match is None:
+        return {"kind": "figure", "figure": text}
+    kind, window, q = match.groups()
+    objective: dict[str, Any] = {"kind": kind} | ({"window": window} if window else {})
+    if q is not None:
+        try:
+            objective["q"] = [float(each) for each in q.split(",")]
+        except ValueError:
+            raise InputError(f"--objective {kind}:Q1,Q2,Q3 takes three numbers") from None
+    return objective
 
 
-def _show(tuning: Tuning, out: Path | None, services: Services, *, as_json: bool) -> None:
-    print_json(tuning.answer) if as_json else tuned.show(tuning, services.names)
-    best = _wanted(tuning)
-    if out is not None and best is not None:
-        scenario = fields.with_values(tuning.answer["scenario"], best["weights"])
-        save([json.dumps(scenario, indent=1).encode() + b"\n"], out)
-        note(f"{out} has the weights of trial {best['number']}")
-    sys.stdout.flush()
+def _limit(text: str) -> dict[str, Any]:
+    figure, _, most = text.partition("=")
+    try:
+        return {"figure": figure.strip(), "at_most": float(most)}
+    except ValueError:
+        raise InputError("--limit takes FIGURE=MOST, such as events.travel_exceeded_mm=1") from None
+
+
+def seeds_of(text: str | None, option: str) -> list[int] | None:
+    """The numbers of `1-4,7`."""
+    if text is None:
+        return None
+    numbers: list[int] = []
+    for item in text.split(","):
+        span = _SPAN.fullmatch(item.strip())
+        low, high = (int(span[1]), int(span[2] or span[1])) if span else (1, 0)
+        if not 0 <= high - low < _MOST_SEEDS:
+            raise InputError(f"{option} takes whole numbers and spans of them, such as 1-4,7")
+        numbers += range(low, high + 1)
+    return numbers
+
+
+def _show(tuning: Tuning, names: Names) -> None:
+    """Print the best trials, then what it is worth on fresh roads."""
+    answer, comparison = tuning.answer, tuning.comparison
+    typer.echo(f"Ridelab core {answer['core_version']}, weights of {names.label(answer['strategy'])}")
+    within = f", {tuning.feasible} within the limits" if answer["limits"] else ""
+    typer.echo(f"{tuning.done} trials on roads {_spans(answer['seeds'])}{within}\n")
+    _show_points(answer)
+    best = [trial["number"] for trial in tuning.best if trial is not None]
+    if best and tuning.paper is not None and set(best) == {tuning.paper["number"]}:
+        typer.echo("\nNo weights that were tried are better than the paper's; --resume with more --trials tries more.")
+    for point in comparison["points"] if comparison is not None else []:
+        if comparison is not None and point["verdict"] is not None:
+            _show_compared(answer, comparison["figures"], comparison["points"][0], point)
+
+
+def _show_points(answer: Mapping[str, Any]) -> None:
+    """A row for each point of interest: its values and its weights."""
+    named: dict[int, tuple[list[str], Mapping[str, Any]]] = {}
+    several = len(answer["objectives"]) > 1
+    roles = [("the paper's", answer["paper"]), ("the scenario's", answer["own"])]
+    roles += [(f"best {index + 1}" if several else "best", trial) for index, trial in enumerate(answer["best"])]
+    for role, trial in [*roles, ("knee", answer["knee"])]:
+        if trial is not None:
+            named.setdefault(trial["number"], ([], trial))[0].append(role)
+    aims = [*answer["objectives"], *answer["limits"]]
+    weights = list(next(iter(named.values()))[1]["weights"]) if named else []
+    rows = []
+    for names, trial in named.values():
+        values = [*trial["values"], *trial["limits"]] if trial["status"] == "ok" else [None] * len(aims)
+        cells = [*(shown(value, 4) for value in values), *(shown(trial["weights"][name], 3) for name in weights)]
+        rows.append([", ".join(names), trial["number"], *cells])
+    heads = [with_unit(each["label"], each["unit"]) for each in aims] + [name.rpartition("mpc.")[2] for name in weights]
+    show_table(["weights", "trial", *heads], rows)
+
+
+def _show_compared(
+    answer: Mapping[str, Any], figures: Sequence[Mapping[str, Any]], paper: Mapping[str, Any], point: Mapping[str, Any]
+) -> None:
+    """One point against the paper's weights, the training roads beside the fresh ones."""
+    roads = f"trained on {_spans(answer['seeds'])}, fresh {_spans(answer['fresh_seeds'])}"
+    typer.echo(f"\nTrial {point['trial']} against the paper's weights; {roads}")
+    heads = ["mean of", "paper", "tuned", "change", "paper, fresh", "tuned, fresh", "change, fresh (95 %)", ""]
+    rows = []
+    for figure in figures:
+        kind, _, index = figure["key"].partition(".")
+        of_limit = kind == "limits"  # not its mean counts but its worst road
+        cells = [with_unit(figure["label"] + (", worst" if of_limit else ""), figure["unit"])]
+        for where in ("training", "fresh"):
+            both = [each[where].get(figure["key"], {}) for each in (paper, point)]
+            cells += [shown(each.get("worst" if of_limit else "mean"), 4) for each in both]
+            cells.append("" if of_limit else _change(both[1].get("change"), interval=where == "fresh"))
+        rows.append([*cells, point["verdict"][int(index)] if kind == "objectives" else ""])
+    show_table(heads, rows)
+    for failure in point["failures"]:
+        typer.echo(failure)
+
+
+def _change(change: Mapping[str, Any] | None, *, interval: bool) -> str:
+    if change is None:
+        return "-"
+    text = f"{change['value']:+.1f} %"
+    return f"{text} ({change['low']:+.1f} .. {change['high']:+.1f})" if interval and change["low"] is not None else text
+
+
+def _spans(numbers: Sequence[int]) -> str:
+    """`1-4, 7`."""
+    spans: list[list[int]] = []
+    for number in numbers:
+        if spans and number == spans[-1][1] + 1:
+            spans[-1][1] = number
+        else:
+            spans.append([number, number])
+    return ", ".join(str(low) if low == high else f"{low}-{high}" for low, high in spans)
