@@ -9,15 +9,15 @@ import contextlib
 import itertools
 import logging
 import time
-from collections.abc import Coroutine, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, get_args
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Protocol, get_args
 
-import orjson
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import metrics
-from backend.errors import CHEAPER_RUN, TemporaryError, WorkerTimeoutError
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
+from backend.errors import TemporaryError, WorkerTimeoutError
+from backend.jobs.chunk import ClusterLostError
+from backend.jobs.chunks import PAUSE, Chunks
 from backend.jobs.handout import HandOut
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.retention import Retention
@@ -32,11 +32,9 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger(__name__)
 
-CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
 AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
 MAX_STEPPED = 4  # jobs of other kinds driven side by side; the others wait in the order they were accepted
 LOOK = 1.0  # between two looks at what other services accepted or cancelled [s]
-PAUSE = 2.0  # after the database or the cluster failed [s]
 PARTING = 10.0  # chunks under way when the lead is lost may take so long to come back [s]
 PAGE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
@@ -44,11 +42,6 @@ STATES: tuple[State, ...] = get_args(State)
 KINDS: tuple[Kind, ...] = get_args(Kind)
 TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, WorkerTimeoutError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
-REASONS: dict[Trouble, str] = {
-    "lost": "The computation ended unexpectedly, twice",
-    "timeout": f"The computation took longer than the limit and was ended; {CHEAPER_RUN}",
-    "bug": "The computation failed with an unforeseen error; it is in the service's log",
-}
 
 
 class JobFailedError(Exception):
@@ -85,11 +78,10 @@ class Scheduler:
         self._cluster: Cluster | None = None
         self._handed_out: dict[str, HandOut] = {}
         self._stepped: dict[str, asyncio.Task[None]] = {}
-        self._chunks: set[asyncio.Task[None]] = set()
-        self._commits: set[asyncio.Task[None]] = set()
         self._turns = itertools.count(1)
         self._reported = -REPORT
         self._returned = asyncio.Event()  # a chunk came back
+        self._chunks = Chunks(store, settings.run_timeout, self._returned.set)
 
     def start(self) -> None:
         """Begin, in the background."""
@@ -97,23 +89,22 @@ class Scheduler:
 
     async def close(self) -> None:
         """Stop driving; what is unfinished waits for the next service or start."""
-        for task in (self._task, *self._commits):
-            if task is not None:
-                task.cancel()
-                with contextlib.suppress(asyncio.CancelledError):
-                    await task
+        if self._task is not None:
+            self._task.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._task
+        await self._chunks.close()
 
     async def _run(self) -> None:
         """Be the one who drives, for as long as possible, again and again."""
         while True:
             try:
                 async with Leadership(self._store).held() as leadership:
-                    if self._commits:  # of what was computed before the lead was lost
-                        await asyncio.wait(self._commits)
+                    await self._chunks.wait_for_commits()  # of what was computed before the lead was lost
                     await self._lead(leadership)
             except LeadershipLostError:
                 logger.warning("Another service drives the jobs now")
-                await self._wait_for_chunks()
+                await self._chunks.wait(PARTING)  # results do not depend on who drives
             except (SQLAlchemyError, OSError) as error:
                 logger.warning("The jobs rest: %s", type(error).__name__)
             except Exception:  # whatever it was, jobs must not rest for ever
@@ -191,7 +182,7 @@ class Scheduler:
             return
         places = AHEAD * max(1, await cluster.slots())
         looked_at: set[str] = set()
-        while len(self._chunks) < places and cluster.connected:
+        while self._chunks.computing < places and cluster.connected:
             waiting = [each for each in self._handed_out.values() if each.job.id not in looked_at]
             if not waiting:
                 return
@@ -199,8 +190,7 @@ class Scheduler:
             runs = await handed_out.next_chunk(self._store, places)
             if runs:
                 handed_out.turn = next(self._turns)
-                handed_out.on_their_way += 1
-                self._keep(self._chunks, self._compute(cluster, handed_out, runs))
+                self._chunks.begin(cluster, handed_out, runs)
             else:
                 looked_at.add(handed_out.job.id)
                 if not handed_out.on_their_way and not handed_out.returned:  # one may have come back meanwhile
@@ -220,74 +210,6 @@ class Scheduler:
         job = await self._store.read(self._store.jobs.load, job_id)
         if job is not None and not job.failed:
             await self._store.write(self._store.jobs.delete, job_id)
-
-    async def _compute(self, cluster: "Cluster", handed_out: HandOut, runs: list[WaitingRun]) -> None:
-        """A chunk's way to the cluster and back."""
-        chunk = Chunk(
-            group=handed_out.group,
-            core_version=CORE_VERSION,
-            schema_version=handed_out.job.schema_version,
-            base=handed_out.job.request["scenario"],
-            runs=runs,
-            budget=CHUNK_BUDGET,
-            timeout=self._settings.run_timeout,
-        )
-        try:
-            outcome = await cluster.compute(chunk)
-        except ClusterLostError as error:
-            logger.warning("A chunk is handed out again: %s", error)
-            handed_out.take_back(runs)
-        else:
-            stored = await self._settle(handed_out, runs, outcome)
-            if stored is not None:
-                self._keep(self._commits, self._commit(handed_out, *stored))
-                return
-        handed_out.on_their_way -= 1
-        self._returned.set()
-
-    async def _settle(
-        self, handed_out: HandOut, runs: list[WaitingRun], outcome: ChunkOutcome
-    ) -> tuple[list[ComputedRun], dict[int, str]] | None:
-        """What of a chunk to store: results, and the reasons of runs without one; the rest is handed out again.
-
-        A chunk that could not be computed is halved until the run to blame is alone, and that one fails.
-        """
-        if outcome.computed is not None:
-            uncacheable = {
-                run.key: str(orjson.loads(run.summary)["reason"]) for run in outcome.computed if not run.cacheable
-            }
-            failures = {run.position: uncacheable[run.key] for run in runs if run.key in uncacheable}
-            done = {run.key for run in outcome.computed}
-            left = [run for run in runs if run.key not in done]
-            handed_out.learn(len(runs) - len(left), sum(run.compute_ms for run in outcome.computed) / 1000)
-            handed_out.take_back(left)
-            return [run for run in outcome.computed if run.cacheable], failures
-        logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
-        if outcome.trouble not in REASONS:  # not the chunk's fault
-            handed_out.take_back(runs)
-            await asyncio.sleep(PAUSE)
-            return None
-        if handed_out.halve(runs) or (outcome.trouble == "lost" and handed_out.try_again(runs)):
-            return None
-        return [], dict.fromkeys((run.position for run in runs), REASONS[outcome.trouble])
-
-    async def _commit(self, handed_out: HandOut, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
-        """Store what a chunk gave, however long the database is away: it was computed and is not thrown away."""
-        save = self._store.job_runs.save
-        while True:
-            try:
-                await self._store.write(save, handed_out.job.id, computed, CORE_VERSION, failures)
-            except SQLAlchemyError as error:
-                logger.warning("A chunk waits for the database: %s", type(error).__name__)
-                await asyncio.sleep(PAUSE)
-            else:
-                break
-        for run in computed:
-            metrics.count_run("batch", run.status, orjson.loads(run.summary))
-        for _ in failures:
-            metrics.count_run("batch", "failed", {})
-        handed_out.on_their_way -= 1
-        self._returned.set()
 
     async def _rekey(self, job: StoredJob) -> None:
         """Another core version accepted the job: what it left uncomputed is computed by this one, under new keys."""
@@ -340,11 +262,6 @@ class Scheduler:
             if state in UNFINISHED:
                 metrics.BATCH_QUEUE.labels(state=state).set(runs)
 
-    async def _wait_for_chunks(self) -> None:
-        """What is being computed comes back and waits to be stored; results do not depend on who drives."""
-        if self._chunks:
-            await asyncio.wait(self._chunks, timeout=PARTING)
-
     async def _leave(self) -> None:
         """End everything but what waits to be stored."""
         for task in self._stepped.values():
@@ -352,16 +269,8 @@ class Scheduler:
         await self._end_cluster()
 
     async def _end_cluster(self) -> None:
-        for chunk in self._chunks:
-            chunk.cancel()
-        await asyncio.gather(*self._chunks, return_exceptions=True)
+        await self._chunks.drop()
         self._handed_out.clear()
         if self._cluster is not None:
             cluster, self._cluster = self._cluster, None
             await cluster.close()
-
-    def _keep(self, tasks: set[asyncio.Task[None]], work: Coroutine[Any, Any, None]) -> None:
-        """Run it beside; the set keeps it alive."""
-        task = asyncio.create_task(work)
-        tasks.add(task)
-        task.add_done_callback(tasks.discard)

@@ -13,7 +13,7 @@ from sqlalchemy.exc import OperationalError
 
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
-from backend.jobs import cluster, handout, scheduler
+from backend.jobs import chunks, cluster, handout, scheduler
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
@@ -79,7 +79,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cluster, "Cluster", Misbehaving)
     monkeypatch.setattr(Misbehaving, "chunks", ())
     monkeypatch.setattr(Misbehaving, "starts", 0)
-    monkeypatch.setattr(scheduler, "PAUSE", 0.01)
+    for module in (scheduler, chunks):
+        monkeypatch.setattr(module, "PAUSE", 0.01)
     monkeypatch.setattr(scheduler, "LOOK", 0.02)
 
 
@@ -136,7 +137,7 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any)
 
     rows = drive(tmp_path, poisoned)
     assert [row.position for row in rows if row.status == "failed"] == [17]
-    assert rows[17].reason == scheduler.REASONS[trouble]
+    assert rows[17].reason == chunks.REASONS[trouble]
     assert [row.status for row in rows].count("ok") == RUNS - 1
     alone = [chunk for chunk in Misbehaving.chunks if seeds(chunk) == [17]]
     assert len(alone) == (handout.STRIKES if trouble == "lost" else 1)

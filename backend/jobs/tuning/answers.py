@@ -1,7 +1,6 @@
 """The shapes of what is answered of tunings, made from what is stored."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from datetime import datetime
 from typing import Any, Literal, Self
 
@@ -50,11 +49,6 @@ class Trial(Answer):
     feasible: bool = Field(description="Within every limit on every training road; failed ones are not")
     values: list[float] | None = Field(description="An objective each: means over the training roads")
     limits: list[float] | None = Field(description="A limit each: the largest over the training roads")
-
-    @classmethod
-    def of(cls, trial: StoredTrial) -> Self:
-        """A stored trial."""
-        return cls(**asdict(trial))
 
 
 class Generation(Answer):
@@ -213,18 +207,14 @@ class Tuning(TuningItem):
         return cls(
             **cls._fields(job),
             scenario=request["scenario"],
-            paper=_trial(trials[0] if trials else None),
-            own=_trial(trials[1] if own and len(trials) > 1 else None),
-            best=[_trial(front.best(trials, index)) for index in range(len(request["objectives"]))],
-            knee=_trial(front.knee(members)),
-            front=[Trial.of(each) for each in members],
+            paper=trials[0] if trials else None,
+            own=trials[1] if own and len(trials) > 1 else None,
+            best=[front.best(trials, index) for index in range(len(request["objectives"]))],
+            knee=front.knee(members),
+            front=members,
             history=[Generation.of(told) for told in history],
-            comparison=None if job.answer is None else Comparison.model_validate(job.answer),
+            comparison=job.answer,
         )
-
-
-def _trial(trial: StoredTrial | None) -> Trial | None:
-    return None if trial is None else Trial.of(trial)
 
 
 class Tunings(Answer):

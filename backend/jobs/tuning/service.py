@@ -12,7 +12,7 @@ from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
 from backend.jobs.sweep.sweeps import Sweep
-from backend.jobs.tuning.answers import Trial, Trials, Tuning, TuningEstimate, TuningItem, Tunings
+from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningItem, Tunings
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights
 from backend.jobs.tuning.steps import first_progress
@@ -101,7 +101,7 @@ class TuningService:
         """
         job = await self.jobs.get(job_id)
         trials = await self._store.read(self._store.trials.of, job.id)
-        return Trials(tuning=job.id, trials=[Trial.of(each) for each in trials])
+        return Trials(tuning=job.id, trials=trials)
 
     async def resume(self, job_id: str, trials: int | None) -> StoredJob:
         """Go on where it stopped, up to so many trials; one that has not ended is answered as it is.
