@@ -2,21 +2,19 @@
 
 import { Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
 import type { Link } from "../api/types";
 import { BATCH, useJob } from "../jobs/useJob";
 import { markersOf } from "../plots/markers";
-import { ConnectionBanner } from "../shell/ConnectionBanner";
-import shell from "../shell/shell.module.css";
-import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
+import { Page } from "../shell/Page";
+import { useCatalogues } from "../state/useCatalogues";
 import { BatchFault, BatchLoading, NoBatch } from "./BatchBlank";
 import { BatchHeader } from "./BatchHeader";
 import { BatchResults } from "./BatchResults";
 import { BatchState } from "./BatchState";
 import classes from "./batch.module.css";
-import { figuresOf } from "./figures";
 import { SharedBatchBanner } from "./SharedBatchBanner";
 import { SweepList, titleOf } from "./SweepList";
 import { useBatchView } from "./view";
@@ -30,42 +28,35 @@ interface Props {
 export function BatchPage({ id, link }: Props) {
   const queries = useQueryClient();
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const strategies = useQuery(strategiesQuery);
-  const catalogue = useQuery(catalogueQuery);
-  const templates = useQuery(figuresQuery);
-  const form = useQuery(schemaQuery);
+  const { catalogues, fault: missing } = useCatalogues();
   const [view, setView] = useBatchView(link?.view);
   const title = batch ? (batch.label ?? `Sweep of ${titleOf(batch.fields)}`) : "Sweep";
   useDocumentTitle(`${title} · Ridelab`);
 
-  const figures = useMemo(() => (catalogue.data && templates.data ? figuresOf(catalogue.data, templates.data) : null), [catalogue.data, templates.data]);
-  const swept = useMemo(() => (strategies.data ?? []).filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)), [strategies.data, batch?.strategies]);
-  const markers = useMemo(() => markersOf(strategies.data ?? []), [strategies.data]);
-  const fault = [error, strategies.error, catalogue.error, templates.error, form.error].find((each) => each !== null && !isTransient(each));
+  const strategies = catalogues?.strategies;
+  const swept = useMemo(() => strategies?.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)) ?? [], [strategies, batch?.strategies]);
+  const markers = useMemo(() => markersOf(strategies ?? []), [strategies]);
+  const fault = error !== null && !isTransient(error) ? error : missing;
 
   return (
-    <div className={shell.shell}>
-      <BatchHeader batch={batch} view={view} />
+    <Page header={<BatchHeader batch={batch} view={view} />}>
       <main className={classes.main}>
         {link && <SharedBatchBanner link={link} />}
         {fault ? (
           isNotFound(error) ? <NoBatch /> : <BatchFault message={fault.message} onRetry={() => void queries.refetchQueries()} />
-        ) : batch && figures && catalogue.data && form.data && strategies.data ? (
+        ) : batch && catalogues ? (
           <>
             <Text component="h2" className={classes.title}>
               {title}
             </Text>
-            <BatchState {...{ batch, connected, left }} form={form.data} readOnly={link !== undefined} />
-            <BatchResults {...{ batch, figures, markers, view }} catalogue={catalogue.data} strategies={swept} onView={setView} />
-            {!link && <SweepList strategies={strategies.data} current={id} />}
+            <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
+            <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={setView} />
+            {!link && <SweepList strategies={catalogues.strategies} current={id} />}
           </>
         ) : (
           <BatchLoading />
         )}
       </main>
-      <div className={shell.notices} style={{ left: 0 }}>
-        <ConnectionBanner />
-      </div>
-    </div>
+    </Page>
   );
 }

@@ -10,9 +10,7 @@ import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { placeErrors } from "../editor/errors";
 import { Blank } from "../shell/Blank";
-import { ConnectionBanner } from "../shell/ConnectionBanner";
-import { PageHeader } from "../shell/PageHeader";
-import shell from "../shell/shell.module.css";
+import { Page } from "../shell/Page";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
@@ -45,8 +43,7 @@ export function EcuPage() {
   const fault = [schema, strategies, catalogue, figures].find((query) => query.error !== null && !isTransient(query.error))?.error;
 
   return (
-    <div className={shell.shell}>
-      <PageHeader run={source.origin.run} />
+    <Page run={source.origin.run}>
       <main className={classes.main}>
         <h1 className={classes.heading}>The controller as an ECU’s program</h1>
         <Text className={classes.lead ?? ""}>
@@ -91,10 +88,7 @@ export function EcuPage() {
           </>
         )}
       </main>
-      <div className={shell.notices} style={{ left: 0 }}>
-        <ConnectionBanner />
-      </div>
-    </div>
+    </Page>
   );
 }
 

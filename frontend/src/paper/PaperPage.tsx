@@ -8,8 +8,7 @@ import { useEffect, type ReactNode } from "react";
 import { api } from "../api/client";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Paper } from "../api/types";
-import { ConnectionBanner } from "../shell/ConnectionBanner";
-import { PageHeader } from "../shell/PageHeader";
+import { Page } from "../shell/Page";
 import shell from "../shell/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
@@ -39,8 +38,8 @@ export function PaperPage() {
   const fault = error ?? (words === null ? wordless : null);
 
   return (
-    <div className={shell.shell}>
-      <PageHeader>
+    <Page
+      actions={
         <Button
           component="a"
           href={api.paperReportAddress(choices)}
@@ -52,7 +51,8 @@ export function PaperPage() {
         >
           Report
         </Button>
-      </PageHeader>
+      }
+    >
       <div className={classes.page}>
         <Contents paper={paper} />
         <main className={classes.main} aria-busy={waiting || paper?.complete === false}>
@@ -74,10 +74,7 @@ export function PaperPage() {
           )}
         </main>
       </div>
-      <div className={shell.notices} style={{ left: 0 }}>
-        <ConnectionBanner />
-      </div>
-    </div>
+    </Page>
   );
 }
 

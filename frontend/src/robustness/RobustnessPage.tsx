@@ -7,9 +7,7 @@ import { isNotFound, isTransient } from "../api/problem";
 import { BatchFault, BatchLoading } from "../batch/BatchBlank";
 import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
-import { ConnectionBanner } from "../shell/ConnectionBanner";
-import { PageHeader } from "../shell/PageHeader";
-import shell from "../shell/shell.module.css";
+import { Page } from "../shell/Page";
 import { schemaQuery, strategiesQuery } from "../state/queries";
 import { defaultsQuery } from "./defaults";
 import classes from "./robustness.module.css";
@@ -30,8 +28,7 @@ function NewStudy() {
   const fault = [defaults.error, strategies.error, form.error].find((error) => error !== null && !isTransient(error));
   const lost = source.error !== null && !isNotFound(source.error) && !isTransient(source.error) ? source.error : fault;
   return (
-    <div className={shell.shell}>
-      <PageHeader run={source.origin.run} />
+    <Page run={source.origin.run}>
       <main className={classes.main}>
         <header className={classes.intro}>
           <h1 className={classes.title}>Robustness</h1>
@@ -54,9 +51,6 @@ function NewStudy() {
           <BatchLoading />
         )}
       </main>
-      <div className={shell.notices} style={{ left: 0 }}>
-        <ConnectionBanner />
-      </div>
-    </div>
+    </Page>
   );
 }

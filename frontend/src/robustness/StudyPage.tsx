@@ -8,14 +8,12 @@ import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
 import { BatchFault, BatchLoading } from "../batch/BatchBlank";
 import { BatchState } from "../batch/BatchState";
-import { figuresOf } from "../batch/figures";
 import { otherThanPaper } from "../origin/otherThanPaper";
 import { BATCH, useJob } from "../jobs/useJob";
 import { Blank } from "../shell/Blank";
-import { ConnectionBanner } from "../shell/ConnectionBanner";
-import { PageHeader } from "../shell/PageHeader";
+import { Page } from "../shell/Page";
 import shell from "../shell/shell.module.css";
-import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
+import { useCatalogues } from "../state/useCatalogues";
 import { defaultsQuery } from "./defaults";
 import classes from "./robustness.module.css";
 import { StudyForm } from "./StudyForm";
@@ -26,30 +24,30 @@ const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", se
 export function StudyPage({ id }: { readonly id: string }) {
   const queries = useQueryClient();
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const strategies = useQuery(strategiesQuery);
-  const catalogue = useQuery(catalogueQuery);
-  const templates = useQuery(figuresQuery);
-  const form = useQuery(schemaQuery);
+  const { catalogues, fault: missing } = useCatalogues();
   const defaults = useQuery(defaultsQuery);
   const [changing, { toggle }] = useDisclosure(false);
   useDocumentTitle("Robustness study · Ridelab");
 
-  const figures = useMemo(() => (catalogue.data && templates.data ? figuresOf(catalogue.data, templates.data) : null), [catalogue.data, templates.data]);
-  const studied = useMemo(() => (strategies.data ?? []).filter(({ id }) => batch?.strategies.some((each) => each === id)), [strategies.data, batch?.strategies]);
-  const fault = [error, strategies.error, catalogue.error, templates.error, form.error, defaults.error].find((each) => each !== null && !isTransient(each));
+  const strategies = catalogues?.strategies;
+  const studied = useMemo(() => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [], [strategies, batch?.strategies]);
+  const fault = [error, defaults.error].find((each) => each !== null && !isTransient(each)) ?? missing;
 
   return (
-    <div className={shell.shell}>
-      <PageHeader>
-        {batch && defaults.data && (
-          <Button size="xs" variant="default" aria-expanded={changing} aria-label="Change it" classNames={compact} leftSection={<IconAdjustments size={15} />} onClick={toggle}>
-            Change it
+    <Page
+      actions={
+        <>
+          {batch && defaults.data && (
+            <Button size="xs" variant="default" aria-expanded={changing} aria-label="Change it" classNames={compact} leftSection={<IconAdjustments size={15} />} onClick={toggle}>
+              Change it
+            </Button>
+          )}
+          <Button component="a" href="/robustness" size="xs" variant="default" aria-label="New study" classNames={compact} leftSection={<IconPlus size={15} />}>
+            New study
           </Button>
-        )}
-        <Button component="a" href="/robustness" size="xs" variant="default" aria-label="New study" classNames={compact} leftSection={<IconPlus size={15} />}>
-          New study
-        </Button>
-      </PageHeader>
+        </>
+      }
+    >
       <main className={classes.main}>
         {fault ? (
           isNotFound(error) ? (
@@ -61,33 +59,30 @@ export function StudyPage({ id }: { readonly id: string }) {
           ) : (
             <BatchFault message={fault.message} onRetry={() => void queries.refetchQueries()} />
           )
-        ) : batch && figures && catalogue.data && form.data && defaults.data && strategies.data ? (
+        ) : batch && catalogues && defaults.data ? (
           <>
             <h1 className={classes.title}>Robustness</h1>
             <Collapse expanded={changing}>
               <StudyForm
                 defaults={defaults.data}
-                strategies={strategies.data}
-                form={form.data}
+                strategies={catalogues.strategies}
+                form={catalogues.form}
                 scenario={batch.scenario}
                 made={batch}
                 head={
                   <Text size="sm">
-                    The scenario of this study. <Text span c="dimmed">{otherThanPaper(batch.scenario, form.data)}</Text>
+                    The scenario of this study. <Text span c="dimmed">{otherThanPaper(batch.scenario, catalogues.form)}</Text>
                   </Text>
                 }
               />
             </Collapse>
-            <BatchState {...{ batch, connected, left }} form={form.data} readOnly={false} />
-            <StudyResults {...{ batch, figures }} strategies={studied} catalogue={catalogue.data} />
+            <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={false} />
+            <StudyResults batch={batch} {...catalogues} strategies={studied} />
           </>
         ) : (
           <BatchLoading />
         )}
       </main>
-      <div className={shell.notices} style={{ left: 0 }}>
-        <ConnectionBanner />
-      </div>
-    </div>
+    </Page>
   );
 }

@@ -84,7 +84,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
       <Part title="Roads and effort">
         <div className={classes.entries}>
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
-          {entry("freshSeeds", "Validation roads", "For the comparison, no training roads", "fresh_seeds")}
+          {entry("freshSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}
           {entry("trials", "Trials", "Sets of weights tried")}
           {entry("population", "Population size", "Sets in a generation")}
           {entry("seed", "Search seed", "Same seed, same trials")}

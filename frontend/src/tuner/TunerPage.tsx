@@ -2,17 +2,13 @@
 
 import { Anchor, Button, Skeleton, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
-import { isTransient } from "../api/problem";
-import { figuresOf } from "../batch/figures";
 import { usePageScenario } from "../origin/origin";
 import type { PageProps } from "../pages";
 import { Blank } from "../shell/Blank";
-import { ConnectionBanner } from "../shell/ConnectionBanner";
-import { PageHeader } from "../shell/PageHeader";
-import shell from "../shell/shell.module.css";
-import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
+import { Page } from "../shell/Page";
+import { useCatalogues } from "../state/useCatalogues";
 import { NewTuning } from "./NewTuning";
 import { TuningList } from "./TuningList";
 import { TuningPage } from "./TuningPage";
@@ -25,27 +21,17 @@ export function TunerPage({ id }: PageProps) {
 
 type Ground = ReturnType<typeof useGround>;
 
-/** What both views need of the server. */
+/** What both views need of the server: as figures only those that are numbers. */
 function useGround() {
-  const schema = useQuery(schemaQuery);
-  const strategies = useQuery(strategiesQuery);
-  const catalogue = useQuery(catalogueQuery);
-  const templates = useQuery(figuresQuery);
-  const data = useMemo(() => {
-    if (!schema.data || !strategies.data || !catalogue.data || !templates.data) return null;
-    const flags = catalogue.data.events.filter(({ key }) => key === "target_reached").map(({ key }) => `events.${key}`);
-    const figures = figuresOf(catalogue.data, templates.data).filter(({ key }) => !flags.includes(key));
-    return { form: schema.data, strategies: strategies.data, catalogue: catalogue.data, figures };
-  }, [schema.data, strategies.data, catalogue.data, templates.data]);
-  const fault = [schema, strategies, catalogue, templates].find(({ error }) => error !== null && !isTransient(error))?.error ?? null;
+  const { catalogues, fault } = useCatalogues();
+  const data = useMemo(() => catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") }, [catalogues]);
   return { data, fault };
 }
 
 function Frame({ run = null, fault, children }: { readonly run?: string | null; readonly fault: Error | null; readonly children: React.ReactNode }) {
   const queries = useQueryClient();
   return (
-    <div className={shell.shell}>
-      <PageHeader run={run} />
+    <Page run={run}>
       <main className={classes.main}>
         {fault ? (
           <Blank title="This page could not be shown" text={fault.message}>
@@ -55,10 +41,7 @@ function Frame({ run = null, fault, children }: { readonly run?: string | null; 
           children
         )}
       </main>
-      <div className={shell.notices} style={{ left: 0 }}>
-        <ConnectionBanner />
-      </div>
-    </div>
+    </Page>
   );
 }
 
@@ -85,8 +68,8 @@ function Tuner({ ground: { data, fault } }: { readonly ground: Ground }) {
       </Text>
       {data ? (
         <div className={classes.columns}>
-          <NewTuning form={data.form} catalogue={data.catalogue} strategies={data.strategies} figures={data.figures} source={source} />
-          <TuningList strategies={data.strategies} figures={data.figures} />
+          <NewTuning {...data} source={source} />
+          <TuningList {...data} />
         </div>
       ) : (
         <div className={classes.columns} aria-busy aria-label="Loading the form">

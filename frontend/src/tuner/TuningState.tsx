@@ -119,7 +119,7 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
     ["Minimised", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
     ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
     ["Searched", count(Object.keys(search).length, "weight")],
-    ["Roads", `${formatSeeds(seeds)} training, ${formatSeeds(fresh)} validation`],
+    ["Roads", `training ${formatSeeds(seeds)}; validation ${formatSeeds(fresh)}`],
     ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
     ["Submitted", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
   ];

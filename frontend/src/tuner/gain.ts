@@ -29,7 +29,7 @@ const interval = (low: number | null, high: number | null) => (low === null || h
 const ENDING: Readonly<Record<Keeps, string>> = {
   keeps: "the gain holds",
   shrinks: "less of the gain is left there",
-  unclear: "there is no certain gain: the interval holds zero",
+  unclear: "no certain gain, as the interval holds zero",
   worse: "the weights are tuned to the training roads and worse elsewhere",
   none: "no gain over the paper’s weights",
 };
