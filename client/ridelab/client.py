@@ -185,7 +185,7 @@ class Ridelab:
             asked: `seeds`, how many roads (20), from `first_seed` (1) on; `interpretation`, a named set of readings,
                 `default` or `favourable`; `readings`, reading -> choice, those that are not the set's.
         """
-        return self._http.document("GET", f"{API}/paper", params=_flattened(**asked))
+        return self._http.json("GET", f"{API}/paper", params=_flattened(**asked))
 
     def paper_report(self, **asked: Any) -> Iterator[bytes]:
         """The same as one HTML file, with what each part contributes and the figures, piece by piece."""
@@ -210,7 +210,7 @@ class Ridelab:
             label: What to call it; lists find it by that.
         """
         body = {"scenario": scenario, "strategies": strategies, "sweep": sweep, "label": label}
-        return Batch(self._http, self._submit("/batches", body, idempotency_key))
+        return Batch(self._http, self._post("/batches", body, idempotency_key or uuid.uuid4().hex))
 
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
         """What a batch would be: `total` runs, `points`, `estimated_cost` [s of one core], `estimated_seconds`."""
@@ -232,7 +232,7 @@ class Ridelab:
                 "population", "seed", "label"}`, each of which may be left out (docs/api.md).
             idempotency_key: The same key never begins a second one; None is a key of this call's own.
         """
-        return Tuning(self._http, self._submit("/tunings", request, idempotency_key))
+        return Tuning(self._http, self._post("/tunings", request, idempotency_key or uuid.uuid4().hex))
 
     def estimate_tuning(self, request: Mapping[str, Any]) -> dict[str, Any]:
         """What a tuning would be: `runs`, `generations`, `estimated_cost` [s of one core], `estimated_seconds`."""
@@ -282,12 +282,8 @@ class Ridelab:
         except (KeyError, TypeError, AttributeError):
             raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
 
-    def _post(self, path: str, body: Mapping[str, Any]) -> dict[str, Any]:
-        return self._http.document("POST", API + path, body=body)
-
-    def _submit(self, path: str, body: Mapping[str, Any], key: str | None) -> Any:
-        headers = {"Idempotency-Key": key or uuid.uuid4().hex}
-        return self._http.json("POST", API + path, body=body, headers=headers)
+    def _post(self, path: str, body: Mapping[str, Any], key: str = "") -> dict[str, Any]:
+        return self._http.json("POST", API + path, body=body, headers={"Idempotency-Key": key} if key else None)
 
     def _listed(self, name: str, state: str | None, label: str | None, limit: int) -> Iterator[dict[str, Any]]:
         """The first `limit` entries, over as many pages as that takes."""

@@ -45,10 +45,11 @@ class ErrorPlace:
         return "".join(f"[{step}]" if step.isdecimal() else f".{step}" for step in steps).removeprefix(".")
 
 
+@dataclass(eq=False)
 class RidelabAPIError(RidelabClientError):
     """The service refused, and says why (RFC 9457).
 
-    Args:
+    Attributes:
         status: HTTP status.
         detail: What is wrong, for a person to read.
         errors: Each place concerned.
@@ -56,20 +57,11 @@ class RidelabAPIError(RidelabClientError):
         kind: Which kind of problem, such as `not-found` (docs/api.md lists them); None where it is not the service's.
     """
 
-    def __init__(
-        self,
-        status: int,
-        detail: str,
-        errors: Sequence[ErrorPlace] = (),
-        request_id: str | None = None,
-        kind: str | None = None,
-    ) -> None:
-        super().__init__(status, detail, errors, request_id, kind)
-        self.status = status
-        self.detail = detail
-        self.errors = list(errors)
-        self.request_id = request_id
-        self.kind = kind
+    status: int
+    detail: str
+    errors: Sequence[ErrorPlace] = ()
+    request_id: str | None = None
+    kind: str | None = None
 
     @classmethod
     def of(cls, status: int, problem: Mapping[str, Any]) -> Self:

@@ -57,17 +57,13 @@ class Http:
         """Where the service is, without a login and a slash at the end."""
         return without_login(str(self.client.base_url)).rstrip("/")
 
-    def json(self, method: str, path: str, **request: Any) -> Any:
-        """The answer's JSON; the arguments are those of `send`."""
+    def json(self, method: str, path: str, **request: Any) -> dict[str, Any]:
+        """The answer's JSON, an object most often; the arguments are those of `send`."""
         response = self.send(method, path, **request)
         try:
-            return response.json()
+            answer: dict[str, Any] = response.json()
         except ValueError:
             raise self._foreign(response) from None
-
-    def document(self, method: str, path: str, **request: Any) -> dict[str, Any]:
-        """The answer's JSON object; the arguments are those of `send`."""
-        answer: dict[str, Any] = self.json(method, path, **request)
         return answer
 
     def send(

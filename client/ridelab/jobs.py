@@ -137,7 +137,7 @@ class Job:
         return f"{self.PLACE}/{self.id}{below}"
 
     def _ask(self, method: str, below: str = "", **request: Any) -> Self:
-        self.answer = self._http.document(method, self._path(below), **request)
+        self.answer = self._http.json(method, self._path(below), **request)
         return self
 
     def _stream(self, after: str) -> Iterator[Event | None]:
@@ -183,7 +183,7 @@ class Batch(Job):
             baseline: The strategy the others are compared with; None is LV, else the first.
         """
         params = {"figures": ",".join(figures), "baseline": baseline}
-        return self._http.document("GET", self._path("/summary"), params=params)
+        return self._http.json("GET", self._path("/summary"), params=params)
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too."""
@@ -239,8 +239,7 @@ class Tuning(Job):
     @property
     def counts(self) -> Mapping[str, Any]:
         """Trials, by `total`, `done`, `failed` and `feasible`."""
-        trials: Mapping[str, Any] = self.answer["trials"]
-        return trials
+        return dict(self.answer["trials"])
 
     def resume(self, trials: int | None = None) -> Self:
         """Go on where it stopped, perhaps with more trials in all; 409 where nothing is left to do."""
@@ -248,8 +247,7 @@ class Tuning(Job):
 
     def trials(self) -> list[Trial]:
         """Every trial, in order."""
-        trials: list[Trial] = self._http.document("GET", self._path("/trials"))["trials"]
-        return trials
+        return list(self._http.json("GET", self._path("/trials"))["trials"])
 
     def _take_in(self, data: Mapping[str, Any]) -> None:
         counts = {name: data[name] for name in self.counts}

@@ -13,7 +13,7 @@ import pytest
 import sim_core
 from ridelab import RunResult, __version__
 from ridelab.cli import app, fields
-from ridelab.cli.compare import Tolerance, differences
+from ridelab.cli.compare import Equal, differences, equal_within
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
@@ -85,6 +85,7 @@ def test_sweeps() -> None:
     [
         (fields.grid_of, ["road.bump.height=0:1:1"], "road.bump.height: LOW:HIGH:COUNT"),
         (fields.grid_of, ["road.bump.height=0.05:0.15:0.01"], "0.05:0.15:0.01 is neither LOW:HIGH:COUNT, such as"),
+        (fields.grid_of, ["road.bump.height=0:1e999:3"], "1e999 is not a finite number"),
         (fields.grid_of, ["mpc.stage_weights.cruise=[8,NaN,1]"], "NaN is no number"),
         (fields.grid_of, ["road.seed=1", "road.seed=2"], "road.seed: given twice"),
         (lambda specs: fields.ranges_of(specs, "--range"), ["road.bump.height=1"], "a range is LOW:HIGH"),
@@ -117,8 +118,8 @@ def copy(answer: dict[str, Any]) -> dict[str, Any]:
     return again
 
 
-def tolerance(relative: float, absolute: float = 0) -> Tolerance:
-    return Tolerance(relative=lambda _: relative, absolute=lambda _: absolute)
+def tolerance(relative: float, absolute: float = 0) -> Equal:
+    return equal_within([str(relative)], [str(absolute)])
 
 
 def test_differences_come_largest_first_and_within_the_tolerance_not_at_all(answer: dict[str, Any]) -> None:

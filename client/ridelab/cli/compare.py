@@ -15,6 +15,7 @@ from ridelab.cli.tables import show_table, shown, with_unit
 from ridelab.results import Figure, RunResult, flat
 
 _RESULT = "File of a scenario or of a saved run (run --json), preset, run id, or address of a run or link."
+Equal = Callable[[str, float, float], bool]
 _RELATIVE, _ABSOLUTE = 1e-6, 1e-9  # room for rounding
 _METRICS = "Only these metrics, such as bump.*.peak; with commas or repeated."
 _PART = "Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Of several the last."
@@ -44,10 +45,7 @@ def compare(
     """
     if a == b == "-":
         raise InputError("Only one of A and B can be standard input")
-    equal = Tolerance(
-        relative=_limits(tolerance or [], "--tolerance", _RELATIVE),
-        absolute=_limits(tolerance_abs or [], "--tolerance-abs", _ABSOLUTE),
-    )
+    equal = equal_within(tolerance or [], tolerance_abs or [])
     sides = [targets.find(target, services) for target in (a, b)]
     named, patterns = options.listed(strategy), options.listed(metric) or ["*"]
     first, second = (_run(side, named, sides, services) for side in sides)
@@ -78,18 +76,6 @@ def compare(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Tolerance:
-    """Values are equal when |b − a| ≤ max(absolute, relative·|a|), both by metric; `absolute` is in its unit."""
-
-    relative: Callable[[str], float]
-    absolute: Callable[[str], float]
-
-    def holds(self, metric: str, a: float, b: float) -> bool:
-        """Whether b equals a."""
-        return abs(b - a) <= max(self.absolute(metric), self.relative(metric) * abs(a))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class Difference:
     """One metric of one strategy that is not the same; `change` is (b − a)/|a|, infinite where it has no number."""
 
@@ -109,7 +95,7 @@ class Difference:
 
 
 def differences(
-    a: RunResult, b: RunResult, strategies: Sequence[str], tolerance: Tolerance, patterns: Sequence[str]
+    a: RunResult, b: RunResult, strategies: Sequence[str], equal: Equal, patterns: Sequence[str]
 ) -> list[Difference]:
     """Every metric that differs, and what became of the strategies; the largest change first."""
     differing = []
@@ -121,7 +107,7 @@ def differences(
             if x is None or y is None:
                 same, change = type(one) is type(other) and one == other, math.inf
             else:
-                same, change = tolerance.holds(metric, x, y), (y - x) / abs(x) if x else math.inf
+                same, change = equal(metric, x, y), (y - x) / abs(x) if x else math.inf
             if (metric == "status" or _fits(metric, patterns)) and not same:
                 unit = a.units.get(metric, "1")
                 differing.append(Difference(strategy=name, figure=metric, unit=unit, a=one, b=other, change=change))
@@ -137,6 +123,12 @@ def inputs(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[tuple[str, Any, A
 
 def _fits(metric: str, patterns: Sequence[str]) -> bool:
     return any(fnmatchcase(metric, pattern) for pattern in patterns)
+
+
+def equal_within(relative: Sequence[str], absolute: Sequence[str]) -> Equal:
+    """Says whether |b − a| ≤ max(absolute, relative·|a|) for a metric, a and b; `absolute` is in the metric's unit."""
+    part, much = _limits(relative, "--tolerance", _RELATIVE), _limits(absolute, "--tolerance-abs", _ABSOLUTE)
+    return lambda metric, a, b: abs(b - a) <= max(much(metric), part(metric) * abs(a))
 
 
 def _limits(texts: Sequence[str], option: str, default: float) -> Callable[[str], float]:

@@ -13,7 +13,7 @@ from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document, find
 
-_NUMBER = r"[-+]?[\d.]+(?:e[-+]?\d+)?"
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 _SPAN = re.compile(rf"({_NUMBER}):({_NUMBER}):(\d+)", re.IGNORECASE)
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
@@ -87,7 +87,7 @@ def _values(text: str) -> list[Any]:
     if (span := _SPAN.fullmatch(text)) is None:
         hint = "LOW:HIGH:COUNT, such as 0.05:0.15:11 for 11 values with both ends, nor values with commas between them"
         raise ValueError(f"{text} is neither {hint}")
-    low, high, count = float(span[1]), float(span[2]), int(span[3])
+    low, high, count = _value(span[1]), _value(span[2]), int(span[3])
     if not 2 <= count <= _MOST_VALUES:
         raise ValueError(f"LOW:HIGH:COUNT takes a count from 2 to {_MOST_VALUES}")
     steps = [float(f"{low + (high - low) * index / (count - 1):.{_DIGITS}g}") for index in range(count)]

@@ -35,13 +35,7 @@ def left_alone(services: Services) -> Ridelab:
 
 
 def submitted(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
-    """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends.
-
-    Args:
-        submit: Hands it in under that key.
-        services: Where.
-        options: Those of the command that takes its results later.
-    """
+    """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends."""
     key = uuid.uuid4().hex
     try:
         return submit(key)
@@ -51,16 +45,10 @@ def submitted(submit: Callable[[str], AnyJob], services: Services, *options: str
 
 
 def followed(job: Job, services: Services, *options: str, ours: bool = True, timeout: float | None = None) -> int:
-    """Wait for a job with a progress bar.
+    """Wait for a job with a progress bar, `timeout` [s] at most.
 
-    Ctrl-C cancels a job that is `ours`, another's goes on; SIGTERM cancels none.
-
-    Args:
-        job: The job.
-        services: Where it runs.
-        options: Those of the command that takes its results later.
-        ours: Whether this command handed it in.
-        timeout: Wait so long at most [s].
+    Ctrl-C cancels a job that is `ours`, handed in by this command; another's goes on. SIGTERM cancels none. `options`
+    are those of the command that takes its results later.
 
     Returns:
         The exit code so far: 0 where the job has ended by itself, INTERRUPTED where it was cancelled here.
@@ -86,6 +74,12 @@ def later(job: Job, services: Services, *options: str) -> str:
 def file_options(out: str | None, file_format: str | None) -> list[str]:
     """The options that name the same file in another command."""
     return [] if out is None else ["--out", out, *([] if file_format is None else ["--format", file_format])]
+
+
+def left(job: Job, services: Services, *options: str, as_json: bool) -> None:
+    """Say which job was handed in and how to come back to it."""
+    print_json(job.answer) if as_json else typer.echo(job.id)
+    note(f"{job.total} {'trials' if isinstance(job, Tuning) else 'runs'}; {later(job, services, *options)}")
 
 
 def say_end(job: Job) -> int:

@@ -14,25 +14,15 @@ from ridelab.files import save
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Names:
-    """Names by which a service can be asked.
+    """Names by which a service can be asked."""
 
-    Attributes:
-        fields: Unit by dotted name, in the scenario's order.
-        strategies: Label by id.
-        presets: Complete scenario by id; the paper's first, which is what fields that are left out have.
-        signals: Label and unit by key.
-        windows: Label by key.
-        paper_signals: Keys of the signals that the paper compares.
-        metrics: Unit by flat name.
-    """
-
-    fields: Mapping[str, str]
-    strategies: Mapping[str, str]
-    presets: Mapping[str, dict[str, Any]]
-    signals: Mapping[str, tuple[str, str]]
-    windows: Mapping[str, str]
-    paper_signals: list[str]
-    metrics: Mapping[str, str]
+    fields: Mapping[str, str]  # unit by dotted name, in the scenario's order
+    strategies: Mapping[str, str]  # label by id
+    presets: Mapping[str, dict[str, Any]]  # complete scenario by id; the paper's first, for fields that are left out
+    signals: Mapping[str, tuple[str, str]]  # label and unit by key
+    windows: Mapping[str, str]  # label by key
+    paper_signals: list[str]  # keys of the signals that the paper compares
+    metrics: Mapping[str, str]  # unit by flat name
 
     @classmethod
     def of(cls, ridelab: Ridelab) -> Self:

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.following import file_options, followed, later, left_alone, say_end, show_estimate, submitted
+from ridelab.cli.following import file_options, followed, later, left, left_alone, say_end, show_estimate, submitted
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
@@ -66,8 +66,7 @@ def sweep(
     again = file_options(out, file_format)
     batch = submitted(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
     if detach:
-        print_json(batch.answer) if as_json else typer.echo(batch.id)
-        note(f"{batch.total} runs; {later(batch, services, *again)}")
+        left(batch, services, *again, as_json=as_json)
         return
     code = followed(batch, services, *again)
     if out is not None and kind is not None:

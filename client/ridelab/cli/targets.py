@@ -23,23 +23,14 @@ _PAGES = {"r": "get_run", "b": "get_batch", "s": "open_link"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
-    """What a target turned out to be: a scenario always, and the stored result it belongs to if there is one.
-
-    Attributes:
-        name: How to call it.
-        scenario: Perhaps in part; what is left out takes the paper's value.
-        run: The run it is.
-        batch: The batch it is.
-        slug: The shared link that led to it.
-        ridelab: The service that has it; None for files and presets.
-    """
+    """What a target turned out to be: a scenario always, and the stored result it belongs to if there is one."""
 
     name: str
-    scenario: dict[str, Any]
+    scenario: dict[str, Any]  # perhaps in part; what is left out takes the paper's value
     run: RunResult | None = None
     batch: Batch | None = None
-    slug: str | None = None
-    ridelab: Ridelab | None = None
+    slug: str | None = None  # of the shared link that led to it
+    ridelab: Ridelab | None = None  # the service that has it; None for files and presets
 
     @property
     def strategies(self) -> list[str]:

@@ -9,12 +9,11 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.following import followed, later, left_alone, say_end, show_estimate, submitted
+from ridelab.cli.following import followed, later, left, left_alone, say_end, show_estimate, submitted
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
-from ridelab.client import Ridelab
 from ridelab.files import save
 from ridelab.jobs import Tuning
 
@@ -56,7 +55,9 @@ def tune(
     """
     ridelab = services.at() if not detach else left_alone(services)
     if resume is not None:
-        tuning = _resumed(ridelab, resume, trials)
+        tuning = ridelab.get_tuning(resume)
+        if tuning.state != "done" or trials not in (None, tuning.total):  # else it is only shown
+            tuning.resume(trials)
     else:
         asked = {
             "objectives": [objective_of(text) for text in objective or ["paper"]],
@@ -76,8 +77,7 @@ def tune(
             return
         tuning = submitted(lambda key: ridelab.tune(request, key), services)
     if detach:
-        print_json(tuning.answer) if as_json else typer.echo(tuning.id)
-        note(f"{tuning.total} trials; {later(tuning, services)} shows how it ended")
+        left(tuning, services, as_json=as_json)
         return
     if code := followed(tuning, services):
         note(f"To go on: {later(tuning, services)}")
@@ -92,14 +92,6 @@ def tune(
         note(f"{out} has the weights of trial {best['number']}")
     say_end(tuning)
     raise typer.Exit(DIFFERENT * (best is None))
-
-
-def _resumed(ridelab: Ridelab, tuning_id: str, trials: int | None) -> Tuning:
-    """It goes on; where it is done and no more trials are asked for it stays as it is."""
-    tuning = ridelab.get_tuning(tuning_id)
-    if tuning.state == "done" and trials in (None, tuning.total):
-        return tuning
-    return tuning.resume(trials)
 
 
 def objective_of(text: str) -> dict[str, Any]:
