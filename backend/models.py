@@ -160,7 +160,7 @@ class StrategyFailure(Answer):
 
 
 class CachedResult(StrategyResult):
-    """The same, with where it came from."""
+    """A result, and whether it was computed for this request."""
 
     cached: bool = Field(
         description="Taken from store or memory, or from an equal request under way: not computed for this one"
@@ -168,7 +168,7 @@ class CachedResult(StrategyResult):
 
 
 class CachedFailure(StrategyFailure):
-    """The same, with where it came from."""
+    """A failure, and whether it was computed for this request."""
 
     cached: bool
 

@@ -1,7 +1,7 @@
 """Runs become trials: the figures of each run, then of a set of weights over its roads."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import orjson
@@ -92,24 +92,15 @@ class Aims:
         """
         failed = [f"Road {seed}: {run.reason}" for seed, run in roads.items() if isinstance(run, Failure)]
         runs = [run for run in roads.values() if not isinstance(run, Failure)]
+        trial = StoredTrial(
+            number=number, generation=generation, weights=weights, status="failed", reason=next(iter(failed), None)
+        )
         if failed:
-            return StoredTrial(
-                number=number,
-                generation=generation,
-                weights=weights,
-                status="failed",
-                reason=failed[0],
-                feasible=False,
-                values=None,
-                limits=None,
-            )
+            return trial
         limits = [max(run[f"limits.{index}"] for run in runs) for index in range(len(self.limits))]
-        return StoredTrial(
-            number=number,
-            generation=generation,
-            weights=weights,
+        return replace(
+            trial,
             status="ok",
-            reason=None,
             feasible=all(value <= most for value, most in zip(limits, self.most, strict=True)),
             values=[mean([run[f"objectives.{index}"] for run in runs]) for index in range(len(self.objectives))],
             limits=limits,

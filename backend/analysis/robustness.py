@@ -1,9 +1,10 @@
 """What a robustness study varies unless told otherwise; the ranges are ours (docs/robustness.md says why)."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
+from backend.jobs.sweep.models import RobustnessDefaults, UncertainRange
 from sim_core.catalogue import PAPER_METRICS
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
@@ -43,25 +44,14 @@ UNCERTAINTIES = (
 )
 
 
-def answer() -> dict[str, Any]:
-    """`RobustnessDefaults`."""
-    return {
-        "ranges": [
-            {
-                "field": each.field,
-                "title": dotted.field(each.field).title,
-                "unit": dotted.field(each.field).unit,
-                "low": each.low,
-                "high": each.high,
-                "why": each.why,
-            }
-            for each in UNCERTAINTIES
-        ],
-        "samples": SAMPLES,
-        "strategies": list(STRATEGIES),
-        "baseline": BASELINE,
-        "figures": list(FIGURES),
-    }
+def defaults() -> RobustnessDefaults:
+    """What a study varies, where nobody says otherwise."""
+    described = {each.field: dotted.field(each.field) for each in UNCERTAINTIES}
+    ranges = [
+        UncertainRange(**asdict(each), title=described[each.field].title, unit=described[each.field].unit)
+        for each in UNCERTAINTIES
+    ]
+    return RobustnessDefaults(ranges=ranges, samples=SAMPLES, strategies=STRATEGIES, baseline=BASELINE, figures=FIGURES)
 
 
 def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> dict[str, Any]:

@@ -60,7 +60,7 @@ def dampings(
     base: Mapping[str, Any], schema_version: int, changes: Sequence[str], strategies: Sequence[str]
 ) -> FloatArray:
     """Least damping of each strategy's loop at each of those points (`changes` is JSON text); NaN: not known."""
-    found = np.full((len(changes), len(strategies)), np.nan)
+    ratios = np.full((len(changes), len(strategies)), np.nan)
     for point, text in enumerate(changes):
         try:
             scenario = scenario_at(base, orjson.loads(text), schema_version)
@@ -68,8 +68,8 @@ def dampings(
             continue
         for index, name in enumerate(strategies):
             ratio = _damping(scenario, name)
-            found[point, index] = np.nan if ratio is None else ratio
-    return found
+            ratios[point, index] = np.nan if ratio is None else ratio
+    return ratios
 
 
 def nominal(
@@ -153,13 +153,13 @@ def _distribution(study: Study, index: int, values: FloatArray) -> dict[str, Any
     there = np.flatnonzero(np.isfinite(values))
     if not len(there):
         return {"n": 0, "mean": None, "quantiles": None, "lowest": None, "highest": None}
-    known = values[there]
+    finite = values[there]
     return {
         "n": len(there),
-        "mean": float(known.mean()),
-        "quantiles": np.percentile(known, QUANTILES, method="linear").tolist(),
-        "lowest": _place(study, index, values, int(there[known.argmin()])),
-        "highest": _place(study, index, values, int(there[known.argmax()])),
+        "mean": float(finite.mean()),
+        "quantiles": np.percentile(finite, QUANTILES, method="linear").tolist(),
+        "lowest": _place(study, index, values, int(there[finite.argmin()])),
+        "highest": _place(study, index, values, int(there[finite.argmax()])),
     }
 
 
@@ -171,8 +171,8 @@ def _place(study: Study, index: int, values: FloatArray, point: int) -> dict[str
     }
 
 
-def _share(chosen: NDArray[np.bool_], pairs: int) -> float | None:
-    return float(chosen.sum() / pairs) if pairs else None
+def _share(of_pairs: NDArray[np.bool_], pairs: int) -> float | None:
+    return float(of_pairs.sum() / pairs) if pairs else None
 
 
 def _change(value: float | None, base: float | None) -> float | None:
@@ -181,12 +181,12 @@ def _change(value: float | None, base: float | None) -> float | None:
 
 def _numbers(fields: Mapping[str, Sequence[Any]]) -> Numbers:
     """The swept fields that have an order: numbers (none is NaN), but no seeds."""
-    found: Numbers = {}
+    numbers: Numbers = {}
     for name, column in fields.items():
         plain = all(value is None or (isinstance(value, float | int)) for value in column)
         if plain and not name.endswith("seed"):
-            found[name] = np.array([np.nan if value is None else value for value in column], dtype=np.float64)
-    return found
+            numbers[name] = np.array([np.nan if value is None else value for value in column], dtype=np.float64)
+    return numbers
 
 
 def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
@@ -198,7 +198,7 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
     """
     from scipy.stats import spearmanr  # takes half a second to import: a service starts without it
 
-    found = []
+    rows = []
     for name, column in numbers.items():
         there = np.isfinite(values) & np.isfinite(column)
         x, y = column[there], values[there]
@@ -206,8 +206,8 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
             continue
         rho, (effect, chance) = spearmanr(x, y), _effect(x, y)
         p_value = min(1.0, 2 * min(float(rho.pvalue), chance))
-        found.append({"field": name, "spearman": float(rho.statistic), "p_value": p_value, "effect": effect})
-    return sorted(found, key=lambda row: (-row["effect"], -abs(row["spearman"])))
+        rows.append({"field": name, "spearman": float(rho.statistic), "p_value": p_value, "effect": effect})
+    return sorted(rows, key=lambda row: (-row["effect"], -abs(row["spearman"])))
 
 
 def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:

@@ -142,7 +142,7 @@ async def get_batch_summary(
 @batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=RobustnessDefaults)
 async def get_robustness_defaults() -> Response:
     """What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary."""
-    return json_answer(robustness.answer())
+    return json_answer(robustness.defaults())
 
 
 def _figures(text: str, known: Iterable[str]) -> list[str]:

@@ -53,7 +53,7 @@ class StrategyChanges(Answer):
 
 
 class CachedRoadsResult(RoadsResult):
-    """The same, with where it came from."""
+    """A result over several roads, and whether it was computed for this request."""
 
     cached: bool = Field(description="No road was computed for this request")
 

@@ -64,16 +64,9 @@ class JobRunStore:
     ) -> None:
         """Commit results of a job, and runs (by position) that got none with the reason why."""
         now = datetime.now(UTC)
+        names = ("key", "strategy", "status", "summary", "compute_ms")
         rows = [
-            {
-                "key": item.key,
-                "strategy": item.strategy,
-                "core_version": core_version,
-                "status": item.status,
-                "summary": item.summary,
-                "compute_ms": item.compute_ms,
-                "created_at": now,
-            }
+            {"core_version": core_version, "created_at": now, **{name: getattr(item, name) for name in names}}
             for item in computed
         ]
         with self._database.writing() as connection:

@@ -17,10 +17,10 @@ class StoredTrial:
     generation: int
     weights: dict[str, Any]
     status: Literal["ok", "failed"]
-    reason: str | None
-    feasible: bool
-    values: list[float] | None
-    limits: list[float] | None
+    reason: str | None = None
+    feasible: bool = False
+    values: list[float] | None = None
+    limits: list[float] | None = None
 
     def row(self) -> dict[str, Any]:
         """As its table has it."""
@@ -36,11 +36,11 @@ class TrialStore:
 
     def of(self, job_id: str) -> list[StoredTrial]:
         """Every trial of a tuning, in order."""
-        query = select(trials).where(trials.c.job_id == job_id).order_by(trials.c.number)
+        columns = [column for column in trials.c if column.name not in ("job_id", "objectives")]
+        query = (
+            select(*columns, trials.c.objectives.label("values"))
+            .where(trials.c.job_id == job_id)
+            .order_by(trials.c.number)
+        )
         with self._database.reading() as connection:
-            rows = [row._asdict() for row in connection.execute(query).all()]
-        return [StoredTrial(values=row.pop("objectives"), **_without_job(row)) for row in rows]
-
-
-def _without_job(row: dict[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in row.items() if name != "job_id"}
+            return [StoredTrial(**row._asdict()) for row in connection.execute(query).all()]
