@@ -25,7 +25,6 @@ from backend.jobs.sweep.models import (
     RobustnessDefaults,
 )
 from backend.jobs.sweep.service import Sweeps
-from backend.store.jobs import FINAL
 from sim_core.catalogue import METRICS, NUMBERS
 
 submitting = router("batches", 400, 409, 413, 415, 422, 429, 503)
@@ -71,7 +70,9 @@ async def create_batch(
     asked = (body.scenario, body.strategies, body.sweep)
     if body.dry_run:
         return json_answer(await cancel_on_disconnect(request, service.estimate(*asked, client)))
-    creating = service.create(*asked, client=client, key=idempotency_key, label=body.label, owner=owner)
+    creating = service.create(
+        *asked, client=client, key=jobs.key_of(owner, idempotency_key), label=body.label, owner=owner
+    )
     job = await cancel_on_disconnect(request, creating)
     return jobs.accepted(await service.answer(job), "batches", job)
 
@@ -97,7 +98,7 @@ async def get_batch_results(
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
     batch, stream = await service.results(job_id, file_format)
-    headers = {"Cache-Control": IMMUTABLE if batch.state in FINAL else "no-store"}
+    headers = {"Cache-Control": IMMUTABLE if batch.state == "done" else "no-store"}
     if file_format != "json":
         headers["Content-Disposition"] = f'attachment; filename="ridelab-batch-{batch.id}.{file_format}"'
     return StreamingResponse(stream, headers=headers, media_type=MEDIA_TYPES[file_format])

@@ -138,6 +138,11 @@ def add_routes(
         return StreamingResponse(stream, headers=headers, media_type="text/event-stream")
 
 
+def key_of(owner: str | None, sent: str | None) -> str | None:
+    """The idempotency key as it is stored: each token has keys of its own."""
+    return sent if sent is None or owner is None else f"{owner} {sent}"
+
+
 def accepted(model: BaseModel, plural: str, job: StoredJob) -> Response:
     """The answer 202 to a job that was accepted."""
     return json_answer(model, {"Location": f"/api/v1/{plural}/{job.id}"}, status=202)

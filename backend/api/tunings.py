@@ -57,7 +57,7 @@ async def create_tuning(
     """Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes."""
     if body.dry_run:
         return json_answer(await cancel_on_disconnect(request, service.estimate(body, client)))
-    job = await service.create(body, idempotency_key, owner)
+    job = await service.create(body, jobs.key_of(owner, idempotency_key), owner)
     return jobs.accepted(await service.answer(job), "tunings", job)
 
 

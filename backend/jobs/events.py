@@ -8,6 +8,7 @@ from fastapi.sse import format_sse_event
 
 from backend.http.admission import Admission
 from backend.store import Store
+from backend.store.jobs import PAGE
 
 LOOK = 1.0  # between two looks for events of other processes [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
@@ -41,6 +42,8 @@ async def _stream(
                 yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))
             if ended:
                 return
+            if len(events) == PAGE:
+                continue
             if clock() - sent > HEARTBEAT:
                 sent = clock()
                 yield b": still here\n\n"

@@ -1,5 +1,6 @@
 """Keeps the database within an age and a size, where its operator has set them."""
 
+import asyncio
 import logging
 import time
 from datetime import UTC, datetime, timedelta
@@ -22,11 +23,29 @@ class Retention:
         self._days = settings.retention_days
         self._bytes = settings.retention_bytes
         self._due = time.monotonic()
+        self._task: asyncio.Task[None] | None = None
+
+    def begin_if_due(self) -> None:
+        """Remove what is to be removed, beside everything else, if it is time for it."""
+        off = self._days is None and self._bytes is None
+        if off or time.monotonic() < self._due or (self._task is not None and not self._task.done()):
+            return
+        self._due = time.monotonic() + INTERVAL
+        self._task = asyncio.create_task(self._apply_safely())
+
+    def cancel(self) -> None:
+        """Another service removes from now on."""
+        if self._task is not None:
+            self._task.cancel()
+
+    async def _apply_safely(self) -> None:
+        try:
+            await self.apply()
+        except Exception:  # whatever it was, jobs go on, and it is tried again
+            logger.exception("Old jobs and results could not be removed")
 
     async def apply(self) -> None:
-        """Remove what is to be removed, if it is time for it."""
-        if (self._days is None and self._bytes is None) or time.monotonic() < self._due:
-            return
+        """Remove what is to be removed, now."""
         if self._days is not None:
             await self._remove_before(datetime.now(UTC) - timedelta(days=self._days))
         size = await self._store.read(self._store.retention.size)
@@ -38,7 +57,6 @@ class Retention:
             await self._remove_before(before + timedelta(microseconds=1))
             size = await self._store.read(self._store.retention.size)
         STORED_BYTES.set(size)
-        self._due = time.monotonic() + INTERVAL
 
     async def _remove_before(self, before: datetime) -> None:
         """Jobs first: then nothing needs their results."""

@@ -17,9 +17,10 @@ from sqlalchemy.exc import SQLAlchemyError
 from backend import metrics
 from backend.errors import TemporaryError, WorkerTimeoutError
 from backend.jobs.chunk import ClusterLostError
-from backend.jobs.chunks import PAUSE, Chunks
+from backend.jobs.chunks import Chunks
 from backend.jobs.handout import HandOut
 from backend.jobs.leadership import Leadership, LeadershipLostError
+from backend.jobs.reproduction import rows
 from backend.jobs.retention import Retention
 from backend.jobs.sweep.plan import rekeyed
 from backend.settings import Settings
@@ -35,11 +36,11 @@ logger = logging.getLogger(__name__)
 AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
 MAX_STEPPED = 4  # jobs of other kinds driven side by side; the others wait in the order they were accepted
 LOOK = 1.0  # between two looks at what other services accepted or cancelled [s]
+PAUSE = 2.0  # after the database or the cluster failed [s]
 PARTING = 10.0  # chunks under way when the lead is lost may take so long to come back [s]
 PAGE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
-KINDS: tuple[Kind, ...] = get_args(Kind)
 TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, WorkerTimeoutError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
@@ -78,10 +79,9 @@ class Scheduler:
         self._cluster: Cluster | None = None
         self._handed_out: dict[str, HandOut] = {}
         self._stepped: dict[str, asyncio.Task[None]] = {}
+        self._chunks = Chunks(store, settings.run_timeout)
         self._turns = itertools.count(1)
         self._reported = -REPORT
-        self._returned = asyncio.Event()  # a chunk came back
-        self._chunks = Chunks(store, settings.run_timeout, self._returned.set)
 
     def start(self) -> None:
         """Begin, in the background."""
@@ -100,11 +100,11 @@ class Scheduler:
         while True:
             try:
                 async with Leadership(self._store).held() as leadership:
-                    await self._chunks.wait_for_commits()  # of what was computed before the lead was lost
+                    await self._chunks.wait_until_stored(PARTING)  # what was computed before the lead was lost
                     await self._lead(leadership)
             except LeadershipLostError:
                 logger.warning("Another service drives the jobs now")
-                await self._chunks.wait(PARTING)  # results do not depend on who drives
+                await self._chunks.wait_until_computed(PARTING)
             except (SQLAlchemyError, OSError) as error:
                 logger.warning("The jobs rest: %s", type(error).__name__)
             except Exception:  # whatever it was, jobs must not rest for ever
@@ -117,12 +117,12 @@ class Scheduler:
         while True:
             await leadership.confirm()
             changes = self._store.changes.count
-            self._returned.clear()
+            self._chunks.returned.clear()
             try:
                 await self._look()
                 await self._hand_out()
                 await self._report()
-                await self._retention.apply()
+                self._retention.begin_if_due()
             except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
                 logger.warning("The jobs rest: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE)
@@ -136,7 +136,7 @@ class Scheduler:
         """Until a chunk comes back, a job changes, or it is time for a look."""
         waits = [
             asyncio.create_task(wait)
-            for wait in (self._store.changes.wait_beyond(changes, LOOK), self._returned.wait())
+            for wait in (self._store.changes.wait_beyond(changes, LOOK), self._chunks.returned.wait())
         ]
         try:
             await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
@@ -151,15 +151,24 @@ class Scheduler:
             logger.warning("The Dask scheduler is gone; its chunks are handed out again")
             await self._end_cluster()
         for job_id in self._handed_out.keys() - unfinished.keys():
-            stopped = self._handed_out.pop(job_id)
-            if stopped.on_their_way and self._cluster is not None:
-                await self._cluster.stop(stopped.group)
+            await self._end_sweep(job_id)
         for job in unfinished.values():
             if job.kind in self._steppers:
                 if len(self._stepped) < MAX_STEPPED and job.id not in self._stepped:
                     self._stepped[job.id] = asyncio.create_task(self._drive(job))
+            elif job.kind == "reproduction" and rows.is_abandoned(job):
+                await self._store.write(self._store.jobs.cancel, job.id)
+                await self._store.write(self._store.jobs.delete, job.id)
             elif job.id not in self._handed_out:
                 await self._begin(job)
+            elif job.state == "queued":  # it was cancelled and resumed between two looks
+                await self._end_sweep(job.id)
+                await self._begin(job)
+
+    async def _end_sweep(self, job_id: str) -> None:
+        stopped = self._handed_out.pop(job_id)
+        if stopped.on_their_way and self._cluster is not None:
+            await self._cluster.stop(stopped.group)
 
     async def _begin(self, job: StoredJob) -> None:
         if self._cluster is None:
@@ -167,9 +176,6 @@ class Scheduler:
 
             self._cluster = Cluster(self._settings)
             await self._cluster.start()
-        if job.core_version != CORE_VERSION and job.kind == "reproduction":
-            await self._store.write(self._store.jobs.cancel, job.id)  # this version's page asks for rows of its own
-            return
         if job.core_version != CORE_VERSION:
             await self._rekey(job)
         await self._store.write(self._store.jobs.start, job.id)
@@ -182,7 +188,7 @@ class Scheduler:
             return
         places = AHEAD * max(1, await cluster.slots())
         looked_at: set[str] = set()
-        while self._chunks.computing < places and cluster.connected:
+        while self._chunks.count < places and cluster.connected:
             waiting = [each for each in self._handed_out.values() if each.job.id not in looked_at]
             if not waiting:
                 return
@@ -190,7 +196,7 @@ class Scheduler:
             runs = await handed_out.next_chunk(self._store, places)
             if runs:
                 handed_out.turn = next(self._turns)
-                self._chunks.begin(cluster, handed_out, runs)
+                self._chunks.send(cluster, handed_out, runs)
             else:
                 looked_at.add(handed_out.job.id)
                 if not handed_out.on_their_way and not handed_out.returned:  # one may have come back meanwhile
@@ -235,7 +241,7 @@ class Scheduler:
             await asyncio.sleep(PAUSE)
         finally:
             del self._stepped[job.id]
-            self._returned.set()
+            self._chunks.returned.set()
 
     async def _drive_to_end(self, job_id: str, stepper: Stepper) -> None:
         while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
@@ -264,12 +270,13 @@ class Scheduler:
 
     async def _leave(self) -> None:
         """End everything but what waits to be stored."""
+        self._retention.cancel()
         for task in self._stepped.values():
             task.cancel()
         await self._end_cluster()
 
     async def _end_cluster(self) -> None:
-        await self._chunks.drop()
+        await self._chunks.stop_computing()
         self._handed_out.clear()
         if self._cluster is not None:
             cluster, self._cluster = self._cluster, None

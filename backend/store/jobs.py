@@ -22,6 +22,11 @@ State = Literal["queued", "running", "done", "cancelled", "failed"]
 Kind = Literal["sweep", "tuning", "reproduction"]
 UNFINISHED = ("queued", "running")
 FINAL = ("done", "cancelled", "failed")
+PAGE = 500  # events read at once
+
+
+class ParentEndedError(Exception):
+    """A job cannot be submitted for one that has ended."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,10 +111,18 @@ class JobStore:
         """Commit a job with all its runs; an idempotency key already there gives its job, and False.
 
         A cancelled job gives its key away.
+
+        Raises:
+            ParentEndedError: The job that submits it has ended meanwhile.
         """
         row = {name: getattr(job, name) for name in NAMES} | {"idempotency_key": idempotency_key}
         try:
             with self._database.writing() as connection:
+                if job.parent_id is not None:
+                    lock(connection, job.parent_id)
+                    parent = select(jobs.c.state).where(jobs.c.id == job.parent_id)
+                    if connection.execute(parent).scalar_one() not in UNFINISHED:
+                        raise ParentEndedError
                 connection.execute(
                     update(jobs)
                     .where(jobs.c.kind == job.kind, jobs.c.idempotency_key == idempotency_key)
@@ -202,6 +215,15 @@ class JobStore:
         """It cannot go on; nothing happens where it has ended or is further than `job` says."""
         self.advance(job, event="state", state="failed", reason=reason, finished_at=datetime.now(UTC))
 
+    def give_up(self, job_id: str, reason: str) -> None:
+        """It fails as a whole: what waits of it will never be stored."""
+        with self._database.writing() as connection:
+            now = datetime.now(UTC)
+            if change_state(connection, job_id, UNFINISHED, "failed", reason=reason, finished_at=now):
+                waiting = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
+                connection.execute(waiting.values(status="cancelled", reason=reason))
+        self._database.changed()
+
     def cancel(self, job_id: str) -> None:
         """It and the jobs it submitted become cancelled; what has ended stays as it is."""
         with self._database.writing() as connection:
@@ -256,18 +278,29 @@ class JobStore:
         self._database.changed()
         return True
 
+    def note_progress(self, job_id: str, **progress: Any) -> None:
+        """Change what it keeps of how far it is, where it has not ended; nothing is told."""
+        with self._database.writing() as connection:
+            running = (jobs.c.id == job_id) & jobs.c.state.in_(UNFINISHED)
+            connection.execute(update(jobs).where(running).values(progress=progress))
+
     def set_label(self, job_id: str, label: str | None) -> None:
         """Name it, or take its name away."""
         with self._database.writing() as connection:
             connection.execute(update(jobs).where(jobs.c.id == job_id).values(label=label))
 
     def delete(self, job_id: str) -> bool:
-        """Remove it with its runs, trials, events and the jobs it submitted; False where it runs or a link shows it."""
+        """Remove it with its runs, trials, events and the jobs it submitted.
+
+        False where one of them runs or a link shows it, or where it belongs to a job.
+        """
         family = or_(jobs.c.id == job_id, jobs.c.parent_id == job_id)
         with self._database.writing() as connection:
             lock(connection, job_id)
-            members = connection.execute(select(jobs.c.id, jobs.c.state).where(family)).all()
+            members = connection.execute(select(jobs.c.id, jobs.c.state, jobs.c.parent_id).where(family)).all()
             ids = [member.id for member in members]
+            if any(member.id == job_id and member.parent_id is not None for member in members):
+                return False
             linked = connection.execute(select(links.c.slug).where(links.c.job_id.in_(ids)).limit(1)).first()
             if linked is not None or any(member.state in UNFINISHED for member in members):
                 return False
@@ -278,7 +311,7 @@ class JobStore:
         self._database.changed()
         return True
 
-    def events(self, job_id: str, after: int, limit: int = 500) -> list[JobEvent]:
+    def events(self, job_id: str, after: int, limit: int = PAGE) -> list[JobEvent]:
         """What happened behind event `after`."""
         with self._database.reading() as connection:
             return _events(connection, job_id, after, limit)
@@ -287,8 +320,8 @@ class JobStore:
         """What happened behind event `after`, and whether nothing more will."""
         with self._database.reading() as connection:
             state = connection.execute(select(jobs.c.state).where(jobs.c.id == job_id)).scalar_one_or_none()
-            events = _events(connection, job_id, after, 500)  # behind the state: an end that is seen has its event
-        return events, state not in UNFINISHED and len(events) < 500
+            events = _events(connection, job_id, after, PAGE)  # behind the state: an end that is seen has its event
+        return events, state not in UNFINISHED and len(events) < PAGE
 
     def history(self, job_id: str) -> list[dict[str, Any]]:
         """What its progress events told since it last began anew."""

@@ -69,9 +69,15 @@ class RetentionStore:
 
 
 def _removable_jobs(before: datetime | None) -> Select[tuple[str, datetime]]:
-    linked = exists().where(links.c.job_id == jobs.c.id)
+    member = jobs.alias()  # the job itself, or one that it submitted
+    named = or_(
+        member.c.label.is_not(None),
+        member.c.state.not_in(FINAL),
+        exists().where(links.c.job_id == member.c.id),
+    )
+    family = or_(member.c.id == jobs.c.id, member.c.parent_id == jobs.c.id)
     query = select(jobs.c.id, jobs.c.finished_at.label("made")).where(
-        jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), jobs.c.label.is_(None), ~linked
+        jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), ~exists().where(family, named)
     )
     return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("made").limit(PAGE)
 

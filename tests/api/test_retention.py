@@ -30,13 +30,14 @@ def store(migrated_url: str) -> Iterator[Store]:
     store.links.save(link, {"linked-1": b"histories"})
     for name in ("plain", "labelled", "linked"):
         store.jobs.create(replace(BATCH, id=name), rows(name))
+        if name == "plain":
+            store.jobs.create(replace(BATCH, id="child", parent_id="plain"), rows("child"))
+            store.job_runs.save("child", computed("child-0"), "1")
+            store.jobs.cancel("child")
         store.job_runs.save(name, computed(*(f"{name}-{number}" for number in range(12))), "1")
         assert store.jobs.finish(name)
     store.jobs.set_label("labelled", "winter")
     store.links.save(StoredLink(slug="j" * 22, kind="batch", target="linked", view={}, created_at=LONG_AGO), {})
-    store.jobs.create(replace(BATCH, id="child", parent_id="plain"), rows("child"))
-    store.job_runs.save("child", computed("child-0"), "1")
-    store.jobs.cancel("child")
     with store.writing() as connection:
         connection.execute(update(jobs).values(finished_at=LONG_AGO))
         connection.execute(update(results).values(created_at=LONG_AGO))
@@ -65,6 +66,17 @@ def test_what_is_old_goes_and_what_is_named_stays(store: Store) -> None:
     assert run.expired
     assert run.scenario == {"road": "ä 😀"}
     assert [item.strategy for item in run.results] == ["lv", "lv"], "what it was is known"
+
+
+def test_a_child_that_is_named_or_linked_keeps_its_family(store: Store) -> None:
+    store.jobs.set_label("child", "the best weights")
+    apply(store, retention_days=30)
+    assert store.jobs.load("plain") is not None
+    store.jobs.set_label("child", None)
+    store.links.save(StoredLink(slug="c" * 22, kind="batch", target="child", view={}, created_at=LONG_AGO), {})
+    apply(store, retention_days=30)
+    assert store.jobs.load("child") is not None
+    assert not store.jobs.delete("child"), "it belongs to a job"
 
 
 def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> None:

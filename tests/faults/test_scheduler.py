@@ -79,8 +79,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cluster, "Cluster", Misbehaving)
     monkeypatch.setattr(Misbehaving, "chunks", ())
     monkeypatch.setattr(Misbehaving, "starts", 0)
-    for module in (scheduler, chunks):
-        monkeypatch.setattr(module, "PAUSE", 0.01)
+    monkeypatch.setattr(scheduler, "PAUSE", 0.01)
+    monkeypatch.setattr(chunks, "PAUSE", 0.01)
     monkeypatch.setattr(scheduler, "LOOK", 0.02)
 
 

@@ -1,21 +1,23 @@
 """The paper page's rows: those that are stored, and a job that computes the others for as long as somebody waits."""
 
-import asyncio
-import contextlib
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+import time
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import Any
+
+import orjson
 
 from backend.errors import BusyError
 from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.service import request_hash
 from backend.store import Store, StoredJob
 from backend.store.jobs import FINAL, UNFINISHED
+from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
 RETRY_AFTER = 30
+ATTEMPTS = 3
 MAX_JOBS = 8  # that compute rows, of all visitors
 LINGER = 15.0  # a job that nobody waits for is cancelled after so long [s]
 TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
@@ -45,9 +47,6 @@ class PaperRows:
 
     def __init__(self, store: Store) -> None:
         self._store = store
-        self._waiting: Counter[str] = Counter()
-        self._asked_at: dict[str, float] = {}
-        self._watching: set[asyncio.Task[None]] = set()
 
     async def get(self, requests: Sequence[RowRequest], patience: float | None) -> Rows:
         """These rows; those that come first are computed first.
@@ -60,19 +59,23 @@ class PaperRows:
             BusyError: Too much of the paper page is being computed.
         """
         unique = list({request.key: request for request in requests}.values())
-        rows = await self._stored(unique)
-        if len(rows) == len(unique):
-            return Rows(by_key=rows, total=len(unique), reason=None, complete=True)
-        job = await self._job(unique, patient=patience is None)
-        with self._waited_for(job.id):
-            job, reason = await self._wait(job, patience)
-        rows = await self._stored(unique)
+        rows, reason = await self._stored(unique)
+        for _ in range(ATTEMPTS if patience is None else 1):  # a job may be cancelled by whoever else waited for it
+            if len(rows) == len(unique) or reason is not None:
+                break
+            job = await self._job(unique, patient=patience is None)
+            reason = await self._wait(job, patience)
+            rows, failed = await self._stored(unique)
+            reason = reason or failed
         complete = len(rows) == len(unique) or reason is not None
         return Rows(by_key=rows, total=len(unique), reason=reason, complete=complete)
 
-    async def _stored(self, requests: Sequence[RowRequest]) -> dict[str, Any]:
+    async def _stored(self, requests: Sequence[RowRequest]) -> tuple[dict[str, Any], str | None]:
+        """By key the rows that are stored, and why one is none and never will be."""
         results = await self._store.read(self._store.runs.load_results, [request.key for request in requests])
-        return {key: result.summary["row"] for key, result in results.items()}
+        rows = {key: result.summary["row"] for key, result in results.items() if result.status == "ok"}
+        reasons = [result.summary["reason"] for result in results.values() if result.status == "failed"]
+        return rows, next(iter(reasons), None)
 
     async def _job(self, requests: Sequence[RowRequest], *, patient: bool) -> StoredJob:
         """The job that computes these rows: one under way, or (not for the patient) one that failed lately."""
@@ -92,54 +95,38 @@ class PaperRows:
         job = StoredJob(
             kind="reproduction",
             request={"scenario": Scenario().model_dump(mode="json"), "strategies": [], "fields": []},
+            progress={"asked_at": time.time()},
             estimated_cost=ROW_COST * len(requests),
             total=len(requests),
             request_hash=request_hash(key),
         )
         runs = [request.run(position) for position, request in enumerate(requests)]
-        stored, new = await self._store.write(self._store.jobs.create, job, runs, key)
-        if new:
-            task = asyncio.create_task(self._watch(stored.id))
-            self._watching.add(task)
-            task.add_done_callback(self._watching.discard)
+        stored, _ = await self._store.write(self._store.jobs.create, job, runs, key)
         return stored
 
-    async def _wait(self, job: StoredJob, patience: float | None) -> tuple[StoredJob, str | None]:
-        """Until it has ended; as it is then, and why one of its runs failed."""
-        with contextlib.suppress(TimeoutError):
-            async with asyncio.timeout(patience):
-                while True:
-                    changes = self._store.changes.count
-                    now = await self._store.read(self._store.jobs.load, job.id)
-                    if now is None or now.state in FINAL:
-                        break
-                    await self._store.changes.wait_beyond(changes, LOOK)
-        now = await self._store.read(self._store.jobs.load, job.id)
-        if now is None or not now.failed or now.state not in FINAL:
-            return job, None
+    async def _wait(self, job: StoredJob, patience: float | None) -> str | None:
+        """Until it has ended, letting the scheduler know that somebody waits; why one of its runs failed."""
+        begin, noted = time.monotonic(), -LINGER
+        now: StoredJob | None = job
+        while now is not None and now.state not in FINAL:
+            clock = time.monotonic()
+            if clock - noted > LINGER / 4:
+                noted = clock
+                await self._store.write(self._store.jobs.note_progress, job.id, asked_at=time.time())
+            left = LOOK if patience is None else min(LOOK, begin + patience - clock)
+            if left <= 0:
+                return None
+            changes = self._store.changes.count
+            now = await self._store.read(self._store.jobs.load, job.id)
+            if now is not None and now.state not in FINAL:
+                await self._store.changes.wait_beyond(changes, left)
+        if now is None or not now.failed:
+            return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)
-        return now, next((row.reason for row in rows if row.status == "failed"), None)
+        failed = (row for row in rows if row.status == "failed")
+        return next((row.reason or orjson.loads(row.summary or "{}").get("reason") for row in failed), None)
 
-    @contextlib.contextmanager
-    def _waited_for(self, job_id: str) -> Iterator[None]:
-        self._waiting[job_id] += 1
-        try:
-            yield
-        finally:
-            self._waiting[job_id] -= 1
-            self._asked_at[job_id] = asyncio.get_running_loop().time()
 
-    async def _watch(self, job_id: str) -> None:
-        """Cancel a job of this process that nobody has waited for for a while."""
-        clock = asyncio.get_running_loop().time
-        self._asked_at.setdefault(job_id, clock())
-        while True:
-            await asyncio.sleep(LINGER / 3)
-            job = await self._store.read(self._store.jobs.load, job_id)
-            if job is None or job.state in FINAL:
-                break
-            if not self._waiting[job_id] and clock() - self._asked_at[job_id] > LINGER:
-                await self._store.write(self._store.jobs.cancel, job_id)
-                await self._store.write(self._store.jobs.delete, job_id)
-                break
-        del self._waiting[job_id], self._asked_at[job_id]
+def is_abandoned(job: StoredJob) -> bool:
+    """Whether nobody has waited for its rows for a while, or another core version's page asked for them."""
+    return job.core_version != CORE_VERSION or time.time() - float(job.progress.get("asked_at", 0)) > LINGER

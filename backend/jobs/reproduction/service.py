@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
+from backend.errors import BusyError
 from backend.http.admission import Admission
 from backend.jobs.reproduction import answers, drawings, work
 from backend.jobs.reproduction.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
@@ -118,6 +119,8 @@ class Paper:
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
         wanted = work.requests_of_study(study, roads)
         rows = await self._get(client, {study: wanted}, patience=None)
+        if len(rows.by_key) < len(wanted):
+            raise BusyError(f"Not every road could be driven. {rows.reason or 'The computation was called off'}.")
         return [rows.by_key[request.key] for request in wanted]
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:

@@ -82,7 +82,7 @@ class Sweeps:
         names, base = ordered(strategies), scenario.model_dump(mode="json")
         planned = await self._planned(base, names, sweep, client)
         with self._admission.computing(client, scenario, names):
-            seconds = await self._call(planned.max_run_cost, plan.pilot, base, names, sweep)
+            seconds = await self._call(plan.PILOTS * len(names) * planned.max_run_cost, plan.pilot, base, names, sweep)
         points = len(planned.runs) // len(names)
         if seconds is not None:
             seconds *= points / self._settings.batch_workers

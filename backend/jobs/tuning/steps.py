@@ -25,7 +25,7 @@ from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of
 from backend.store import Store, StoredJob
 from backend.store.job_runs import JobRow
-from backend.store.jobs import FINAL
+from backend.store.jobs import FINAL, ParentEndedError
 from backend.store.trials import StoredTrial
 from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import RidelabError
@@ -69,6 +69,8 @@ class TuningSteps:
                 await self._generation(job, trials, aims)
             else:
                 await self._compare(job, trials, aims)
+        except ParentEndedError:
+            return  # it was cancelled meanwhile
         except UndefinedObjectiveError as error:
             raise JobFailedError(str(error)) from error
         except TemporaryError:
