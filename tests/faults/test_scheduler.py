@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sqlalchemy.exc import OperationalError
+from sqlalchemy.exc import IntegrityError, OperationalError
 
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
@@ -120,7 +120,7 @@ def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSIO
 async def ended(store: Store, batch_id: str) -> bool:
     with contextlib.suppress(DatabaseLockedError):
         batch = await store.read(store.jobs.load, batch_id)
-        return batch is not None and batch.state == "done"
+        return batch is not None and batch.state in ("done", "failed")
     return False
 
 
@@ -168,6 +168,41 @@ def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs
     rows = drive(tmp_path, breaking)
     assert {row.status for row in rows} == {"ok"}
     assert Misbehaving.starts == 3
+
+
+def test_a_worker_that_is_lost_at_once_each_time_fails_its_run_and_no_other(tmp_path: Path) -> None:
+    """As workers of another version do, which cannot read what they are sent."""
+
+    def unreadable(chunk: Chunk) -> ChunkOutcome:
+        if 17 in seeds(chunk):
+            raise ClusterLostError("the worker is gone")
+        return answered(chunk)
+
+    rows = drive(tmp_path, unreadable)
+    assert [row.position for row in rows if row.status == "failed"] == [17]
+    assert len(Misbehaving.chunks) < 40, "not for ever"
+
+
+def test_an_unforeseen_error_on_the_way_fails_a_run_and_ends_the_job(tmp_path: Path) -> None:
+    def broken(chunk: Chunk) -> ChunkOutcome:
+        if 3 in seeds(chunk):
+            raise AttributeError("a bug")
+        return answered(chunk)
+
+    rows = drive(tmp_path, broken)
+    assert [(row.position, row.reason) for row in rows if row.status == "failed"] == [(3, chunks.REASONS["bug"])]
+
+
+def test_what_the_database_will_never_take_fails_the_job_and_no_other(tmp_path: Path) -> None:
+    def refused(save: Callable[..., None]) -> Callable[..., None]:
+        def saving(*args: Any) -> None:
+            raise IntegrityError("INSERT", {}, Exception("it contradicts what is there"))
+
+        return saving
+
+    rows = drive(tmp_path, answered, save=refused)
+    assert {row.status for row in rows} == {"cancelled"}
+    assert "could not be stored: IntegrityError" in str(rows[0].reason)
 
 
 def test_a_chunk_cut_short_is_finished_later(tmp_path: Path) -> None:
