@@ -1438,7 +1438,7 @@ export interface components {
         };
         /**
          * CachedFailure
-         * @description The same, with where it came from.
+         * @description A failure, and whether it was computed for this request.
          */
         CachedFailure: {
             /** Cached */
@@ -1468,7 +1468,7 @@ export interface components {
         };
         /**
          * CachedResult
-         * @description The same, with where it came from.
+         * @description A result, and whether it was computed for this request.
          */
         CachedResult: {
             /**
@@ -1531,7 +1531,7 @@ export interface components {
         };
         /**
          * CachedRoadsResult
-         * @description The same, with where it came from.
+         * @description A result over several roads, and whether it was computed for this request.
          */
         CachedRoadsResult: {
             /**
