@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Protocol, get_args
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import metrics
-from backend.errors import TemporaryError, WorkerTimeoutError
+from backend.errors import TemporaryError
 from backend.jobs.chunk import ClusterLostError
 from backend.jobs.chunks import Chunks
 from backend.jobs.handout import HandOut
@@ -41,7 +41,7 @@ PARTING = 10.0  # chunks under way when the lead is lost may take so long to com
 PAGE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
-TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, WorkerTimeoutError)
+TRANSIENT = (SQLAlchemyError, OSError, TemporaryError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
 
