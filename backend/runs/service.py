@@ -16,8 +16,7 @@ from backend.metrics import CACHE
 from backend.runs import exports, figures, pins, series
 from backend.runs.answers import default_baseline, entry_answer, run_answer
 from backend.runs.reports import run as run_report
-from backend.runs.reports.making import made
-from backend.runs.reports.page import Report
+from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Results
 from backend.runs.work import Outcome
 from backend.store import Store, StoredResult, StoredRun
@@ -224,7 +223,7 @@ class Runs:
             gone=gone,
         )
         with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
-            return await made(partial(run_report.report, facts, compressed=compressed))
+            return await in_thread(partial(run_report.report, facts, compressed=compressed))
 
     async def _outcomes(self, stored: StoredRun, keys: Mapping[str, str], client: str) -> dict[str, Outcome]:
         """Those strategies with time histories for figures, by result keys given."""

@@ -11,8 +11,7 @@ from backend.jobs.reproduction import answers, drawings, work
 from backend.jobs.reproduction.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
 from backend.jobs.reproduction.report import report
 from backend.jobs.reproduction.rows import PaperRows, Rows
-from backend.runs.reports.making import made
-from backend.runs.reports.page import Report
+from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Results
 from backend.store import Store
 from sim_core.scenario import Scenario
@@ -114,7 +113,7 @@ class Paper:
         page = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
         with self._admission.computing(client, Scenario(), ()):
-            return await made(partial(report, page, parts, drawn.figures, compressed=compressed))
+            return await in_thread(partial(report, page, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
         wanted = work.requests_of_study(study, roads)

@@ -10,9 +10,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, model_validator
+from pydantic import Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
+from backend.models import RequestModel
 from backend.unknown_names import pointer, shown_path, unknown_name
 from sim_core.errors import RidelabError
 from sim_core.scenario import dotted
@@ -36,12 +37,9 @@ Value = Annotated[
 MOST_ERRORS = 50
 
 
-class _Model(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, hide_input_in_errors=True)
-
-
-def _by_field(description: str) -> Any:
+def _by_field(description: str, default: Any = ...) -> Any:
     return Field(
+        default,
         min_length=1,
         max_length=32,
         description=description,
@@ -49,7 +47,7 @@ def _by_field(description: str) -> Any:
     )
 
 
-class LatinHypercube(_Model):
+class LatinHypercube(RequestModel):
     """Evenly spread random points (scipy.stats.qmc.LatinHypercube); whole-number fields get whole numbers."""
 
     ranges: dict[str, list[float]] = _by_field("Field -> [lowest, highest]")
@@ -57,15 +55,11 @@ class LatinHypercube(_Model):
     seed: int = Field(0, ge=0, le=2**32 - 1, description="Same seed, same points")
 
 
-class Sweep(_Model):
+class Sweep(RequestModel):
     """Exactly one of its three forms."""
 
-    grid: dict[str, Annotated[list[Value], Field(min_length=1)]] | None = Field(
-        None,
-        min_length=1,
-        max_length=32,
-        description="Field -> values; every combination, the last field changing fastest",
-        json_schema_extra={"propertyNames": {"enum": list(dotted.fields())}},
+    grid: dict[str, Annotated[list[Value], Field(min_length=1)]] | None = _by_field(
+        "Field -> values; every combination, the last field changing fastest", None
     )
     latin_hypercube: LatinHypercube | None = None
     points: Annotated[list[dict[str, Value]], Field(min_length=1)] | None = Field(

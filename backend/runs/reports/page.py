@@ -4,11 +4,13 @@ Every script is in the file and named in the policy by its hash; nothing else ru
 The policy is in the file too, for whoever opens a saved copy.
 """
 
+import asyncio
 import base64
 import gzip
 import hashlib
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -25,6 +27,8 @@ from sim_core.catalogue import STATISTICS, WINDOWS
 
 TEMPLATES = Path(__file__).parent / "templates"
 COMPRESSION = 1  # the same as the service's other answers
+# One thread: a report is mostly compressing, which leaves the event loop alone; the next one waits.
+_thread = ThreadPoolExecutor(1, thread_name_prefix="report")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +49,11 @@ class Report:
             "Vary": "Accept-Encoding",
             **encoded,
         }
+
+
+async def in_thread(make: Callable[[], Report]) -> Report:
+    """The report that `make` gives, beside the event loop, one at a time."""
+    return await asyncio.get_running_loop().run_in_executor(_thread, make)
 
 
 def render(template: str, values: Mapping[str, Any], figures: Mapping[str, Any], *, compressed: bool) -> Report:
