@@ -145,7 +145,7 @@ async def _outcome(cluster: "Cluster", chunk: Chunk) -> ChunkOutcome:
         return await cluster.compute(chunk)
     except ClusterLostError as error:
         return ChunkOutcome(trouble="lost" if cluster.connected else "busy", detail=str(error))
-    except Exception:
+    except Exception:  # a bug of ours: this chunk's run fails and says so, the others go on
         logger.exception("A chunk could not be handed out")
         return ChunkOutcome(trouble="bug")
 

@@ -55,6 +55,7 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
     ("change", "said"),
     [
         ("road.bump.height=NaN", "road.bump.height: NaN is not a finite number"),
+        ("road.bump.height=12 cm", "road.bump.height: 12 cm is not a number: one is written without its unit"),
         ("road.bump.height", "--set takes FIELD=VALUE, and road.bump.height is no such pair"),
         ("road.bump.height=", "--set takes FIELD=VALUE, and road.bump.height= is no such pair"),
     ],
@@ -85,6 +86,7 @@ def test_sweeps() -> None:
     [
         (fields.grid_of, ["road.bump.height=0:1:1"], "road.bump.height: LOW:HIGH:COUNT"),
         (fields.grid_of, ["road.bump.height=0.05:0.15:0.01"], "0.05:0.15:0.01 is neither LOW:HIGH:COUNT, such as"),
+        (fields.grid_of, ["road.bump.height=0.05-0.15"], "0.05-0.15 is not a number: .* several as LOW:HIGH:COUNT"),
         (fields.grid_of, ["road.bump.height=0:1e999:3"], "1e999 is not a finite number"),
         (fields.grid_of, ["mpc.stage_weights.cruise=[8,NaN,1]"], "NaN is no number"),
         (fields.grid_of, ["road.seed=1", "road.seed=2"], "road.seed: given twice"),

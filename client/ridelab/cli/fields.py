@@ -110,6 +110,10 @@ def _value(text: str) -> Any:
     try:
         number = float(text)
     except ValueError:
+        if re.match(_NUMBER, text):  # no choice of a field begins with a number
+            raise ValueError(
+                f"{text} is not a number: one is written without its unit, several as LOW:HIGH:COUNT or with commas"
+            ) from None
         return text
     if not math.isfinite(number):
         raise ValueError(f"{text} is not a finite number")

@@ -23,7 +23,7 @@ def option(metavar: str, help: str, *names: str, **more: Any) -> Any:  # noqa: A
     return typer.Option(*names, metavar=metavar, help=help, show_default=False, **more)
 
 
-def flag(help: str, *names: str) -> Any:  # noqa: A002  # as above
+def flag(help: str, *names: str) -> Any:  # noqa: A002  # typer's name for it
     """An option without a value."""
     return typer.Option(*names, help=help)
 
