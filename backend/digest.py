@@ -61,7 +61,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
         baseline: Which strategy the changes over several roads refer to.
     """
     names = sorted(set(strategies))
-    content: dict[str, Any] = {**_program(names), "scenario": scenario.model_dump(mode="json"), "strategies": names}
+    content: dict[str, Any] = {**_program(names), "scenario": scenario.identity(), "strategies": names}
     if roads > 1:
         content |= {"roads": roads, "baseline": baseline}
     return _hash(content).lstrip("-_")[:RUN_ID_LENGTH]

@@ -132,11 +132,14 @@ def strategy_named(name: str) -> Strategy:
 
 
 def part_read(scenario: Scenario, name: str) -> dict[str, Any]:
-    """The part of the scenario that strategy reads: dotted name -> plain JSON value, sorted by name."""
+    """The part of the scenario that strategy reads (`Part.identity`): dotted name -> plain JSON value, by name."""
+    identity = scenario.identity()
     values: dict[str, Any] = {}
     for path in sorted(strategy_named(name).reads):
-        value: Any = scenario
-        for key in path.split("."):
-            value = getattr(value, key)
-        values[path] = value.model_dump(mode="json") if hasattr(value, "model_dump") else value
+        *parts, last = path.split(".")
+        part = identity
+        for key in parts:
+            part = part[key]
+        if last in part:
+            values[path] = part[last]
     return values

@@ -1,6 +1,6 @@
 """Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 from pydantic_core import PydanticCustomError
@@ -33,6 +33,25 @@ class Part(BaseModel):
     model_config = ConfigDict(
         frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, hide_input_in_errors=True
     )
+    # Members that are younger than stored results. At its default such a one is no part of what a result is known by.
+    ADDED: ClassVar[frozenset[str]] = frozenset()
+
+    def identity(self) -> dict[str, Any]:
+        """What a stored result or run is known by, plain JSON: every member, of `ADDED` those that are set.
+
+        So a member that is added leaves every identity as it was where nobody sets it.
+        """
+        plain = self.model_dump(mode="json")
+        self._leave_out_unset(plain)
+        return plain
+
+    def _leave_out_unset(self, plain: dict[str, Any]) -> None:
+        for name in self.ADDED:
+            if getattr(self, name) == type(self).model_fields[name].default:
+                del plain[name]
+        for name, value in self.__dict__.items():
+            if isinstance(value, Part) and name in plain:
+                value._leave_out_unset(plain[name])
 
 
 def _not_all_zero(weights: tuple[float, float, float]) -> tuple[float, float, float]:

@@ -43,4 +43,5 @@ def test_scenarios_of_release_0_2_0_are_valid_today() -> None:
     runs = release.content()["tables"]["runs"]
     assert runs
     for run in runs:
-        restored(json.loads(run["scenario"]), run["schema_version"])
+        scenario = restored(json.loads(run["scenario"]), run["schema_version"])
+        assert scenario.identity() == json.loads(run["scenario"]), "a new field, not among its part's ADDED"

@@ -127,7 +127,7 @@ class Sweeps:
         """
         names, base = ordered(strategies), scenario.model_dump(mode="json")
         sent = sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
-        hashed = request_hash({"scenario": base, "strategies": names, "sweep": sent})
+        hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing

@@ -64,7 +64,7 @@ class TuningService:
             BusyError: Too many are waiting.
         """
         stored = request.stored()
-        hashed = request_hash({**stored, "trials": request.trials})
+        hashed = request_hash({**stored, "scenario": request.scenario.identity(), "trials": request.trials})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
