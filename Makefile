@@ -53,7 +53,7 @@ margins: setup ## how much worse LQR is than LV, and every strategy against pass
 	$(BIN)/ridelab run paper --roads 10 --strategy lv,lqr --baseline lv
 	$(BIN)/ridelab run paper --roads 10
 
-paper: setup ## the paper's tables against ours, cell by cell, both readings also on fresh roads; all in paper-report.html
+paper: setup ## the paper's tables against ours, cell by cell, both readings also on roads 21 to 60; all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
 	$(BIN)/ridelab paper --seeds 21-60 | tail -6
 

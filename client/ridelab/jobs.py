@@ -233,7 +233,7 @@ class Tuning(Job):
     knee: Trial | None = _told("knee", "Of several objectives the point of the front nearest to its ideal corner.")
     front: list[Trial] = _told("front", "Feasible trials that no other one betters.")
     comparison: dict[str, Any] | None = _told(
-        "comparison", "The paper's weights and the tuned ones over the training roads and fresh ones; None until done."
+        "comparison", "The paper's weights and the tuned ones on training and validation roads; None until done."
     )
 
     @property

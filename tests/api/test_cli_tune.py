@@ -25,7 +25,7 @@ def test_what_was_found_is_printed_and_can_be_written_and_run(cli: Cli, scenario
     answer = json.loads(cli("tune", "--resume", tuning_id[1], "--json"))
     assert answer["objectives"][0]["q"] == [1, 2, 1]
     assert (answer["seeds"], answer["fresh_seeds"]) == ([1, 2], [11, 12, 13])
-    assert "trained on 1-2, fresh 11-13" in printed
+    assert "training roads 1-2, validation roads 11-13" in printed
     assert cli("tune", "--resume", tuning_id[1]) == printed, "shown again, nothing is computed"
     knee = answer["knee"]
     assert json.loads(out.read_text())["lqr"]["weights"] == knee["weights"]["lqr.weights"]

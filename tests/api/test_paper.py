@@ -92,7 +92,7 @@ def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
         assert (one["our_value"] == other["our_value"]) == (one["window"] == "bump")
 
 
-def test_fresh_roads_are_asked_for_by_their_first_seed(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_other_roads_are_asked_for_by_their_first_seed(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of the roads asked for, only the first few are driven here."""
     paper, asked = service.app.state.paper, []
     reproduction = paper.reproduction

@@ -100,7 +100,7 @@ def test_failed_trials_say_why_and_the_others_count(client: httpx.Client, monkey
     assert [each["number"] for each in lost] == [3, 4]
     assert lost[0]["reason"] == "Road 2: The computation ended unexpectedly, twice"
     assert [lost[0][name] for name in ("feasible", "values", "limits")] == [False, None, None]
-    # The comparison runs each set on two roads and four fresh ones: the next set's second and fourth are lost.
+    # The comparison runs each set on two training and four validation roads: the next set's second and fourth are lost.
     paper, other, *_ = found["comparison"]["points"]
     assert (paper["failures"], [text[:8] for text in other["failures"]]) == ([], ["Road 2: ", "Road 12:"])
     first = other["training"]["objectives.0"]
@@ -152,7 +152,7 @@ def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client
     assert answer.status_code == 200
     found = answer.json()
     TypeAdapter(answers.TuningEstimate).validate_python(found)
-    # 24 sets on two roads, at most five compared on four fresh ones, and the passive car on all six.
+    # 24 sets on two roads, at most five compared on four validation roads, and the passive car on all six.
     assert (found["runs"], found["generations"]) == (24 * 2 + 5 * 4 + 6, 3)
     assert 0 < found["estimated_seconds"] < math.inf
     assert client.get("/api/v1/tunings", params={"limit": 500}).json() == before

@@ -1,4 +1,4 @@
-"""Tunings over HTTP: values by hand, no worse than the paper where trained, limits kept, compared on fresh roads."""
+"""Tunings over HTTP: values by hand, no worse than the paper where trained, within limits, validated."""
 
 from statistics import fmean
 from typing import Any

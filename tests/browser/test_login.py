@@ -1,4 +1,4 @@
-"""A service with tokens: the page asks once, and everything goes on from there, event streams included."""
+"""A service with tokens: the page asks once, then all works, event streams included, until somebody logs out."""
 
 from pathlib import Path
 
@@ -35,6 +35,11 @@ def test_the_page_asks_for_a_token_once(browser: Browser, tmp_path: Path) -> Non
         accepted = request("POST", f"{api.url}/api/v1/batches", json=body, headers={"Authorization": f"Bearer {TOKEN}"})
         page.goto(f"/b/{accepted.json()['id']}")
         expect(page.get_by_text("done", exact=False).first).to_be_visible()
+
+        page.get_by_role("button", name="Log out ann").click()
+        expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
+        page.reload()
+        expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
         assert dashboard.failures == []
     finally:
         context.close()

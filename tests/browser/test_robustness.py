@@ -42,9 +42,11 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     expect(page).to_have_url(re.compile(r"/robustness/[\w-]{22}\?one=[\w-]{22}$"), timeout=LONG_MS)
     expect_results(page)
     batch = page.url.split("/robustness/")[1][:22]
-    told: dict[str, Any] = server.get(f"/batches/{batch}/summary")
+    summary: dict[str, Any] = server.get(f"/batches/{batch}/summary")
+    assert server.get(f"/batches/{batch}")["label"] == "Robustness study"
     lead = page.get_by_role("region", name="Leads").locator(f"tr[data-strategy=lqr] [data-cell='{PEAK}']")
-    expect(lead).to_contain_text(f"{round(100 * told['strategies']['lqr']['figures'][PEAK]['margin']['worse'])}\u2009%")
+    share = summary["strategies"]["lqr"]["figures"][PEAK]["margin"]["worse"]
+    expect(lead).to_contain_text(f"{round(100 * share)}\u2009%")
     limits = page.get_by_role("region", name="Limits", exact=True)
     expect(limits.locator("tr[data-strategy=lv]")).to_contain_text("no point")
     expect(page.get_by_test_id("tornado").get_by_role("button")).to_have_count(20, timeout=LONG_MS)
@@ -59,7 +61,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     row = page.get_by_role("region", name="Values of the spread").locator(f"tr[data-strategy=lv][data-figure='{PEAK}']")
     row.get_by_role("button").click()
     expect(page).to_have_url(re.compile("/r/"), timeout=LONG_MS)
-    worst = told["strategies"]["lv"]["figures"][PEAK]["highest"]
+    worst = summary["strategies"]["lv"]["figures"][PEAK]["highest"]
     opened = dashboard.stored_run()
     assert opened["scenario"]["mismatch"]["damping"] == worst["at"]["mismatch.damping"]
     # Another process: the blocks a law is computed in may differ in their last bits.
@@ -67,7 +69,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     assert abs(ours / worst["value"] - 1) < 1e-9
 
 
-def test_unstable_loops_are_told_before_anything_else(dashboard: Dashboard, server: Server) -> None:
+def test_unstable_loops_are_said_before_anything_else(dashboard: Dashboard, server: Server) -> None:
     sweep = {"latin_hypercube": {"ranges": {"mismatch.damping": [0.2, 0.6]}, "samples": 8}}
     body = {"scenario": SHORT, "strategies": ["lv", "passive"], "sweep": sweep}
     batch = server.post("/batches", body)

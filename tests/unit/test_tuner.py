@@ -185,9 +185,9 @@ def roads(values: dict[int, float]) -> dict[int, Any]:
     return {seed: {"objectives.0": value} for seed, value in values.items()}
 
 
-def test_a_verdict_is_by_the_interval_on_fresh_roads() -> None:
+def test_a_verdict_is_by_the_interval_on_validation_roads() -> None:
     papers = roads({1: 1.0, 2: 1.2, 11: 1.0, 12: 1.2, 13: 1.1})
-    # Better on every training road, by the same share on none of the fresh ones.
+    # Better on every training road, by the same share on none of the validation roads.
     overfitted = roads({1: 0.5, 2: 0.6, 11: 1.4, 12: 0.9, 13: 1.1})
     better = roads({1: 0.9, 2: 1.08, 11: 0.9, 12: 1.07, 13: 1.0})
     trials = [trial(0, 1.1), trial(1, 0.55), trial(2, 0.99)]
@@ -197,7 +197,7 @@ def test_a_verdict_is_by_the_interval_on_fresh_roads() -> None:
     assert points[0]["fresh"]["objectives.0"]["change"] is None
     change = points[1]["training"]["objectives.0"]["change"]
     assert change["value"] == pytest.approx(-50)
-    # The fresh roads by hand: the ratio of means is 3.4/3.3.
+    # The validation roads by hand: the ratio of means is 3.4/3.3.
     assert points[1]["fresh"]["objectives.0"]["change"]["value"] == pytest.approx(100 * (3.4 / 3.3 - 1))
     assert points[1]["fresh"]["objectives.0"]["worst"] == 1.4
 

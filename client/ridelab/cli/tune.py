@@ -37,8 +37,8 @@ def tune(
     strategy: Annotated[str, typer.Option("--strategy", "-s", metavar="ID", help="lv, suspension_only or lqr.")] = "lv",
     search: Annotated[list[str] | None, options.option("WEIGHT=LOW:HIGH", _SEARCH)] = None,
     trials: Annotated[int | None, options.option("N", "Sets of weights in all [default: 200].", min=1)] = None,
-    seeds: Annotated[str | None, options.option("SEEDS", "Roads trained on [default: 1-4].")] = None,
-    fresh: Annotated[str | None, options.option("SEEDS", "Roads compared on [default: 101-110].")] = None,
+    seeds: Annotated[str | None, options.option("SEEDS", "Training roads [default: 1-4].")] = None,
+    fresh: Annotated[str | None, options.option("SEEDS", "Validation roads [default: 101-110].")] = None,
     population: Annotated[int | None, options.option("N", "Tried at once [default: 16].", min=1)] = None,
     seed: options.Seed = 0,
     changes: options.Changes = None,
@@ -49,7 +49,7 @@ def tune(
     dry_run: options.DryRun = False,
     as_json: options.AsJson = False,
 ) -> None:
-    """Look for weights that make an objective small, and compare them with the paper's on fresh roads.
+    """Look for weights that minimise an objective, and compare them with the paper's on validation roads.
 
     Ctrl-C cancels; --resume goes on where it stopped. With several objectives --out takes the front's knee.
     """
@@ -132,7 +132,7 @@ def seeds_of(text: str | None, option: str) -> list[int] | None:
 
 
 def _show(tuning: Tuning, names: Names) -> None:
-    """Print the best trials, then what it is worth on fresh roads."""
+    """Print the best trials, then the comparison on the validation roads."""
     answer, comparison = tuning.answer, tuning.comparison
     typer.echo(f"Ridelab core {answer['core_version']}, weights of {names.label(answer['strategy'])}")
     within = f", {tuning.feasible} within the limits" if answer["limits"] else ""
@@ -169,10 +169,11 @@ def _show_points(answer: Mapping[str, Any]) -> None:
 def _show_compared(
     answer: Mapping[str, Any], figures: Sequence[Mapping[str, Any]], paper: Mapping[str, Any], point: Mapping[str, Any]
 ) -> None:
-    """One point against the paper's weights, the training roads beside the fresh ones."""
-    roads = f"trained on {_spans(answer['seeds'])}, fresh {_spans(answer['fresh_seeds'])}"
+    """One point against the paper's weights, the training roads beside the validation roads."""
+    roads = f"training roads {_spans(answer['seeds'])}, validation roads {_spans(answer['fresh_seeds'])}"
     typer.echo(f"\nTrial {point['trial']} against the paper's weights; {roads}")
-    heads = ["mean of", "paper", "tuned", "change", "paper, fresh", "tuned, fresh", "change, fresh (95 %)", ""]
+    heads = ["mean of", "paper", "tuned", "change"]
+    heads += ["paper, validation", "tuned, validation", "change, validation (95 %)", ""]
     rows = []
     for figure in figures:
         kind, _, index = figure["key"].partition(".")

@@ -19,3 +19,6 @@ export const connection = {
   ok: () => store.set(FINE),
   lost: (trouble: Trouble, wait = 0) => store.set({ trouble, wait }),
 };
+
+/** Whether a request was refused for want of a token. */
+export const tokenWanted = createStore(false);

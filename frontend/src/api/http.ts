@@ -1,7 +1,6 @@
 /** How the page asks the server: addresses, answers, refusals. */
 
-import { connection } from "./connection";
-import { login } from "./login";
+import { connection, tokenWanted } from "./connection";
 import { ApiProblem, Unreachable, isAbort, isTransient, readProblem } from "./problem";
 
 export const BASE = "/api/v1";
@@ -21,7 +20,7 @@ export async function send(path: string, init: RequestInit): Promise<Response> {
   const problem = readProblem(response.status, body, response.headers.get("retry-after"));
   if (problem.status === 502 || problem.status === 504) connection.lost("down");
   else if (isTransient(problem)) connection.lost("busy", problem.retryAfter ?? 0);
-  else if (problem.kind === "token-required") login.want();
+  else if (problem.kind === "token-required") tokenWanted.set(true);
   throw problem;
 }
 

@@ -21,6 +21,7 @@ export interface SweepWish {
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
   readonly sweep: Sweep;
+  readonly label?: string;
 }
 
 /** What of a tuning is chosen beside its scenario. */

@@ -1,6 +1,5 @@
 /** A sweep: how far it is, its plot and its rows. */
 
-import { Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
@@ -11,7 +10,7 @@ import { markersOf } from "../plots/markers";
 import { Page } from "../shell/Page";
 import { useCatalogues } from "../state/useCatalogues";
 import { BatchFault, BatchLoading, NoBatch } from "./BatchBlank";
-import { BatchHeader } from "./BatchHeader";
+import { BatchActions } from "./BatchActions";
 import { BatchResults } from "./BatchResults";
 import { BatchState } from "./BatchState";
 import classes from "./batch.module.css";
@@ -39,16 +38,14 @@ export function BatchPage({ id, link }: Props) {
   const fault = error !== null && !isTransient(error) ? error : missing;
 
   return (
-    <Page header={<BatchHeader batch={batch} view={view} />}>
+    <Page actions={<BatchActions batch={batch} view={view} />}>
       <main className={classes.main}>
         {link && <SharedBatchBanner link={link} />}
         {fault ? (
           isNotFound(error) ? <NoBatch /> : <BatchFault message={fault.message} onRetry={() => void queries.refetchQueries()} />
         ) : batch && catalogues ? (
           <>
-            <Text component="h2" className={classes.title}>
-              {title}
-            </Text>
+            <h1 className={classes.title}>{title}</h1>
             <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
             <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={setView} />
             {!link && <SweepList strategies={catalogues.strategies} current={id} />}

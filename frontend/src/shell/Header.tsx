@@ -8,10 +8,10 @@ import { useSelect } from "../state/store";
 import { ExportMenu } from "../export/ExportMenu";
 import { ShareRun } from "../share/ShareRun";
 import { SweepButton } from "../sweep/SweepButton";
+import { HeaderEnd } from "./HeaderEnd";
 import { IconButton } from "./IconButton";
 import { Logo } from "./Logo";
 import { Nav } from "./Nav";
-import { SchemeToggle } from "./SchemeToggle";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
 
@@ -40,7 +40,7 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       <SweepButton />
       <ShareRun />
       <ExportMenu />
-      <SchemeToggle />
+      <HeaderEnd />
     </header>
   );
 }

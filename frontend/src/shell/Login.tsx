@@ -14,7 +14,7 @@ export function Login() {
     event.preventDefault();
     setBusy(true);
     try {
-      await login.send(token.trim());
+      await login.logIn(token.trim());
       window.location.reload();
     } catch (reason) {
       setError(reason instanceof Error ? reason.message : "It could not be sent");

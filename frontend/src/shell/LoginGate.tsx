@@ -1,10 +1,11 @@
 /** The page, or what asks for a token where the service wants one. */
 
-import { lazy, useSyncExternalStore, type ReactNode } from "react";
-import { login } from "../api/login";
+import { lazy, type ReactNode } from "react";
+import { tokenWanted } from "../api/connection";
+import { useStore } from "../state/store";
 
 const Login = lazy(async () => ({ default: (await import("./Login")).Login }));
 
 export function LoginGate({ children }: { readonly children: ReactNode }) {
-  return useSyncExternalStore(login.subscribe, login.wanted) ? <Login /> : children;
+  return useStore(tokenWanted) ? <Login /> : children;
 }

@@ -10,15 +10,13 @@ interface Props {
   readonly run?: string | null;
   /** What the page itself can do, in its header. */
   readonly actions?: ReactNode;
-  /** In place of the usual header. */
-  readonly header?: ReactNode;
   readonly children: ReactNode;
 }
 
-export function Page({ run = null, actions, header = <PageHeader run={run}>{actions}</PageHeader>, children }: Props) {
+export function Page({ run = null, actions, children }: Props) {
   return (
     <div className={classes.shell}>
-      {header}
+      <PageHeader run={run}>{actions}</PageHeader>
       {children}
       <div className={classes.notices} style={{ left: 0 }}>
         <ConnectionBanner />

@@ -1,9 +1,9 @@
-/** The header of a page beside the dashboard: name, navigation, what the page itself can do, and the colour scheme. */
+/** The header of a page beside the dashboard: name, navigation, what the page itself can do, and what every header ends with. */
 
 import type { ReactNode } from "react";
+import { HeaderEnd } from "./HeaderEnd";
 import { Logo } from "./Logo";
 import { Nav } from "./Nav";
-import { SchemeToggle } from "./SchemeToggle";
 import classes from "./shell.module.css";
 
 interface Props {
@@ -22,7 +22,7 @@ export function PageHeader({ run = null, children }: Props) {
       <Nav run={run} />
       <span className={classes.grow} />
       {children}
-      <SchemeToggle />
+      <HeaderEnd />
     </header>
   );
 }

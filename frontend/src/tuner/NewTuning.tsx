@@ -30,7 +30,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
   const [draft, setDraft] = useState<TuningDraft>(() => firstDraft(form));
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
   const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, figures, source.scenario);
-  const entry = (key: "seeds" | "freshSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
+  const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
     <TextInput
       size="xs"
       label={label}
@@ -84,7 +84,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
       <Part title="Roads and effort">
         <div className={classes.entries}>
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
-          {entry("freshSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}
+          {entry("validationSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}
           {entry("trials", "Trials", "Sets of weights tried")}
           {entry("population", "Population size", "Sets in a generation")}
           {entry("seed", "Search seed", "Same seed, same trials")}

@@ -108,7 +108,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
 }
 
 function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "form" | "strategies" | "figures">) {
-  const { scenario, search, seeds, fresh_seeds: fresh, limits, objectives, started_at: started, finished_at: finished } = tuning;
+  const { scenario, search, seeds, fresh_seeds: validation, limits, objectives, started_at: started, finished_at: finished } = tuning;
   const own = (name: string) => name.replace(/\.\d+$/, "");
   const limit = limits.map((each) => {
     const { label, unit, scale } = ofLimit(each, figures);
@@ -119,7 +119,7 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
     ["Minimised", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
     ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
     ["Searched", count(Object.keys(search).length, "weight")],
-    ["Roads", `training ${formatSeeds(seeds)}; validation ${formatSeeds(fresh)}`],
+    ["Roads", `training ${formatSeeds(seeds)}; validation ${formatSeeds(validation)}`],
     ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
     ["Submitted", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
   ];

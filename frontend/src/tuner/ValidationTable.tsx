@@ -61,7 +61,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
         )}
       </ul>
       <div className={tables.scroll} tabIndex={0} role="region" aria-label="The paper’s and the tuned weights over training and validation roads">
-        <table className={`${tables.table ?? ""} ${results.fresh ?? ""}`}>
+        <table className={`${tables.table ?? ""} ${results.validation ?? ""}`}>
           <thead>
             <tr>
               <td />

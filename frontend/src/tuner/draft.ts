@@ -39,7 +39,7 @@ export interface TuningDraft {
   readonly limits: readonly LimitDraft[];
   readonly ranges: Readonly<Record<string, RangeDraft>>;
   readonly seeds: string;
-  readonly freshSeeds: string;
+  readonly validationSeeds: string;
   readonly trials: string;
   readonly population: string;
   readonly seed: string;
@@ -78,7 +78,7 @@ export function firstDraft(form: Group, strategy: StrategyId = "lv"): TuningDraf
     limits: [],
     ranges: rangesFor(form, strategy),
     seeds: "1-4",
-    freshSeeds: "101-110",
+    validationSeeds: "101-110",
     trials: "200",
     population: "16",
     seed: "0",
@@ -143,15 +143,15 @@ export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Readi
   const errors: Record<string, string> = {};
   const put: Put = (field, message) => void (errors[field] ??= message);
   const seeds = roads(draft.seeds, "seeds", 1, put);
-  const fresh = roads(draft.freshSeeds, "fresh_seeds", 2, put);
-  if (fresh.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A validation road must not be a training road");
+  const validation = roads(draft.validationSeeds, "fresh_seeds", 2, put);
+  if (validation.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A validation road must not be a training road");
   const wish: TuningChoice = {
     strategy: draft.strategy,
     objectives: objectives(draft, put),
     limits: limits(draft, figures, put),
     search: search(draft, put),
     seeds,
-    fresh_seeds: fresh,
+    fresh_seeds: validation,
     trials: whole(draft.trials, 1, MOST_TRIALS, "trials", put),
     population: whole(draft.population, 1, MOST_POPULATION, "population", put),
     seed: whole(draft.seed, 0, 2 ** 32 - 1, "seed", put),

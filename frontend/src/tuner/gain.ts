@@ -17,11 +17,11 @@ const MOSTLY = 0.9;
 /** What is not a gain on the training roads [%]. */
 const LEAST = 0.05;
 
-function keepsOf(training: number, fresh: number, verdict: string | undefined): Keeps {
+function keepsOf(training: number, validation: number, verdict: string | undefined): Keeps {
   if (training > -LEAST) return "none";
   if (verdict === "worse") return "worse";
   if (verdict !== "better") return "unclear";
-  return fresh / training < MOSTLY ? "shrinks" : "keeps";
+  return validation / training < MOSTLY ? "shrinks" : "keeps";
 }
 
 const interval = (low: number | null, high: number | null) => (low === null || high === null ? "" : ` (${formatPercent(low)} to ${formatPercent(high)})`);
@@ -37,10 +37,10 @@ const ENDING: Readonly<Record<Keeps, string>> = {
 function gainOf(point: ComparedPoint, objective: number): Gain | null {
   if (point.roles.includes("paper")) return { trial: point.trial, objective, keeps: "none", text: "No weights that were tried are better than the paper’s on the training roads." };
   const key = `objectives.${objective}`;
-  const [training, fresh] = [point.training[key]?.change, point.fresh[key]?.change];
-  if (!training || !fresh) return null;
-  const keeps = keepsOf(training.value, fresh.value, point.verdict?.[objective]);
-  const text = `${formatPercent(training.value)} on the training roads, ${formatPercent(fresh.value)}${interval(fresh.low, fresh.high)} on the validation roads: ${ENDING[keeps]}.`;
+  const [training, validation] = [point.training[key]?.change, point.fresh[key]?.change];
+  if (!training || !validation) return null;
+  const keeps = keepsOf(training.value, validation.value, point.verdict?.[objective]);
+  const text = `${formatPercent(training.value)} on the training roads, ${formatPercent(validation.value)}${interval(validation.low, validation.high)} on the validation roads: ${ENDING[keeps]}.`;
   return { trial: point.trial, objective, keeps, text };
 }
 

@@ -1,4 +1,4 @@
-/** Name, the way to other pages, sharing, files and the colour scheme. */
+/** What the page of a sweep can do: share it and save its runs as files. */
 
 import { Button, Menu } from "@mantine/core";
 import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../icons";
@@ -7,9 +7,6 @@ import { batches } from "../api/jobs";
 import type { Batch } from "../api/types";
 import { download } from "../export/image";
 import { ShareLink } from "../share/ShareLink";
-import { Logo } from "../shell/Logo";
-import { Nav } from "../shell/Nav";
-import { SchemeToggle } from "../shell/SchemeToggle";
 import shell from "../shell/shell.module.css";
 import type { BatchView } from "./view";
 
@@ -26,15 +23,9 @@ const FORMATS = [
 
 const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" };
 
-export function BatchHeader({ batch, view }: Props) {
+export function BatchActions({ batch, view }: Props) {
   return (
-    <header className={shell.header}>
-      <a href="/" className={shell.home} aria-label="Ridelab, to the lab">
-        <Logo />
-      </a>
-      <h1 className={shell.name}>Ridelab</h1>
-      <Nav />
-      <span className={shell.grow} />
+    <>
       <ShareLink
         make={() => (batch ? api.shareBatch(batch.id, toShare(batch, view)) : Promise.reject(new Error("there is no sweep")))}
         obstacle={batch ? null : "There is no sweep to share yet"}
@@ -59,8 +50,7 @@ export function BatchHeader({ batch, view }: Props) {
           ))}
         </Menu.Dropdown>
       </Menu>
-      <SchemeToggle />
-    </header>
+    </>
   );
 }
 
