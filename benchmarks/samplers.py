@@ -15,7 +15,7 @@ from typing import Any
 import optuna
 
 from backend.analysis import front
-from backend.analysis.objectives import objective_value
+from backend.analysis.objectives import StoredObjective
 from backend.jobs.tuning import space
 from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario, dotted
@@ -25,10 +25,10 @@ STRATEGY = "lv"
 TRIALS, GENERATION = 192, 16
 SEARCHES = range(1, 5)
 BASE = Scenario().model_dump(mode="json")
-PAPER = {"kind": "paper", "q": [1, 1, 1], "window": "whole", "figure": None}
-PEAKS = {"kind": "peaks", "q": [1, 1, 1], "window": "bump", "figure": None}
-COMFORT = {"kind": "figure", "q": [1, 1, 1], "window": None, "figure": "whole.body_acceleration.rms"}
-AIMS: dict[str, list[dict[str, Any]]] = {"Eq. 16": [PAPER], "comfort and peaks": [COMFORT, PEAKS]}
+PAPER = StoredObjective(kind="paper", q=[1, 1, 1], window="whole", figure=None)
+PEAKS = StoredObjective(kind="peaks", q=[1, 1, 1], window="bump", figure=None)
+COMFORT = StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="whole.body_acceleration.rms")
+AIMS: dict[str, list[StoredObjective]] = {"Eq. 16": [PAPER], "comfort and peaks": [COMFORT, PEAKS]}
 SAMPLERS: dict[str, Callable[[int], optuna.samplers.BaseSampler]] = {
     "random": lambda seed: optuna.samplers.RandomSampler(seed=seed),
     "NSGA-II": lambda seed: optuna.samplers.NSGAIISampler(seed=seed, population_size=GENERATION),
@@ -42,14 +42,14 @@ def run(weights: space.Weights, strategy: str) -> dict[str, Any]:
     return simulate(Scenario.model_validate(dotted.with_changes(BASE, weights)), strategy).summary()
 
 
-def values(pool: Executor, sets: Sequence[space.Weights], aims: Sequence[dict[str, Any]]) -> list[list[float]]:
+def values(pool: Executor, sets: Sequence[space.Weights], aims: Sequence[StoredObjective]) -> list[list[float]]:
     """Each set of weights' objectives."""
     passive = run({}, "passive")
     runs = pool.map(run, sets, [STRATEGY] * len(sets), chunksize=4)
-    return [[objective_value(aim, each, passive) for aim in aims] for each in runs]
+    return [[aim.value(each, passive) for aim in aims] for each in runs]
 
 
-def search(pool: Executor, sampler: optuna.samplers.BaseSampler, aims: Sequence[dict[str, Any]]) -> list[float]:
+def search(pool: Executor, sampler: optuna.samplers.BaseSampler, aims: Sequence[StoredObjective]) -> list[float]:
     """Share after half of the trials and after all, and the time asking took a generation [s]."""
     ranges = space.default_search(STRATEGY)
     own = space.paper_weights(STRATEGY, ranges)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from backend.analysis import front
-from backend.analysis.measure import Failure, Measured, Roads, mean
+from backend.analysis.measure import Aims, Failure, Measured, Roads, mean
 from backend.store.trials import StoredTrial
 from sim_core.study.intervals import change_with_interval, mean_with_interval
 
@@ -28,6 +28,12 @@ def roles(trials: Sequence[StoredTrial], objectives: int, *, own: bool) -> dict[
         if trial is not None:
             found.setdefault(trial.number, []).append(role)
     return found
+
+
+def columns(aims: Aims) -> list[dict[str, str]]:
+    """`ComparedFigure`s: the objectives, the limits, the paper's eight."""
+    named = {f"objectives.{index}": objective for index, objective in enumerate(aims.objectives)} | aims.metrics
+    return [{"key": key, "label": each.label, "unit": each.unit} for key, each in named.items()]
 
 
 def compared(

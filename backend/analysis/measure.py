@@ -2,23 +2,18 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Self
 
 import orjson
 
-from backend.analysis.objectives import (
-    Summary,
-    needs_passive,
-    objective_label,
-    objective_unit,
-    objective_value,
-)
+from backend.analysis.objectives import StoredLimit, StoredObjective
 from backend.jobs.tuning.space import Weights
+from backend.json_types import JsonObject, Summary
 from backend.store.job_runs import JobRow
 from backend.store.trials import StoredTrial
-from sim_core.catalogue import METRICS, PAPER_METRICS
+from sim_core.catalogue import METRICS, PAPER_METRICS, Metric
 
-Measured = Mapping[str, float]  # of one run: a value for each key of `Aims.figures`
+Measured = Mapping[str, float]  # of one run: a value for each objective and each key of `Aims.metrics`
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,31 +28,34 @@ Roads = dict[int, Measured | Failure]  # the runs of a set of weights by road se
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Aims:
-    """What a tuning is after; objectives and limits as they are stored."""
+    """What a tuning is after."""
 
-    objectives: Sequence[Mapping[str, Any]]
-    limits: Sequence[Mapping[str, Any]]
+    objectives: Sequence[StoredObjective]
+    limits: Sequence[StoredLimit]
+
+    @classmethod
+    def of(cls, request: JsonObject) -> Self:
+        """Of a tuning's request as it is stored."""
+        return cls(
+            objectives=[StoredObjective(**each) for each in request["objectives"]],
+            limits=[StoredLimit(**each) for each in request["limits"]],
+        )
 
     @property
     def needs_passive(self) -> bool:
         """Whether the passive car has to be run too."""
-        return needs_passive(self.objectives)
+        return any(objective.normalised for objective in self.objectives)
 
     @property
     def most(self) -> list[float]:
-        """What each limited figure may be at most."""
-        return [float(limit["at_most"]) for limit in self.limits]
+        """What each limited metric may be at most."""
+        return [limit.at_most for limit in self.limits]
 
     @property
-    def figures(self) -> list[dict[str, str]]:
-        """`ComparedFigure`s: the objectives, the limits, the paper's eight."""
-        found = [
-            {"key": f"objectives.{index}", "label": objective_label(each), "unit": objective_unit(each)}
-            for index, each in enumerate(self.objectives)
-        ]
-        named = [(f"limits.{index}", limit["figure"]) for index, limit in enumerate(self.limits)]
-        named += [(key, key) for key in PAPER_METRICS]
-        return found + [{"key": key, "label": METRICS[name].label, "unit": METRICS[name].unit} for key, name in named]
+    def metrics(self) -> dict[str, Metric]:
+        """The limited metrics and the paper's eight, by the keys of a comparison."""
+        limited = {f"limits.{index}": METRICS[limit.figure] for index, limit in enumerate(self.limits)}
+        return limited | {key: METRICS[key] for key in PAPER_METRICS}
 
     def measured(self, row: JobRow, passive: Summary) -> Measured | Failure:
         """One run's values.
@@ -67,19 +65,15 @@ class Aims:
             passive: The passive car's summary on that road; not read where `needs_passive` is false.
 
         Raises:
-            UndefinedObjectiveError: An objective cannot be told on that road.
+            UndefinedObjectiveError: An objective has no value on that road.
         """
         summary = orjson.loads(row.summary) if row.summary is not None else {}
         if row.status != "ok":
             return Failure(reason=str(row.reason or summary.get("reason") or row.status))
-        found = {
-            f"objectives.{index}": objective_value(objective, summary, passive)
-            for index, objective in enumerate(self.objectives)
+        objectives = {
+            f"objectives.{index}": objective.value(summary, passive) for index, objective in enumerate(self.objectives)
         }
-        named = [(f"limits.{index}", limit["figure"]) for index, limit in enumerate(self.limits)]
-        return found | {
-            key: float(METRICS[name].of(summary)) for key, name in [*named, *((key, key) for key in PAPER_METRICS)]
-        }
+        return objectives | {key: float(metric.of(summary)) for key, metric in self.metrics.items()}
 
     def trial(self, number: int, generation: int, weights: Weights, roads: Roads) -> StoredTrial:
         """A set of weights by its runs: means of the objectives, the largest of each limited figure.

@@ -5,18 +5,14 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from backend.jobs.sweep.models import RobustnessDefaults, UncertainRange
-from sim_core.catalogue import PAPER_METRICS
+from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
 
 SAMPLES = 200
 BASELINE = "lv"
 STRATEGIES = ("lv", "lqr", "suspension_only", "passive")
-FIGURES = (
-    *PAPER_METRICS,
-    "events.travel_exceeded_mm",
-    "events.airborne_ms",
-)
+FIGURES = (*PAPER_METRICS, *LIMITS_EXCEEDED)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

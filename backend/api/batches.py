@@ -25,7 +25,7 @@ from backend.jobs.sweep.models import (
     RobustnessDefaults,
 )
 from backend.jobs.sweep.service import Sweeps
-from sim_core.catalogue import METRICS, NUMBERS
+from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
 submitting = router("batches", 400, 409, 413, 415, 422, 429, 503)
 batches = router("batches", 404, 422, 503)
@@ -108,7 +108,7 @@ async def get_batch_results(
 async def get_batch_table(
     job_id: jobs.JobId,
     service: BatchService,
-    figures: Annotated[str, Query(description="Keys with commas, such as bump.body_acceleration.peak")] = "",
+    figures: Annotated[str, Query(description=f"Keys with commas, such as {PAPER_METRICS[4]}")] = "",
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
     return json_answer(await service.table(job_id, _figures(figures, METRICS)))

@@ -13,6 +13,7 @@ from backend.http.kinds import KINDS
 from backend.http.problems import MEDIA_TYPE
 from backend.http.request_log import HEADER
 from backend.http.tokens import COOKIE
+from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.strategies import STRATEGIES
 
 TAGS = {
@@ -49,7 +50,7 @@ FILES = frozenset({"text/csv", "application/zip", "text/html"})  # answers that 
 SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target_speed_kmh": 25}}
 EXAMPLES: dict[str, dict[str, Any]] = {  # of bodies, by their schema
     "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
-    "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": ["body_acceleration"]},
+    "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": [PAPER_SIGNALS[0]]},
     "BatchRequest": {
         "scenario": SCENARIO,
         "strategies": ["lqr", "passive"],

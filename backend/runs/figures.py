@@ -15,7 +15,7 @@ import plotly.graph_objects as go
 
 from backend.runs.series import ROWS, packed
 from backend.runs.work import Outcome
-from sim_core.catalogue import REFERENCES, SIGNALS, STAGES
+from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
 from sim_core.strategies import STRATEGIES
 
 
@@ -39,7 +39,7 @@ STYLES: dict[str, Style] = {
 }
 
 # SI unit -> the unit a plot shows and the factor to it.
-SHOWN_UNITS: dict[str, tuple[str, float]] = {"m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
+SHOWN_UNITS = {"m": ("mm", 1000.0), "m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
 NEUTRAL = "#868E96"  # reference lines and stages: 3:1 on white and on #1a1b1e
 STAGE_FILLS = {"brake": "rgba(213, 94, 0, 0.10)", "bump": "rgba(0, 114, 178, 0.13)"}  # cruise stays clear
 BAND_FILL = "rgba(134, 142, 150, 0.2)"
@@ -49,11 +49,9 @@ _AXIS = {"zeroline": True, "gridcolor": "rgba(134, 142, 150, 0.25)", "zerolineco
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Panel:
-    """One figure: a signal, the unit it is shown in, and the reference lines at `factor` times their value."""
+    """One figure: a signal, and the reference lines at `factor` times their value."""
 
     signal: str
-    unit: str | None = None
-    scale: float | None = None
     title: str | None = None
     references: tuple[tuple[str, tuple[float, ...]], ...] = ()
     band: tuple[str, str] | None = None  # centre and half width
@@ -62,26 +60,21 @@ class Panel:
     def shown(self) -> tuple[str, float]:
         """Unit shown and the factor from SI to it."""
         unit = SIGNALS[self.signal].unit
-        if self.unit is not None and self.scale is not None:
-            return self.unit, self.scale
         return SHOWN_UNITS.get(unit, (unit.replace("^2", "²"), 1.0))
 
 
-_TRAVEL = (("deflection_limit", (-1.0, 1.0)),)
-_FORCE = (("force_limit", (-1.0, 1.0)),)
+def _limits(signal: str) -> tuple[tuple[str, tuple[float, ...]], ...]:
+    """What limits an axle's signal: its travel and force both ways, its tyre's load where it leaves the road."""
+    axle, _, what = signal.partition("_")
+    line, factors = {"tyre_load": (f"{axle}_static_load", (-1.0,))}.get(what, (f"{what}_limit", (-1.0, 1.0)))
+    return ((line, factors),) if line in REFERENCES else ()
+
 
 PANELS: dict[str, Panel] = {
-    "road": Panel(signal="front_road", unit="mm", scale=1000.0, title="Road"),
+    "road": Panel(signal="front_road", title="Road"),
     "speed": Panel(signal="speed", references=(("target_speed", (1.0,)),), band=("target_speed", "target_band")),
     "brake_pressure": Panel(signal="brake_pressure"),
-    "body_acceleration": Panel(signal="body_acceleration"),
-    "pitch_acceleration": Panel(signal="pitch_acceleration"),
-    "front_tyre_load": Panel(signal="front_tyre_load", references=(("front_static_load", (-1.0,)),)),
-    "rear_tyre_load": Panel(signal="rear_tyre_load", references=(("rear_static_load", (-1.0,)),)),
-    "front_deflection": Panel(signal="front_deflection", unit="mm", scale=1000.0, references=_TRAVEL),
-    "rear_deflection": Panel(signal="rear_deflection", unit="mm", scale=1000.0, references=_TRAVEL),
-    "front_force": Panel(signal="front_force", references=_FORCE),
-    "rear_force": Panel(signal="rear_force", references=_FORCE),
+    **{signal: Panel(signal=signal, references=_limits(signal)) for signal in METRIC_SIGNALS},
 }
 
 

@@ -1,8 +1,8 @@
 """The shapes of a run over several roads; beside `backend.models`."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import Field, create_model
 
 from backend.models import STRATEGY_IDS, Answer, CachedFailure, DriveResult, RunBase, StrategyFailure, keys_of
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, WINDOWS
@@ -43,13 +43,14 @@ class RoadsResult(DriveResult):
     comfort: dict[str, Interval] = keys_of(COMFORT, "Catalogue: comfort")
 
 
-class StrategyChanges(Answer):
-    """One strategy's paired changes over several roads, by window (catalogue: windows), and of its comfort."""
-
-    rough_road: WindowChanges
-    bump: WindowChanges
-    whole: WindowChanges
-    comfort: dict[str, Interval | None] = keys_of(COMFORT, "Catalogue: comfort; in %")
+_CHANGES: dict[str, Any] = dict.fromkeys(WINDOWS, WindowChanges)
+StrategyChanges = create_model(
+    "StrategyChanges",
+    __base__=Answer,
+    __doc__="One strategy's paired changes over several roads, by window (catalogue: windows), and of its comfort.",
+    **_CHANGES,
+    comfort=(dict[str, Interval | None], keys_of(COMFORT, "Catalogue: comfort; in %")),
+)
 
 
 class CachedRoadsResult(RoadsResult):

@@ -15,7 +15,7 @@ from pydantic import ValidationError
 
 from backend.analysis import comparison, front
 from backend.analysis.measure import Aims, Failure
-from backend.analysis.objectives import UndefinedObjectiveError, objective_value
+from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
 from backend.jobs.handout import HandOut
 from backend.jobs.tuning import space
 from backend.jobs.tuning.models import TuningRequest
@@ -41,27 +41,27 @@ def summary(rms: tuple[float, ...], peak: tuple[float, ...] = (1, 1, 1, 1)) -> d
 
 def test_eq_16_by_hand() -> None:
     ours, passive = summary((1, 2, 30, 40), (5, 6, 7, 8)), summary((2, 8, 60, 80), (10, 12, 14, 16))
-    paper = {"kind": "paper", "q": [1, 2, 4], "window": "whole", "figure": None}
+    paper = StoredObjective(kind="paper", q=[1, 2, 4], window="whole", figure=None)
     # (1/2)² + 2 (2/8)² + 4 (30² + 40²)/(60² + 80²)
-    assert objective_value(paper, ours, passive) == pytest.approx(0.25 + 2 / 16 + 4 / 4, rel=1e-15)
-    assert objective_value({**paper, "kind": "peaks"}, ours, passive) == pytest.approx(7 / 4, rel=1e-15)
-    assert objective_value({**paper, "q": [1, 1, 1]}, passive, passive) == 3, "the passive car itself"
-    figure = {"kind": "figure", "q": [1, 1, 1], "window": None, "figure": "events.airborne_ms"}
-    assert objective_value(figure, ours, {}) == 7
+    assert paper.value(ours, passive) == pytest.approx(0.25 + 2 / 16 + 4 / 4, rel=1e-15)
+    assert replace(paper, kind="peaks").value(ours, passive) == pytest.approx(7 / 4, rel=1e-15)
+    assert replace(paper, q=[1, 1, 1]).value(passive, passive) == 3, "the passive car itself"
+    airborne = StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="events.airborne_ms")
+    assert airborne.value(ours, {}) == 7
 
 
 def test_a_share_of_nothing_is_refused_where_it_counts() -> None:
     still = summary((0, 1, 1, 1))
-    paper = {"kind": "paper", "q": [1, 1, 1], "window": "rough_road", "figure": None}
+    paper = StoredObjective(kind="paper", q=[1, 1, 1], window="rough_road", figure=None)
     with pytest.raises(UndefinedObjectiveError, match="body acceleration is zero"):
-        objective_value(paper, summary((1, 1, 1, 1)), still)
-    assert objective_value({**paper, "q": [0, 1, 1]}, summary((1, 1, 1, 1)), still) == 2
+        paper.value(summary((1, 1, 1, 1)), still)
+    assert replace(paper, q=[0, 1, 1]).value(summary((1, 1, 1, 1)), still) == 2
 
 
 def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> None:
     aims = Aims(
-        objectives=[{"kind": "figure", "q": [1, 1, 1], "window": None, "figure": "travel_time"}],
-        limits=[{"figure": "events.airborne_ms", "at_most": 8}],
+        objectives=[StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="travel_time")],
+        limits=[StoredLimit(figure="events.airborne_ms", at_most=8)],
     )
 
     def row(position: int, travel_time: float, airborne: float) -> JobRow:

@@ -13,7 +13,7 @@ import orjson
 
 from backend import digest
 from backend.ecu.drive import simulate
-from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
 from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import Strategy
@@ -136,6 +136,6 @@ def _peaks(roughness: float, seed: int) -> list[list[float]]:
             road=Road(roughness=roughness, seed=seed, length=ROAD_END),
             speed=Speed(initial_speed_kmh=speed),
         )
-        metrics = simulate(scenario, "passive").metrics["bump"]
-        rows.append([metrics[signal]["peak"] for signal in PAPER_SIGNALS])
+        metrics = simulate(scenario, "passive").metrics[BUMP]
+        rows.append([metrics[signal][PEAK] for signal in PAPER_SIGNALS])
     return rows

@@ -7,13 +7,12 @@ from typing import Any, Literal, Self
 from pydantic import Field
 
 from backend.analysis import front
-from backend.analysis.objectives import objective_label, objective_unit
+from backend.analysis.measure import Aims
 from backend.jobs.tuning.space import first_weights
 from backend.models import Answer
 from backend.store import StoredJob
 from backend.store.jobs import State
 from backend.store.trials import StoredTrial
-from sim_core.catalogue import METRICS
 
 
 class ObjectiveAnswer(Answer):
@@ -164,7 +163,7 @@ class TuningItem(Answer):
 
     @staticmethod
     def _fields(job: StoredJob) -> dict[str, Any]:
-        request, progress = job.request, job.progress
+        request, progress, aims = job.request, job.progress, Aims.of(job.request)
         times = ("created_at", "started_at", "finished_at")
         same = ("id", "state", "reason", "label", "core_version", "estimated_cost", *times)
         asked = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
@@ -175,13 +174,8 @@ class TuningItem(Answer):
             "step": progress["step"],
             "generation": progress["generation"],
             "batch": progress["batch"],
-            "objectives": [
-                {**each, "label": objective_label(each), "unit": objective_unit(each)} for each in request["objectives"]
-            ],
-            "limits": [
-                {**each, "label": METRICS[each["figure"]].label, "unit": METRICS[each["figure"]].unit}
-                for each in request["limits"]
-            ],
+            "objectives": [ObjectiveAnswer.model_validate(each) for each in aims.objectives],
+            "limits": [LimitAnswer.model_validate(each) for each in aims.limits],
             "trials": TrialCounts(total=job.total, done=job.done, failed=job.failed, feasible=progress["feasible"]),
         }
 

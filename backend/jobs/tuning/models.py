@@ -5,16 +5,16 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, model_validator
 from pydantic_core import PydanticCustomError
 
+from backend.analysis.objectives import NORMALISED
 from backend.jobs.models import Label
 from backend.jobs.tuning.space import LARGEST, STRATEGIES, default_search, searchable
 from backend.models import RequestModel
-from sim_core.catalogue import NUMBERS, WINDOWS
+from sim_core.catalogue import LIMITS_EXCEEDED, NUMBERS, PAPER_METRICS, WINDOWS
 from sim_core.scenario import Scenario
 
 MOST_TRIALS = 5000
 MOST_POPULATION = 256
 MOST_SEEDS = 64
-NORMALISED_WINDOW = {"paper": "whole", "peaks": "bump"}  # where a request names none
 
 
 def _known_figure(name: str) -> str:
@@ -68,7 +68,7 @@ class Objective(RequestModel):
     q: Annotated[tuple[Coefficient, Coefficient, Coefficient], Field(strict=False)] = Field(
         (1, 1, 1), description="Of paper and peaks: q1 body acceleration, q2 pitch acceleration, q3 tyre load"
     )
-    window: Literal["rough_road", "bump", "whole"] | None = Field(
+    window: Literal[tuple(WINDOWS)] | None = Field(  # type: ignore[valid-type]  # from the core
         None, description="Of paper (without one whole) and peaks (bump)", json_schema_extra={"enum": [*WINDOWS, None]}
     )
     figure: Figure | None = Field(None, description="Of figure: a name of a batch's columns")
@@ -85,7 +85,7 @@ class Objective(RequestModel):
 
     def stored(self) -> dict[str, Any]:
         """Written out, as it is kept; a figure is as it is and its `q` is not used."""
-        window = self.window or NORMALISED_WINDOW.get(self.kind)
+        window = None if self.figure is not None else self.window or NORMALISED[self.kind][2]
         return {"kind": self.kind, "q": list(self.q), "window": window, "figure": self.figure}
 
 
@@ -105,12 +105,12 @@ class TuningRequest(RequestModel):
                 {
                     "strategy": "lv",
                     "objectives": [{"kind": "paper"}],
-                    "limits": [{"figure": "events.travel_exceeded_mm", "at_most": 0}],
+                    "limits": [{"figure": LIMITS_EXCEEDED[0], "at_most": 0}],
                     "trials": 32,
                 },
                 {
                     "strategy": "lqr",
-                    "objectives": [{"kind": "paper"}, {"kind": "figure", "figure": "bump.body_acceleration.peak"}],
+                    "objectives": [{"kind": "paper"}, {"kind": "figure", "figure": PAPER_METRICS[4]}],
                     "search": {"lqr.weights.0": [0.1, 10], "lqr.weights.2": [0.1, 10]},
                     "trials": 8,
                     "population": 4,
@@ -121,7 +121,7 @@ class TuningRequest(RequestModel):
     )
 
     scenario: Scenario = Scenario()
-    strategy: Literal["lv", "suspension_only", "lqr"] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})
+    strategy: Literal[tuple(STRATEGIES)] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})  # type: ignore[valid-type]  # from space.py
     objectives: list[Objective] = Field([Objective(kind="paper")], min_length=1, max_length=3)
     limits: list[Limit] = Field([], max_length=8)
     search: Annotated[dict[str, Range] | None, BeforeValidator(_known_weights)] = Field(

@@ -2,8 +2,6 @@
 
 import asyncio
 import math
-from collections.abc import Mapping
-from typing import Any
 
 from backend.analysis.measure import Aims
 from backend.compute.workers import Workers
@@ -16,6 +14,7 @@ from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningIt
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights
 from backend.jobs.tuning.steps import first_progress
+from backend.json_types import JsonObject
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.jobs import UNFINISHED, State
@@ -127,14 +126,14 @@ class TuningService:
         progress = job.progress | {"step": "search", "attempt": job.progress["attempt"] + 1}
         return await self.jobs.resume(job_id, total=total, estimated_cost=cost, answer=None, progress=progress)
 
-    def _workload(self, request: Mapping[str, Any], trials: int) -> tuple[int, float]:
+    def _workload(self, request: JsonObject, trials: int) -> tuple[int, float]:
         """Runs at most, and their estimated cost [s of one core].
 
         Raises:
             CostLimitError: It is over the limits of a batch.
         """
         scenario = Scenario.model_validate(request["scenario"])
-        aims = Aims(objectives=request["objectives"], limits=request["limits"])
+        aims = Aims.of(request)
         training, validation = len(request["seeds"]), len(request["fresh_seeds"])
         points = len(aims.objectives) + 3  # of the comparison at most: the paper's, the own, each best, the knee
         passive = training + validation if aims.needs_passive else 0

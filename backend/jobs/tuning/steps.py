@@ -17,12 +17,13 @@ import orjson
 
 from backend.analysis import comparison, front
 from backend.analysis.measure import Aims, Failure, Measured, Roads
-from backend.analysis.objectives import Summary, UndefinedObjectiveError
+from backend.analysis.objectives import UndefinedObjectiveError
 from backend.errors import ServiceError, TemporaryError
 from backend.jobs.scheduler import JobFailedError
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of
+from backend.json_types import Summary
 from backend.store import Store, StoredJob
 from backend.store.job_runs import JobRow
 from backend.store.jobs import FINAL, ParentEndedError
@@ -64,7 +65,7 @@ class TuningSteps:
                 await self._begin_anew(job)
                 return
             trials = await self._store.read(self._store.trials.of, job.id)
-            aims = Aims(objectives=job.request["objectives"], limits=job.request["limits"])
+            aims = Aims.of(job.request)
             if len(trials) < job.total:
                 await self._generation(job, trials, aims)
             else:
@@ -164,7 +165,7 @@ class TuningSteps:
             state="done",
             finished_at=datetime.now(UTC),
             progress=_waiting_for(job, "comparison", sweep),
-            answer={"batch": sweep.id, "figures": aims.figures, "points": points},
+            answer={"batch": sweep.id, "figures": comparison.columns(aims), "points": points},
         )
 
     async def _measured(

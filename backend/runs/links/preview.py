@@ -8,10 +8,10 @@ from html import escape
 from typing import Any
 
 from backend.runs.reports.keys import inside, label
-from sim_core.catalogue import SIGNALS
+from sim_core.catalogue import BUMP, METRICS, PAPER_SIGNALS, PEAK, SIGNALS, WHOLE, metric_key
 
-SIGNALS_TOLD = ("body_acceleration", "pitch_acceleration")
-FIELDS_TOLD = 4
+SIGNALS_SHOWN = PAPER_SIGNALS[:2]
+FIELDS_SHOWN = 4
 GENERIC_TITLE = "There is no such link"
 GENERIC_DESCRIPTION = "A what-if laboratory for active suspension over bumps."
 
@@ -34,15 +34,13 @@ def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetim
     """
     entries = {name: entry for name, entry in run["strategies"].items() if entry["status"] == "ok"}
     main, baseline = _compared(list(entries), view)
-    road, window = run["scenario"]["road"], "bump"
-    if not road["bump"]["height"]:
-        window = "whole"
+    window = BUMP if run["scenario"]["road"]["bump"]["height"] else WHOLE
     told = [
         text
-        for signal in SIGNALS_TOLD
+        for signal in SIGNALS_SHOWN
         if main is not None and (text := _told(entries[main], entries.get(baseline or ""), window, signal))
     ]
-    where = " on the bump" if window == "bump" else ""
+    where = " on the bump" if window == BUMP else ""
     who = label(main or "") + ("" if baseline is None else f" against {inside(label(baseline))}")
     title = f"{who}: {told[0]}{where}" if told else "A stored run"
     facts = ", ".join(told)
@@ -67,7 +65,7 @@ def of_batch(batch: Mapping[str, Any], computed_at: datetime) -> Preview:
         computed_at: When it was computed.
     """
     fields = [_field(field) for field in batch["fields"]]
-    swept = " × ".join(fields[:FIELDS_TOLD]) + (" × …" if len(fields) > FIELDS_TOLD else "")
+    swept = " × ".join(fields[:FIELDS_SHOWN]) + (" × …" if len(fields) > FIELDS_SHOWN else "")
     count = f"{batch['total']:,}".replace(",", " ")
     who = ", ".join(label(name) for name in batch["strategies"])
     failures = [f"{batch['failed']} failed"] if batch["failed"] else []
@@ -131,7 +129,7 @@ def _told(entry: Mapping[str, Any], against: Mapping[str, Any] | None, window: s
 
 def _peak(entry: Mapping[str, Any], window: str, signal: str) -> float | None:
     """From a summary that an older core may have written with other names."""
-    value = entry.get("metrics", {}).get(window, {}).get(signal, {}).get("peak")
+    value = METRICS[metric_key(window, signal, PEAK)].of(entry)
     if isinstance(value, Mapping):
         value = value["mean"]
     return value if isinstance(value, int | float) else None
