@@ -9,9 +9,12 @@ import numpy as np
 import orjson
 
 from backend.analysis import robustness, summary
+from backend.jobs.sweep.models import BatchSummary
 from backend.jobs.sweep.plan import scenario_at
+from backend.json_types import Summary
 from backend.store import StoredJob
 from backend.store.job_runs import JobRow
+from sim_core import __version__ as CORE_VERSION
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS
 
@@ -24,8 +27,8 @@ async def summarised(
     call: Callable[..., Awaitable[Any]],
     figures: Sequence[str],
     baseline: str,
-) -> dict[str, Any]:
-    """`BatchSummary` of what has finished."""
+) -> BatchSummary:
+    """What has finished, read as a whole."""
     gathered = _Gathered(batch, figures)
     async for rows in pages:
         await asyncio.to_thread(gathered.add, rows)
@@ -37,15 +40,16 @@ async def summarised(
         damping[some] = await call(summary.dampings, *origin, texts, batch.request["strategies"])
     summaries, nominal_damping = await call(summary.nominal, *origin, batch.request["strategies"])
     study = gathered.study(damping, summaries, nominal_damping)
-    return {
-        "batch": batch.id,
-        "state": batch.state,
-        "points": batch.total // len(batch.request["strategies"]),
-        "baseline": baseline,
-        "quantiles": list(summary.QUANTILES),
-        "units": {key: METRICS[key].unit for key in figures},
-        "strategies": await call(summary.summarise, study, baseline),
-    }
+    return BatchSummary(
+        batch=batch.id,
+        state=batch.state,
+        core_version=CORE_VERSION,
+        points=batch.total // len(batch.request["strategies"]),
+        baseline=baseline,
+        quantiles=summary.QUANTILES,
+        units={key: METRICS[key].unit for key in figures},
+        strategies=await call(summary.summarise, study, baseline),
+    )
 
 
 class _Gathered:
@@ -83,7 +87,7 @@ class _Gathered:
     def study(
         self,
         damping: FloatArray,
-        summaries: Mapping[str, Mapping[str, Any]],
+        summaries: Mapping[str, Summary],
         nominal_damping: Mapping[str, float | None],
     ) -> summary.Study:
         """All of it, with what the workers found."""

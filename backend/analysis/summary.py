@@ -13,10 +13,13 @@ import orjson
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from backend.analysis.models import FigureSummary, MarginSummary, Place, Sensitivity, StabilitySummary, StrategySummary
 from backend.ecu.drive import simulate
 from backend.jobs.sweep.plan import scenario_at
+from backend.json_types import JsonObject, Summary
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario
 from sim_core.study.stability import least_damping
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance
@@ -56,9 +59,7 @@ class Study:
     nominal_damping: Mapping[str, float | None]
 
 
-def dampings(
-    base: Mapping[str, Any], schema_version: int, changes: Sequence[str], strategies: Sequence[str]
-) -> FloatArray:
+def dampings(base: JsonObject, schema_version: int, changes: Sequence[str], strategies: Sequence[str]) -> FloatArray:
     """Least damping of each strategy's loop at each of those points (`changes` is JSON text); NaN: not known."""
     ratios = np.full((len(changes), len(strategies)), np.nan)
     for point, text in enumerate(changes):
@@ -73,11 +74,11 @@ def dampings(
 
 
 def nominal(
-    base: Mapping[str, Any], schema_version: int, strategies: Sequence[str]
-) -> tuple[dict[str, dict[str, Any]], dict[str, float | None]]:
+    base: JsonObject, schema_version: int, strategies: Sequence[str]
+) -> tuple[dict[str, Summary], dict[str, float | None]]:
     """The batch's own scenario, nothing swept: each strategy's summary ({} where it fails) and least damping."""
     scenario = scenario_at(base, {}, schema_version)
-    summaries: dict[str, dict[str, Any]] = {}
+    summaries: dict[str, Summary] = {}
     for name in strategies:
         try:
             summaries[name] = simulate(scenario, name).summary()
@@ -86,73 +87,66 @@ def nominal(
     return summaries, {name: _damping(scenario, name) for name in strategies}
 
 
-def summarise(study: Study, baseline: str) -> dict[str, Any]:
-    """Strategy -> how many runs, stability, and each figure's distribution and margin; as `StrategySummary`."""
+def summarise(study: Study, baseline: str) -> dict[str, StrategySummary]:
+    """By strategy how many runs, stability, and each figure's distribution and margin."""
     against = study.strategies.index(baseline)
     numbers = _numbers(study.fields)
     return {name: _strategy(study, index, against, numbers) for index, name in enumerate(study.strategies)}
 
 
-def _strategy(study: Study, index: int, against: int, every: Numbers) -> dict[str, Any]:
+def _strategy(study: Study, index: int, against: int, every: Numbers) -> StrategySummary:
     name = study.strategies[index]
     numbers = {field: values for field, values in every.items() if field in study.read[name]}
     both = {**numbers, **{field: every[field] for field in study.read[study.strategies[against]] if field in every}}
     status = Counter(study.status[:, index].tolist())
-    figures: dict[str, Any] = {}
-    for key, values in study.figures.items():
-        own, reference = values[:, index], study.nominal.get(name, {}).get(key)
-        of_baseline = study.nominal.get(study.strategies[against], {}).get(key)
-        margin = None
-        if index != against:
-            margin = _margin(study, index, own, values[:, against], both)
-            margin["nominal"] = _change(reference, of_baseline)
-        figures[key] = {
-            "nominal": reference,
-            **_distribution(study, index, own),
-            "above_zero": int((own > 0).sum()),
-            "sensitivity": _sensitivity(own, numbers),
-            "margin": margin,
-        }
     damping = study.damping[:, index]
-    return {
-        "ok": status["ok"],
-        "failed": status["failed"],
-        "unfinished": len(study.status) - status["ok"] - status["failed"],
-        "reasons": dict(Counter(study.reasons.get(name, {})).most_common(MOST_REASONS)),
-        "stability": {
-            "known": int(np.isfinite(damping).sum()),
-            "unstable": int((damping < 0).sum()),
-            "nominal": study.nominal_damping.get(name),
-            **_distribution(study, index, damping),
-            "sensitivity": _sensitivity(
-                damping, {key: numbers[key] for key in numbers if not key.startswith(NOT_FED_BACK)}
-            ),
+    fed_back = {key: numbers[key] for key in numbers if not key.startswith(NOT_FED_BACK)}
+    return StrategySummary(
+        ok=status["ok"],
+        failed=status["failed"],
+        unfinished=len(study.status) - status["ok"] - status["failed"],
+        reasons=dict(Counter(study.reasons.get(name, {})).most_common(MOST_REASONS)),
+        stability=StabilitySummary(
+            known=int(np.isfinite(damping).sum()),
+            unstable=int((damping < 0).sum()),
+            nominal=study.nominal_damping.get(name),
+            **_distribution(study, index, damping, fed_back),
+        ),
+        figures={
+            key: FigureSummary(
+                nominal=study.nominal.get(name, {}).get(key),
+                above_zero=int((values[:, index] > 0).sum()),
+                margin=None if index == against else _margin(study, key, index, against, both),
+                **_distribution(study, index, values[:, index], numbers),
+            )
+            for key, values in study.figures.items()
         },
-        "figures": figures,
-    }
+    )
 
 
-def _margin(study: Study, index: int, own: FloatArray, base: FloatArray, numbers: Numbers) -> dict[str, Any]:
+def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) -> MarginSummary:
     """How a strategy differs from the baseline at the points where both have the figure."""
+    own, base = study.figures[key][:, index], study.figures[key][:, against]
+    nominal = [study.nominal.get(study.strategies[each], {}).get(key) for each in (index, against)]
     paired = np.isfinite(own) & np.isfinite(base)
     pairs = int(paired.sum())
     comparable = paired & (base != 0)
     change = np.full(len(own), np.nan)
     change[comparable] = 100 * (own[comparable] / base[comparable] - 1)
-    return {
-        "pairs": pairs,
-        "better": _share(paired & (own < base), pairs),
-        "worse": _share(paired & (own > base), pairs),
-        **_distribution(study, index, change),
-        "sensitivity": _sensitivity(change, numbers),
-    }
+    return MarginSummary(
+        nominal=_change(*nominal),
+        pairs=pairs,
+        better=_share(paired & (own < base), pairs),
+        worse=_share(paired & (own > base), pairs),
+        **_distribution(study, index, change, numbers),
+    )
 
 
-def _distribution(study: Study, index: int, values: FloatArray) -> dict[str, Any]:
-    """Of what is finite: how many, mean, quantiles, and where the extremes are."""
+def _distribution(study: Study, index: int, values: FloatArray, numbers: Numbers) -> dict[str, Any]:
+    """The fields of `SensitiveDistribution`, of what is finite."""
     there = np.flatnonzero(np.isfinite(values))
     if not len(there):
-        return {"n": 0, "mean": None, "quantiles": None, "lowest": None, "highest": None}
+        return {"n": 0, "mean": None, "quantiles": None, "lowest": None, "highest": None, "sensitivity": []}
     finite = values[there]
     return {
         "n": len(there),
@@ -160,15 +154,16 @@ def _distribution(study: Study, index: int, values: FloatArray) -> dict[str, Any
         "quantiles": np.percentile(finite, QUANTILES, method="linear").tolist(),
         "lowest": _place(study, index, values, int(there[finite.argmin()])),
         "highest": _place(study, index, values, int(there[finite.argmax()])),
+        "sensitivity": _sensitivity(values, numbers),
     }
 
 
-def _place(study: Study, index: int, values: FloatArray, point: int) -> dict[str, Any]:
-    return {
-        "run": point * len(study.strategies) + index,
-        "value": float(values[point]),
-        "at": {name: column[point] for name, column in study.fields.items()},
-    }
+def _place(study: Study, index: int, values: FloatArray, point: int) -> Place:
+    return Place(
+        run=point * len(study.strategies) + index,
+        value=float(values[point]),
+        at={name: column[point] for name, column in study.fields.items()},
+    )
 
 
 def _share(of_pairs: NDArray[np.bool_], pairs: int) -> float | None:
@@ -189,7 +184,7 @@ def _numbers(fields: Mapping[str, Sequence[Any]]) -> Numbers:
     return numbers
 
 
-def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
+def _sensitivity(values: FloatArray, numbers: Numbers) -> list[Sensitivity]:
     """Which fields a figure follows, the one that explains most first; empty where it is constant or has few points.
 
     `spearman` is the rank correlation (direction, monotone effects; scipy.stats.spearmanr). `effect` is the share of
@@ -206,8 +201,8 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[dict[str, Any]]:
             continue
         rho, (effect, chance) = spearmanr(x, y), _effect(x, y)
         p_value = min(1.0, 2 * min(float(rho.pvalue), chance))
-        rows.append({"field": name, "spearman": float(rho.statistic), "p_value": p_value, "effect": effect})
-    return sorted(rows, key=lambda row: (-row["effect"], -abs(row["spearman"])))
+        rows.append(Sensitivity(field=name, spearman=float(rho.statistic), p_value=p_value, effect=effect))
+    return sorted(rows, key=lambda row: (-row.effect, -abs(row.spearman)))
 
 
 def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
@@ -226,7 +221,7 @@ def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
     return max(0.0, float((test.statistic - k + 1) / (n - k))), float(test.pvalue)
 
 
-def _damping(scenario: Any, name: str) -> float | None:
+def _damping(scenario: Scenario, name: str) -> float | None:
     try:
         return least_damping(scenario, name)
     except RidelabError:

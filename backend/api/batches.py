@@ -7,6 +7,7 @@ from fastapi import Depends, Query, Request, Response
 from fastapi.responses import StreamingResponse
 
 from backend.analysis import robustness
+from backend.analysis.models import RobustnessDefaults
 from backend.api import jobs, router
 from backend.api.deps import Client
 from backend.api.runs import MEDIA_TYPES
@@ -22,7 +23,6 @@ from backend.jobs.sweep.models import (
     BatchSummary,
     BatchTable,
     Estimate,
-    RobustnessDefaults,
 )
 from backend.jobs.sweep.service import Sweeps
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS

@@ -7,8 +7,9 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.analysis.models import RobustnessDefaults
 from backend.analysis.robustness import FIGURES, UNCERTAINTIES
-from backend.jobs.sweep.models import BatchSummary, RobustnessDefaults
+from backend.jobs.sweep.models import BatchSummary
 from ridelab.cli.app import run as command
 from sim_core.scenario import dotted
 from tests.api.test_batches import wait_for

@@ -54,6 +54,12 @@ def test_everything_is_answered_as_before(client: httpx.Client, path: str) -> No
     assert not differences(before, now)
 
 
+def test_a_summary_says_which_core_computes_its_nominal_values(client: httpx.Client) -> None:
+    (path,) = (path for path in ANSWERS if path.partition("?")[0].endswith("/summary"))
+    assert client.get(f"/api/v1{path}").json()["core_version"] == __version__
+    assert client.get(f"/api/v1{path.rpartition('/')[0]}").json()["core_version"] == "0.2.0"
+
+
 def test_time_histories_are_those_that_were_pinned(client: httpx.Client) -> None:
     pinned = {row["result_key"]: row["content"] for row in TABLES["pinned_series"]}
     strategies = {row["key"]: row["strategy"] for row in TABLES["results"] if row["key"] in pinned}

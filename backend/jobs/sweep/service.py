@@ -16,7 +16,7 @@ from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidEr
 from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan, table
-from backend.jobs.sweep.models import Batch, Batches, BatchItem, Estimate
+from backend.jobs.sweep.models import Batch, Batches, BatchItem, BatchSummary, Estimate
 from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
 from backend.runs.service import ordered
@@ -40,12 +40,12 @@ class _Summary:
     """A summary that was made.
 
     Attributes:
-        answer: `BatchSummary`.
+        answer: What was answered.
         ended: How many runs had come to an end.
         reusable_until: On the clock of the event loop, where runs have ended since [s].
     """
 
-    answer: dict[str, Any]
+    answer: BatchSummary
     ended: int
     reusable_until: float
 
@@ -71,7 +71,7 @@ class Sweeps:
         self._admission = admission
         self._settings = settings
         self._summaries: LRUCache[tuple[str, ...], _Summary] = LRUCache(SUMMARIES)
-        self._summarising: Flights[tuple[str | int, ...], dict[str, Any]] = Flights()
+        self._summarising: Flights[tuple[str | int, ...], BatchSummary] = Flights()
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """What that batch would be.
@@ -188,8 +188,8 @@ class Sweeps:
         units = {name: unit for name, unit in table.units(job).items() if name in whole}
         return {"batch": job.id, "state": job.state, "units": units, "columns": whole}
 
-    async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> dict[str, Any]:
-        """What its finished rows say as a whole, as `BatchSummary`.
+    async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
+        """What its finished rows say as a whole.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -206,7 +206,7 @@ class Sweeps:
         made = self._summaries.get(asked)
         goes_on = job.state not in FINAL
         if made is not None and (made.ended == ended or (goes_on and clock() < made.reusable_until)):
-            return {**made.answer, "state": job.state}
+            return made.answer.model_copy(update={"state": job.state})
         begin = time.perf_counter()
         cost = SUMMARY_COST * ended
         rows, call = self.rows(job.id), partial(self._call, cost)

@@ -1297,6 +1297,11 @@ export interface components {
             baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
             /** Batch */
             batch: string;
+            /**
+             * Core Version
+             * @description That computes `nominal` and `stability`; the rows' metrics are those of the versions rows name
+             */
+            core_version: string;
             /** Points */
             points: number;
             /**
