@@ -1,12 +1,11 @@
 """The shapes of requests and answers: OpenAPI, and with it the browser's client, is made from them.
 
-Answers are not validated on their way out (they are built from the core's own catalogue, and the tests hold each
-against its model); requests are, strictly.
+What is answered is built as its model, a large table and what is stored as JSON apart; requests are validated strictly.
 """
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, field_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema, field_validator
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
@@ -127,12 +126,18 @@ class Stage(Answer):
     end_position: float = Field(description="[m]")
 
 
+# A count stays a whole number.
+Event = Annotated[
+    bool | int | float | None, WithJsonSchema({"anyOf": [{"type": "boolean"}, {"type": "number"}, {"type": "null"}]})
+]
+
+
 class DriveResult(Answer):
     """What a strategy's result has beside its metrics; of several roads, the first one's."""
 
     status: Literal["ok"]
     compute_ms: float = Field(description="The worker's own time [ms]; work shared between strategies counts once")
-    events: dict[str, bool | float | None] = keys_of(EVENTS, "Catalogue: events")
+    events: dict[str, Event] = keys_of(EVENTS, "Catalogue: events")
     reference: dict[str, float | None] = keys_of(REFERENCES, "Lines a plot draws; catalogue: references")
     stages: list[Stage]
     travel_time: float = Field(description="[s]; the same on every road")

@@ -21,12 +21,11 @@ Slug = Annotated[str, Path(description="22 characters; anything else is 404")]
 @sharing.post("/links", operation_id="createLink", response_model=models_links.CreatedLink, status_code=201)
 async def create_link(body: models_links.LinkRequest, service: LinksService, client: Client) -> Response:
     """Share a stored run or a batch; the answer comes after the commit."""
-    view = body.view.model_dump(mode="json", exclude_unset=True)
     if body.run_id is not None:
-        made = await service.share_run(body.run_id, view, client)
+        link = await service.share_run(body.run_id, body.view, client)
     else:
-        made = await service.share_batch(str(body.batch_id), view, client)
-    return json_answer(made, {"Location": made["url"]}, status=201)
+        link = await service.share_batch(str(body.batch_id), body.view, client)
+    return json_answer(link, {"Location": link.url}, status=201)
 
 
 @links.get(
@@ -37,7 +36,9 @@ async def create_link(body: models_links.LinkRequest, service: LinksService, cli
 )
 async def get_link(slug: Slug, request: Request, service: LinksService) -> Response:
     """What a link opens: results as they were computed, the scenario as today's schema has it, the view."""
-    content = await service.get(slug)
+    link = await service.get(slug)
+    view = link.view.model_dump(exclude_unset=True, warnings=False)  # as it was sent
+    content = {**link.model_dump(exclude={"view"}), "view": view}
     # Of the content: what is shared never changes, but the service's own version and a batch's progress do.
     digest = hashlib.sha256(orjson.dumps(content)).digest()[:16]
     tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed

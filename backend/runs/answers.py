@@ -2,54 +2,38 @@
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
-from typing import Any
 
+from backend.json_types import JsonObject
+from backend.models import CreatedRun, LiveRun, Run
+from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
 from backend.runs.work import Outcome
 from backend.store import StoredResult, StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
 from sim_core.study.intervals import Interval
 from sim_core.study.roads import Comparison, Numbers, compare, numbers
 
-_FAILED: Mapping[str, Any] = {"kind": "refused", "fields": []}  # defaults, which the summary may override
 
-
-def run_answer(
-    stored: StoredRun, *, cached: Mapping[str, bool] | None = None, baseline: str | None = None
-) -> dict[str, Any]:
-    """`Run` or `RoadsRun`; `CreatedRun` or `CreatedRoadsRun` where it is known what was cached.
-
-    Args:
-        stored: The run.
-        cached: By strategy whether it was.
-        baseline: What the changes over several roads refer to; None is the run's own.
-    """
-    head = {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
-    cache_field = {name: {} if cached is None else {"cached": cached[name]} for name in stored.by_strategy}
+def run_answer(stored: StoredRun, *, baseline: str | None = None) -> Run | RoadsRun:
+    """A stored run; `baseline` is what the changes over several roads refer to, by default the run's own."""
+    no_fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if stored.roads == 1:
-        return {
-            **head,
-            "strategies": {item.strategy: _entry(item, cache_field[item.strategy]) for item in stored.results},
-        }
-    against = baseline or stored.baseline or ""
-    driven = {
-        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in stored.by_strategy[name]]
-        for name in (item.strategy for item in stored.shown)
-    }
-    found = compare(driven, against)
-    return {
-        **head,
-        "roads": stored.roads,
-        "baseline": against,
-        "changes": {name: _plain(change) for name, change in found.changes.items()},
-        "strategies": {
-            name: _entry_over_roads(items, cache_field[name], found, stored.scenario["road"]["seed"])
-            for name, items in stored.by_strategy.items()
-        },
-    }
+        return Run(**_on_one_road(stored, no_fields))
+    return RoadsRun(**_over_roads(stored, no_fields, baseline or stored.baseline or ""))
 
 
-def entry_answer(outcome: Outcome, *, cached: bool) -> dict[str, Any]:
-    """One strategy's part of a run that is not stored."""
-    return _entry(outcome, {"cached": cached})
+def created_answer(stored: StoredRun, cached: Mapping[str, bool]) -> CreatedRun | CreatedRoadsRun:
+    """A run as the request that made it sees it, with what was cached by strategy."""
+    fields = {name: {"cached": value} for name, value in cached.items()}
+    if stored.roads == 1:
+        return CreatedRun(**_on_one_road(stored, fields))
+    return CreatedRoadsRun(**_over_roads(stored, fields, stored.baseline or ""))
+
+
+def live_answer(scenario: Scenario, outcomes: Mapping[str, Outcome], fields: Mapping[str, JsonObject]) -> LiveRun:
+    """A run that is not stored; `fields` is what each strategy has beside its figures."""
+    entries = {name: _entry(outcome, fields[name]) for name, outcome in outcomes.items()}
+    return LiveRun(core_version=CORE_VERSION, scenario=scenario, strategies=entries)
 
 
 def default_baseline(strategies: Sequence[str]) -> str:
@@ -57,26 +41,54 @@ def default_baseline(strategies: Sequence[str]) -> str:
     return "passive" if "passive" in strategies else strategies[0]
 
 
-def _entry(item: Outcome | StoredResult, cache_field: Mapping[str, bool]) -> dict[str, Any]:
-    head: dict[str, Any] = {"status": item.status, **cache_field, "compute_ms": item.compute_ms}
-    return {**head, **(_FAILED if item.status == "failed" else {}), **item.summary}
+def _head(stored: StoredRun) -> JsonObject:
+    return {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
+
+
+def _on_one_road(stored: StoredRun, fields: Mapping[str, JsonObject]) -> JsonObject:
+    return _head(stored) | {
+        "strategies": {item.strategy: _entry(item, fields[item.strategy]) for item in stored.results}
+    }
+
+
+def _over_roads(stored: StoredRun, fields: Mapping[str, JsonObject], baseline: str) -> JsonObject:
+    driven = {
+        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in stored.by_strategy[name]]
+        for name in (item.strategy for item in stored.shown)
+    }
+    comparison = compare(driven, baseline)
+    first_seed = stored.scenario["road"]["seed"]
+    return _head(stored) | {
+        "roads": stored.roads,
+        "baseline": baseline,
+        "changes": {name: _plain(change) for name, change in comparison.changes.items()},
+        "strategies": {
+            name: _entry_over_roads(items, fields[name], comparison, first_seed)
+            for name, items in stored.by_strategy.items()
+        },
+    }
+
+
+def _entry(item: Outcome | StoredResult, fields: JsonObject) -> JsonObject:
+    """One strategy's result or failure: its summary is answered as it was stored."""
+    return {"status": item.status, "compute_ms": item.compute_ms, **fields, **item.summary}
 
 
 def _entry_over_roads(
-    items: Sequence[StoredResult], cache_field: Mapping[str, bool], found: Comparison, first_seed: int
-) -> dict[str, Any]:
+    items: Sequence[StoredResult], fields: JsonObject, comparison: Comparison, first_seed: int
+) -> JsonObject:
     """The first road's entry with the means of all, or why one of them failed."""
-    head = {**_entry(items[0], cache_field), "compute_ms": round(sum(item.compute_ms for item in items), 2)}
+    compute_ms = round(sum(item.compute_ms for item in items), 2)
     failures = [(seed, item) for seed, item in enumerate(items, first_seed) if item.status != "ok"]
     if failures:
         seed, failure = failures[0]
         reason = f"Road seed {seed}: {failure.summary['reason']}"
-        return {**_entry(failure, cache_field), "compute_ms": head["compute_ms"], "reason": reason}
-    means = _plain(found.means[items[0].strategy])
-    return {**head, "comfort": means.pop("comfort"), "metrics": means}
+        return {**_entry(failure, fields), "compute_ms": compute_ms, "reason": reason}
+    means = _plain(comparison.means[items[0].strategy])
+    return {**_entry(items[0], fields), "compute_ms": compute_ms, "comfort": means.pop("comfort"), "metrics": means}
 
 
-def _plain(part: Numbers) -> dict[str, Any]:
+def _plain(part: Numbers) -> JsonObject:
     """Intervals as JSON; null where there is none."""
     return {key: _interval(value) if isinstance(value, Interval) else _plain(value) for key, value in part.items()}
 

@@ -4,7 +4,7 @@ import logging
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Literal
+from typing import Literal
 
 from sqlalchemy.exc import SQLAlchemyError
 
@@ -12,12 +12,15 @@ from backend import digest
 from backend.compute.workers import Workers
 from backend.errors import GoneError, InvalidError, NewerSchemaError, NotFoundError
 from backend.http.admission import Admission
+from backend.json_types import JsonObject
 from backend.metrics import CACHE
+from backend.models import CreatedRun, LiveRun, Run
 from backend.runs import exports, figures, pins, series
-from backend.runs.answers import default_baseline, entry_answer, run_answer
+from backend.runs.answers import created_answer, default_baseline, live_answer, run_answer
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Results
+from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
 from backend.runs.work import Outcome
 from backend.store import Store, StoredResult, StoredRun
 from sim_core import __version__ as CORE_VERSION
@@ -55,8 +58,8 @@ class Runs:
 
     async def create(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
-    ) -> dict[str, Any]:
-        """The run of that scenario, computed where it was not stored, as `CreatedRun` or `CreatedRoadsRun`.
+    ) -> CreatedRun | CreatedRoadsRun:
+        """The run of that scenario, computed where it was not stored.
 
         Args:
             scenario: What to drive, on the first road.
@@ -73,7 +76,7 @@ class Runs:
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
-            return run_answer(stored, cached=dict.fromkeys(names, True))
+            return created_answer(stored, dict.fromkeys(names, True))
         driven = seeded(scenario, roads)
         found = await self._results.on_roads(driven, names, client, points=None)
         outcomes = [
@@ -93,10 +96,10 @@ class Runs:
             baseline=against,
         )
         saved = await self._store.write(self._store.runs.save, run)
-        return run_answer(saved, cached={name: all(each[name].cached for each in found) for name in names})
+        return created_answer(saved, {name: all(each[name].cached for each in found) for name in names})
 
-    async def get(self, run_id: str, client: str) -> dict[str, Any]:
-        """The stored run, as `Run` or `RoadsRun`.
+    async def get(self, run_id: str, client: str) -> Run | RoadsRun:
+        """The stored run.
 
         Raises:
             NotFoundError: There is none.
@@ -105,23 +108,18 @@ class Runs:
 
     async def live(
         self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
-    ) -> dict[str, Any]:
-        """Figures and decimated time histories of that scenario, as `LiveRun`; nothing is stored."""
+    ) -> LiveRun:
+        """Figures and decimated time histories of that scenario; nothing is stored."""
         names = ordered(strategies)
         self._admission.check(scenario, names)
         found = await self._results.get(scenario, names, client, points=points)
         keys = series.chosen(signals)
-        entries = {}
-        for name, item in found.items():
-            entry = entry_answer(item.outcome, cached=item.cached)
-            if item.outcome.series is not None:
-                entry["series"] = series.as_json(item.outcome.series, keys, "base64")
-            entries[name] = entry
-        return {
-            "core_version": CORE_VERSION,
-            "scenario": scenario.model_dump(mode="json"),
-            "strategies": entries,
-        }
+        outcomes = {name: item.outcome for name, item in found.items()}
+        fields: dict[str, JsonObject] = {name: {"cached": item.cached} for name, item in found.items()}
+        for name, outcome in outcomes.items():
+            if outcome.series is not None:
+                fields[name]["series"] = series.as_json(outcome.series, keys, "base64")
+        return live_answer(scenario, outcomes, fields)
 
     async def series(
         self,
@@ -172,7 +170,7 @@ class Runs:
         with self._admission.computing(client, scenario, names):
             return await self._workers.call(exports.render, scenario, export)
 
-    async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> dict[str, Any]:
+    async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> JsonObject:
         """One figure of a stored run, or all of them by name, with data.
 
         Raises:
@@ -305,14 +303,14 @@ def ordered(strategies: Iterable[str]) -> list[str]:
     return [name for name in STRATEGIES if name in asked]
 
 
-def upgraded_scenario(scenario: Mapping[str, Any], schema_version: int) -> dict[str, Any]:
+def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
     """A stored scenario as today's schema has it.
 
     Raises:
         NewerSchemaError: A newer version of the service stored it.
     """
     try:
-        return restored(dict(scenario), schema_version).model_dump(mode="json")
+        return restored(scenario, schema_version).model_dump(mode="json")
     except NewerScenarioError as error:
         raise NewerSchemaError(f"{error.message}.") from None
 

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from html import escape
-from typing import Any
 
+from backend.json_types import JsonObject
 from backend.runs.reports.keys import inside, label
 from sim_core.catalogue import BUMP, METRICS, PAPER_SIGNALS, PEAK, SIGNALS, WHOLE, metric_key
 
@@ -24,7 +24,7 @@ class Preview:
     description: str = GENERIC_DESCRIPTION
 
 
-def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetime) -> Preview:
+def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
     """Of a link to a run.
 
     Args:
@@ -57,7 +57,7 @@ def of_run(run: Mapping[str, Any], view: Mapping[str, Any], computed_at: datetim
     )
 
 
-def of_batch(batch: Mapping[str, Any], computed_at: datetime) -> Preview:
+def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
     """Of a link to a batch.
 
     Args:
@@ -102,7 +102,7 @@ def page(index: str, preview: Preview, *, shared: bool = True) -> str:
     return "\n".join([head.rstrip(), *(f"    {tag}" for tag in tags), f"  {end}{rest}"])
 
 
-def _compared(names: Sequence[str], view: Mapping[str, Any]) -> tuple[str | None, str | None]:
+def _compared(names: Sequence[str], view: JsonObject) -> tuple[str | None, str | None]:
     """The strategy that is told about and the one it is compared with, of those that succeeded."""
     baseline = view.get("baseline") or "passive"
     shown = [name for name in view.get("strategies") or names if name in names]
@@ -111,7 +111,7 @@ def _compared(names: Sequence[str], view: Mapping[str, Any]) -> tuple[str | None
     return main, baseline if baseline in names and baseline != main else None
 
 
-def _told(entry: Mapping[str, Any], against: Mapping[str, Any] | None, window: str, signal: str) -> str | None:
+def _told(entry: JsonObject, against: JsonObject | None, window: str, signal: str) -> str | None:
     """`45 % less peak body acceleration`, or the peak itself where there is nothing to compare it with."""
     quantity = SIGNALS[signal]
     what = f"peak {quantity.label.lower()}"
@@ -127,7 +127,7 @@ def _told(entry: Mapping[str, Any], against: Mapping[str, Any] | None, window: s
     return f"{abs(change)} % {'less' if change < 0 else 'more'} {what}"
 
 
-def _peak(entry: Mapping[str, Any], window: str, signal: str) -> float | None:
+def _peak(entry: JsonObject, window: str, signal: str) -> float | None:
     """From a summary that an older core may have written with other names."""
     value = METRICS[metric_key(window, signal, PEAK)].of(entry)
     if isinstance(value, Mapping):
@@ -141,7 +141,7 @@ def _field(field: Mapping[str, str]) -> str:
     return title if part in title else f"{part} {title}"
 
 
-def _drive(scenario: Mapping[str, Any]) -> list[str]:
+def _drive(scenario: JsonObject) -> list[str]:
     bump, speed = scenario["road"]["bump"], scenario["speed"]
     height, width = bump["height"], f"{bump['width']:g} m"
     kind = "bump" if height > 0 else "pothole"

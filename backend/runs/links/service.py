@@ -4,17 +4,18 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
-from typing import Any
+from typing import Any, Literal
 
 from backend import digest
 from backend.compute.workers import Workers
 from backend.errors import InvalidError, NotFoundError
 from backend.http.admission import Admission
 from backend.jobs.sweep.models import Batch
+from backend.json_types import JsonObject
 from backend.runs import pins
 from backend.runs.answers import run_answer
 from backend.runs.links import preview
-from backend.runs.links.models import SLUG_PATTERN
+from backend.runs.links.models import SLUG_PATTERN, CreatedLink, Link, LinkView
 from backend.runs.links.preview import Preview
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
@@ -31,8 +32,8 @@ class Links:
         self._workers = workers
         self._admission = admission
 
-    async def share_run(self, run_id: str, view: Mapping[str, Any], client: str) -> dict[str, Any]:
-        """A new link to a run, as `CreatedLink`; its time histories are pinned with it.
+    async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
+        """A new link to a run; its time histories are pinned with it.
 
         Raises:
             InvalidError: No such run.
@@ -48,10 +49,10 @@ class Links:
         self._admission.linking(client, pinned=len(missing))
         made = await self._pin(stored, missing, client)
         slug = await self._save("run", run_id, view, made)
-        return {"slug": slug, "url": url(slug), "series_pinned": bool(keys) and set(missing.values()) <= made.keys()}
+        return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(keys) and set(missing.values()) <= made.keys())
 
-    async def share_batch(self, batch_id: str, view: Mapping[str, Any], client: str) -> dict[str, Any]:
-        """A new link to a batch, as `CreatedLink`.
+    async def share_batch(self, batch_id: str, view: LinkView, client: str) -> CreatedLink:
+        """A new link to a batch.
 
         Raises:
             InvalidError: No such batch, or a view of a field that it does not sweep.
@@ -60,14 +61,14 @@ class Links:
         stored = await self._store.read(self._store.jobs.load, batch_id)
         if stored is None or stored.kind != "sweep":
             raise _unknown("batch_id", "There is no batch of this id")
-        if view.get("x") not in (None, *stored.request["fields"]):
+        if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
         self._admission.linking(client, pinned=0)
         slug = await self._save("batch", batch_id, view, {})
-        return {"slug": slug, "url": url(slug), "series_pinned": False}
+        return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
-    async def get(self, slug: str) -> dict[str, Any]:
-        """What a link opens, as `Link`.
+    async def get(self, slug: str) -> Link:
+        """What a link opens.
 
         Raises:
             NotFoundError: There is none.
@@ -75,29 +76,15 @@ class Links:
         link = await self._load(slug)
         if link is None:
             raise NotFoundError("There is no link of this slug.")
-        head = {
-            "slug": link.slug,
-            "url": url(link.slug),
-            "created_at": link.created_at,
-            "kind": link.kind,
-            "current_core_version": CORE_VERSION,
-            "view": link.view,
-        }
         if link.kind == "batch":
-            return {**head, **_opened_batch(await self._job(link))}
+            job = await self._job(link)
+            return _opened(link, job, job.request["scenario"], batch=Batch.of(job, 0))
         stored = await self._run(link)
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
-        return {
-            **head,
-            "core_version": stored.core_version,
-            "computed_at": stored.created_at,
-            "schema_version": stored.schema_version,
-            "scenario": stored.scenario,
-            "run": run_answer(stored),
-            "batch": None,
-            "series_pinned": bool(keys) and keys <= pinned,
-        }
+        return _opened(
+            link, stored, stored.scenario, run=run_answer(stored), series_pinned=bool(keys) and keys <= pinned
+        )
 
     async def preview(self, slug: str) -> Preview | None:
         """What a chat program shows of the link; None where there is none."""
@@ -106,9 +93,9 @@ class Links:
             return None
         if link.kind == "batch":
             batch = await self._job(link)
-            return preview.of_batch(_batch_answer(batch), batch.finished_at or batch.created_at)
+            return preview.of_batch(Batch.of(batch, 0).model_dump(), batch.finished_at or batch.created_at)
         run = await self._run(link)
-        return preview.of_run(run_answer(run), link.view, run.created_at)
+        return preview.of_run(run_answer(run).model_dump(mode="json"), link.view, run.created_at)
 
     async def _pin(self, stored: StoredRun, missing: Mapping[str, str], client: str) -> dict[str, bytes]:
         """By result key the time histories; nothing where another core version would make others."""
@@ -119,9 +106,10 @@ class Links:
             made = await self._workers.call(pins.make, scenario, list(missing))
         return {missing[name]: content for name, content in made.items()}
 
-    async def _save(self, kind: Any, target: str, view: Mapping[str, Any], made: Mapping[str, bytes]) -> str:
+    async def _save(self, kind: Literal["run", "batch"], target: str, view: LinkView, made: Mapping[str, bytes]) -> str:
         slug = digest.random_id()
-        link = StoredLink(slug=slug, kind=kind, target=target, view=dict(view), created_at=datetime.now(UTC))
+        sent = view.model_dump(mode="json", exclude_unset=True)
+        link = StoredLink(slug=slug, kind=kind, target=target, view=sent, created_at=datetime.now(UTC))
         await self._store.write(self._store.links.save, link, made)
         return slug
 
@@ -152,21 +140,23 @@ def _histories(stored: StoredRun) -> dict[str, str]:
     return {item.strategy: item.key for item in stored.shown}
 
 
-def _opened_batch(stored: StoredJob) -> dict[str, Any]:
-    return {
-        "core_version": stored.core_version,
-        "computed_at": stored.finished_at or stored.created_at,
-        "schema_version": stored.schema_version,
-        "scenario": stored.request["scenario"],
-        "run": None,
-        "batch": _batch_answer(stored),
-        "series_pinned": False,
-    }
+def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> Link:
+    finished_at = shown.finished_at if isinstance(shown, StoredJob) else None
+    empty = {"run": None, "batch": None, "series_pinned": False}
+    return Link(
+        slug=link.slug,
+        url=url(link.slug),
+        created_at=link.created_at,
+        kind=link.kind,
+        current_core_version=CORE_VERSION,
+        view=LinkView.model_construct(**link.view),  # as it was sent, perhaps with names of an older version
+        core_version=shown.core_version,
+        computed_at=finished_at or shown.created_at,
+        schema_version=shown.schema_version,
+        scenario=scenario,
+        **empty | content,
+    )
 
 
 def _unknown(field: str, message: str) -> InvalidError:
     return InvalidError(f"{message}.", kind="unknown", pointer=f"/{field}")
-
-
-def _batch_answer(stored: StoredJob) -> dict[str, Any]:
-    return Batch.of(stored, 0).model_dump()

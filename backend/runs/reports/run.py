@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+from backend.json_types import JsonObject
+from backend.models import Run
 from backend.runs import figures
 from backend.runs.reports import inputs
 from backend.runs.reports.doubts import doubts
@@ -23,6 +25,7 @@ from backend.runs.reports.numbers import (
     with_unit,
 )
 from backend.runs.reports.page import Report, render
+from backend.runs.roads_models import RoadsRun
 from backend.runs.work import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import (
@@ -53,7 +56,7 @@ class RunFacts:
     """What a report is made of.
 
     Attributes:
-        answer: The run as `Run`, or as `RoadsRun` with changes against `baseline`.
+        answer: The run; over several roads with changes against `baseline`.
         created_at: When it was stored, UTC.
         baseline: Whose figures the changes refer to.
         outcomes: By strategy, with the time histories there are.
@@ -61,7 +64,7 @@ class RunFacts:
         gone: Whether time histories there were cannot be had any more.
     """
 
-    answer: Mapping[str, Any]
+    answer: Run | RoadsRun
     created_at: datetime
     baseline: str
     outcomes: Mapping[str, Outcome]
@@ -76,24 +79,25 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         facts: What it is made of.
         compressed: Whether whoever asked takes gzip.
     """
-    entries: Mapping[str, Any] = facts.answer["strategies"]
+    answer = facts.answer.model_dump(mode="json")
+    entries: JsonObject = answer["strategies"]
     ran = {name: entry for name, entry in entries.items() if entry["status"] == "ok"}
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
-    roads = facts.answer.get("roads", 1)
-    numbers = Numbers(ran=ran, changes=facts.answer.get("changes", {}), baseline=facts.baseline)
+    roads = answer.get("roads", 1)
+    numbers = Numbers(ran=ran, changes=answer.get("changes", {}), baseline=facts.baseline)
     values = {
-        "run_id": facts.answer["id"],
-        "core_version": facts.answer["core_version"],
+        "run_id": answer["id"],
+        "core_version": answer["core_version"],
         "current_version": CORE_VERSION,
         "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
         "strategies": [key_of(name) for name in entries],
         "baseline": key_of(facts.baseline),
-        "drive": drive(facts.answer["scenario"]),
+        "drive": drive(answer["scenario"]),
         "roads": roads,
-        "seed": facts.answer["scenario"]["road"]["seed"],
-        "parts": inputs.parts(facts.answer["scenario"]),
-        "command": inputs.command(facts.answer["scenario"], list(entries), roads, facts.baseline),
+        "seed": answer["scenario"]["road"]["seed"],
+        "parts": inputs.parts(answer["scenario"]),
+        "command": inputs.command(answer["scenario"], list(entries), roads, facts.baseline),
         "doubts": [(label(name), found) for name, entry in entries.items() if (found := doubts(entry))],
         "ran": [key_of(name) for name in ran],
         "tables": {
@@ -110,7 +114,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     return render("run.html", values, with_data, compressed=compressed)
 
 
-def drive(scenario: Mapping[str, Any]) -> list[str]:
+def drive(scenario: JsonObject) -> list[str]:
     """What is driven over, and how fast, in a few words."""
     road, speed = scenario["road"], scenario["speed"]
     bump = road["bump"]
@@ -137,11 +141,11 @@ class Numbers:
         baseline: Whose figures the changes refer to.
     """
 
-    ran: Mapping[str, Any]
-    changes: Mapping[str, Any]
+    ran: JsonObject
+    changes: JsonObject
     baseline: str
 
-    def cell(self, key: str, strategy: str, scale: float | None = None) -> dict[str, Any]:
+    def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
         """One value, and its change where there is something to compare it with.
 
         Args:
