@@ -41,7 +41,7 @@ def evaluate(
     report, loop = recording.report, recording.loop
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
     samples, commands = signals.shape[1:]
-    bump_end = bump.start + bump.width + scenario.vehicle.wheelbase
+    bump_end = bump.end + scenario.vehicle.wheelbase
     windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, samples - 1, commands)
     tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
     metrics = _by_window(signals, windows, road_input, tyres)

@@ -1,4 +1,4 @@
-"""The road, made once in space: ISO 8608 roughness plus one bump (paper section 2.1, errata in docs/errata.md).
+"""The road, made once in space: ISO 8608 roughness plus bumps (paper section 2.1, errata in docs/errata.md).
 
 Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
 """
@@ -61,7 +61,7 @@ class RoadProfile:
     def height(self, position: FloatArray) -> FloatArray:
         """Road height [m] at positions [m] of any shape; level beyond the road made."""
         height = self._roughness_at(grid_place(position, len(self.roughness)))
-        on_bump = (position > self.bump.start) & (position < self.bump.start + self.bump.width)
+        on_bump = (position > self.bump.start) & (position < changed_until(self.bump))
         height[on_bump] += bump_height(self.bump, position[on_bump])
         return height
 
@@ -70,7 +70,7 @@ class RoadProfile:
         height = self._roughness_at(place)
         for heights, driven in zip(height, axles, strict=True):
             first = driven.searchsorted(self.bump.start, side="right")
-            last = driven.searchsorted(self.bump.start + self.bump.width)
+            last = driven.searchsorted(changed_until(self.bump))
             heights[first:last] += bump_height(self.bump, driven[first:last])
         return height
 
@@ -89,12 +89,27 @@ class RoadProfile:
         return roughness, roughness + 2 * steepest(self.bump)
 
 
+def changed_until(bump: Bump) -> float:
+    """Where the road is again as it would be without the bump [m]; never behind a kerb."""
+    return inf if bump.shape == "kerb" else bump.end
+
+
 def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
-    """Height of the bump alone [m] at positions [m].
+    """Height of the bumps alone [m] at positions [m]; behind a kerb its whole height."""
+    along = position - bump.start
+    if bump.count == 1:
+        return _one_bump(bump, along)
+    met = np.clip(np.floor(along / bump.spacing), 0, bump.count - 1)
+    height = _one_bump(bump, along - met * bump.spacing)
+    return height + met * bump.height if bump.shape == "kerb" else height
+
+
+def _one_bump(bump: Bump, along: FloatArray) -> FloatArray:
+    """Height of one bump [m] at positions from its start [m].
 
     cosine is Eq. 2 of the paper; circular the arc of a Watts hump through both feet and the crest.
     """
-    s = np.clip((position - bump.start) / bump.width, 0.0, 1.0)
+    s = np.clip(along / bump.width, 0.0, 1.0)
     h, w = bump.height, bump.width
     if h == 0:
         return np.zeros_like(s)
@@ -102,10 +117,12 @@ def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
         return np.asarray(h / 2 * (1 - np.cos(2 * pi * s)))
     if bump.shape == "half_sine":
         return np.asarray(h * np.sin(pi * s))
+    if bump.shape == "kerb":
+        return np.asarray(h / 2 * (1 - np.cos(pi * s)))
     if bump.shape == "circular":
-        radius, along = w * (w / abs(h)) / 8 + abs(h) / 2, w * (s - 0.5)
-        depth = radius * np.sqrt(np.maximum(1 - (along / radius) ** 2, 0.0)) + radius - abs(h)
-        return np.asarray(np.copysign((w**2 / 4 - along**2) / depth, h))
+        radius, from_crest = w * (w / abs(h)) / 8 + abs(h) / 2, w * (s - 0.5)
+        depth = radius * np.sqrt(np.maximum(1 - (from_crest / radius) ** 2, 0.0)) + radius - abs(h)
+        return np.asarray(np.copysign((w**2 / 4 - from_crest**2) / depth, h))
     ramp = np.clip(4 * np.minimum(s, 1 - s), 0.0, 1.0)  # 0 to 1 within a quarter of the width at either end
     if bump.shape == "trapezoid":
         return np.asarray(h * ramp)
@@ -113,13 +130,14 @@ def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
 
 
 def kinks(bump: Bump) -> tuple[float, ...]:
-    """Where the bump's slope jumps [m]; a tyre load may peak just there."""
+    """Where the bumps' slope jumps [m]; a tyre load may peak just there."""
     shares: tuple[float, ...] = ()
     if bump.shape in ("half_sine", "circular"):
         shares = (0.0, 1.0)
     elif bump.shape == "trapezoid":
         shares = (0.0, 0.25, 0.75, 1.0)
-    return tuple(bump.start + share * bump.width for share in shares) if bump.height else ()
+    starts = [bump.start + number * bump.spacing for number in range(bump.count)] if bump.height else []
+    return tuple(start + share * bump.width for start in starts for share in shares)
 
 
 def steepest(bump: Bump) -> float:
@@ -127,12 +145,13 @@ def steepest(bump: Bump) -> float:
     height, half = abs(bump.height), bump.width / 2
     if bump.shape == "circular":
         return height / half * 2 / (1 - (height / half) ** 2) if height < half else inf
-    return {"cosine": pi, "half_sine": pi, "trapezoid": 4.0, "flat_top": 2 * pi}[bump.shape] * height / bump.width
+    factors = {"cosine": pi, "half_sine": pi, "trapezoid": 4.0, "flat_top": 2 * pi, "kerb": pi / 2}
+    return factors[bump.shape] * height / bump.width
 
 
 def detail(bump: Bump) -> float:
-    """Length over which the bump rises and falls once [m]: its width, or its two ramps put together."""
-    return bump.width / 2 if bump.shape in ("flat_top", "trapezoid") else bump.width
+    """Length over which the bump rises and falls once [m]: its width, its two ramps put together, a kerb's twice."""
+    return {"flat_top": 0.5, "trapezoid": 0.5, "kerb": 2.0}.get(bump.shape, 1.0) * bump.width
 
 
 def stationary_deviation(roughness: float) -> float:

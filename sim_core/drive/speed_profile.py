@@ -106,7 +106,7 @@ def drive(scenario: Scenario, policy: SpeedPolicy) -> Drive:
             target_speed=speed.target_speed_kmh * KMH,
             detection=max(0.0, bump.start - speed.detection_distance),
             bump_start=bump.start,
-            bump_end=bump.start + bump.width + vehicle.wheelbase,
+            bump_end=bump.end + vehicle.wheelbase,
             guarded=speed.controller == "guarded",
             chain=brake_chain(scenario.brake, vehicle),
         )

@@ -19,7 +19,7 @@ def spans(scenario: Scenario, strategy: Strategy, drive: Drive) -> tuple[Span, .
     if strategy.speed is SpeedPolicy.PLANNED:
         edges.append(("brake", max(0.0, bump.start - scenario.speed.detection_distance)))
     edges.append(("bump", bump.start))
-    edges.append(("cruise", bump.start + bump.width + scenario.vehicle.wheelbase))
+    edges.append(("cruise", bump.end + scenario.vehicle.wheelbase))
     stops = [min(place, end) for _, place in edges[1:]] + [end]
     return tuple(
         Span(

@@ -5,9 +5,9 @@ SI units, except speeds a person types, which end in `_kmh`. Defaults are the pa
 and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
 """
 
-from typing import Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from sim_core.scenario.fields import Part, Weights, count, quantity, weights
@@ -18,36 +18,85 @@ SCHEMA_VERSION = 1
 MAX_SEED = 2**32 - 1  # of a road
 
 
-BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid"]
+BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]
 
 
 class Bump(Part):
-    """The obstacle, added to the roughness (Eq. 2-3)."""
+    """The obstacle, or several alike in a row, added to the roughness (Eq. 2-3)."""
+
+    ADDED: ClassVar = frozenset({"count", "spacing"})
 
     shape: BumpShape = Field(
         "cosine",
         title="Shape",
         description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
-        "trapezoid straight ones, each a quarter of the width.",
+        "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
     )
     height: float = quantity(
         0.1, "m", "Height", "Crest height; 0 is no bump, negative a pothole.", soft=(-0.15, 0.2), ge=-1, le=1
     )
     width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
     start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=2000)
+    count: int = count(
+        1,
+        "Bumps",
+        "How many alike in a row; they count as one bump, from the first to the last.",
+        soft=(1, 10),
+        ge=1,
+        le=200,
+    )
+    spacing: float = quantity(
+        10,
+        "m",
+        "Spacing",
+        "From the start of each to the next one's; cosines as far apart as they are wide are a washboard.",
+        soft=(0.3, 20),
+        ge=0.05,
+        le=1000,
+    )
+
+    @property
+    def length(self) -> float:
+        """From the start of the first to the end of the last [m]."""
+        return (self.count - 1) * self.spacing + self.width
+
+    @property
+    def end(self) -> float:
+        """Where the last one ends [m]."""
+        return self.start + self.length
+
+
+RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
+CLASS_MEANS = {name: 16e-6 * 4**index for index, name in enumerate(get_args(RoadClass))}  # ISO 8608, table C.1 [m^3]
+
+
+def _class_mean(value: Any) -> Any:
+    """The mean roughness of a class that is named; anything else as it is."""
+    if not isinstance(value, str):
+        return value
+    if value not in CLASS_MEANS:
+        raise PydanticCustomError("road_class", "Input should be a number or a road class of ISO 8608, A to H")
+    return CLASS_MEANS[value]
+
+
+MAX_ROUGHNESS = CLASS_MEANS["H"]
+_BY_CLASS = BeforeValidator(
+    _class_mean, json_schema_input_type=Annotated[float, Field(ge=0, le=MAX_ROUGHNESS)] | RoadClass
+)
 
 
 class Road(Part):
-    """Rough road made in space by ISO 8608, with one bump (section 2.1)."""
+    """Rough road made in space by ISO 8608, with bumps (section 2.1)."""
 
-    roughness: float = quantity(
+    roughness: Annotated[float, _BY_CLASS] = quantity(
         64e-6,
         "m^3",
         "Roughness",
-        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; class means A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
+        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, "
+        "B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
         soft=(0, 1024e-6),
         ge=0,
-        le=0.262144,
+        le=MAX_ROUGHNESS,
     )
     seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=MAX_SEED)
     length: float = quantity(
@@ -226,12 +275,15 @@ class Scenario(Part):
     def _consistent(self) -> Self:
         if self.mpc.control_horizon > self.mpc.prediction_horizon:
             raise _at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
-        if self.road.bump.start + self.road.bump.width > self.road.length:
+        bump = self.road.bump
+        if bump.end > self.road.length:
             raise _at(
                 "road.bump.start",
-                "The bump must end before the road does: position and width together at most the road's length",
+                "The bump must end before the road does: position and width together at most the road's length"
+                + (", with the spacing of all in between" if bump.count > 1 else ""),
             )
-        bump = self.road.bump
+        if bump.count > 1 and bump.spacing < bump.width:
+            raise _at("road.bump.spacing", "Bumps must not overlap: the spacing is at least their width")
         if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
             raise _at("road.bump.height", "A circular bump's height must not exceed half its width")
         return self

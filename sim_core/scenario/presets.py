@@ -57,6 +57,31 @@ PRESETS: dict[str, Preset] = {
             description="A 60 mm deep, 1 m long hollow with steep edges.",
             scenario=Scenario(road=Road(bump=Bump(shape="trapezoid", height=-0.06, width=1))),
         ),
+        Preset(
+            id="three_humps",
+            label="Three Watts humps",
+            description="Three circular humps of 75 mm × 3.7 m, 20 m apart, in a street.",
+            scenario=Scenario(
+                road=Road(bump=Bump(shape="circular", height=0.075, width=3.7, start=80, count=3, spacing=20))
+            ),
+        ),
+        Preset(
+            id="washboard",
+            label="Washboard",
+            description="30 m of corrugation, 30 mm from trough to crest every 0.6 m, on a class C road.",
+            scenario=Scenario(
+                road=Road(roughness=256e-6, bump=Bump(height=0.03, width=0.6, start=80, count=50, spacing=0.6))
+            ),
+        ),
+        Preset(
+            id="kerb",
+            label="Kerb",
+            description="Up a kerb of 100 mm at walking pace, as a wheel of 0.3 m radius climbs it: within 0.22 m.",
+            scenario=Scenario(
+                road=Road(bump=Bump(shape="kerb", height=0.1, width=0.22)),
+                speed=Speed(initial_speed_kmh=30, target_speed_kmh=8),
+            ),
+        ),
     )
 }
 

@@ -28,6 +28,20 @@ def test_the_command_a_report_prints_gives_the_same_scenario(cli: Cli) -> None:
     assert json.loads(cli(*words[1:], "--json"))["scenario"] == wanted
 
 
+def test_a_road_class_is_named_wherever_its_roughness_may_stand(cli: Cli, scenario: Path) -> None:
+    named, number = (
+        json.loads(cli("run", scenario, "-s", "passive", "--set", f"road.roughness={value}", "--json"))
+        for value in ("C", 256e-6)
+    )
+    assert named["id"] == number["id"]
+    assert named["scenario"]["road"]["roughness"] == 256e-6
+    cli("sweep", scenario, "--grid", "road.roughness=A,C", "-s", "passive", "--out", scenario.with_suffix(".json"))
+    saved = json.loads(scenario.with_suffix(".json").read_text())
+    assert [row["road.roughness"] for row in saved["rows"]] == [16e-6, 256e-6]
+    cli("run", scenario, "--set", "road.roughness=I", code=2)
+    assert "road.roughness: Input should be a number or a road class of ISO 8608, A to H" in cli.error
+
+
 def test_run_over_several_roads_prints_means_intervals_and_paired_changes(
     cli: Cli, scenario: Path, tmp_path: Path
 ) -> None:

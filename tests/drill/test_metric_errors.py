@@ -6,12 +6,13 @@ from itertools import product
 import pytest
 
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
+from sim_core.scenario.presets import PRESETS
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from tests.validation.reference.held import errors
 
 CLASSES = {"A": 16e-6, "B": 64e-6, "C": 256e-6, "D": 1024e-6, "E": 4096e-6}
-SHAPES = ("cosine", "half_sine", "circular", "flat_top", "trapezoid")
+SHAPES = ("cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb")
 SEEDS = range(1, 21)
 
 
@@ -45,6 +46,7 @@ def test_every_bump(strategy: str) -> None:
         Bump(shape=shape, height=height, width=width)
         for shape, (height, width) in product(SHAPES, [(0.1, 4), (0.06, 1), (-0.06, 1)])
     ]
+    bumps += [PRESETS[name].scenario.road.bump for name in ("three_humps", "washboard")]
     judged([Scenario(road=Road(bump=bump, seed=seed)) for bump in bumps for seed in (1, 2)], strategy)
 
 

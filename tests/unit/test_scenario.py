@@ -23,6 +23,7 @@ def _nested(path: str, value: Any) -> dict[str, Any]:
         ("vehicle.colour", 1, ("vehicle", "colour")),
         ("road.bump.shape", "dragon", ("road", "bump", "shape")),
         ("road.seed", 1.5, ("road", "seed")),
+        ("road.roughness", "J", ("road", "roughness")),
         ("mpc.stage_weights.cruise", [0, 0, 0], ("mpc", "stage_weights", "cruise")),
         ("mpc.stage_weights.cruise", [1, 1], ("mpc", "stage_weights", "cruise", 2)),
         ("mpc.stage_weights.cruise", [1, "1", 1], ("mpc", "stage_weights", "cruise", 1)),
@@ -41,6 +42,8 @@ def test_bad_values_are_refused_at_their_field(path: str, value: Any, location: 
     [
         ({"mpc": {"prediction_horizon": 10}}, "mpc.control_horizon"),
         ({"road": {"length": 103}}, "road.bump.start"),
+        ({"road": {"bump": {"count": 6}}}, "road.bump.start"),
+        ({"road": {"bump": {"count": 2, "spacing": 3.9}}}, "road.bump.spacing"),
         ({"road": {"bump": {"shape": "circular", "height": 0.6, "width": 1}}}, "road.bump.height"),
     ],
 )

@@ -36,10 +36,19 @@ smooth_bumps = st.builds(Bump, height=heights, width=between(1, 10), start=betwe
 
 bumps = st.builds(
     Bump,
-    shape=st.sampled_from(["cosine", "half_sine", "circular", "flat_top", "trapezoid"]),
+    shape=st.sampled_from(["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]),
     height=heights,
     width=between(0.5, 10),
     start=between(30, 100),
+)
+# Several, from side by side (a washboard) to some metres apart; the last ends before 114 m.
+rows_of_bumps = st.builds(
+    lambda bump, count, gap: bump.model_copy(
+        update={"start": 40.0, "width": bump.width / 2, "count": count, "spacing": bump.width / 2 + gap}
+    ),
+    bumps,
+    st.integers(2, 9),
+    st.just(0.0) | between(0, 3),
 )
 
 scenarios = st.builds(

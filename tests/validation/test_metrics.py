@@ -22,6 +22,8 @@ CASES = {
         ("lv", "suspension_only"),
     ),
     "pothole": (preset("pothole"), ("suspension_only", "passive")),
+    "washboard": (preset("washboard"), ("lv", "passive")),
+    "kerb": (preset("kerb"), ("lqr", "passive")),
     "slow sampling": (Scenario(road=Road(seed=5, length=115), mpc=Mpc(sample_time=0.02)), ("lqr",)),
 }
 

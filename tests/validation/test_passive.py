@@ -10,7 +10,7 @@ from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
 from tests.validation.reference.bump import crossing, peaks
 from tests.validation.reference.vehicle import OUTPUTS, road_response, state_space
-from tests.validation.strategies import between, bumps, examples, vehicles
+from tests.validation.strategies import between, bumps, examples, rows_of_bumps, vehicles
 
 
 def test_papers_peaks_over_the_bump_alone() -> None:
@@ -28,7 +28,7 @@ def smooth_scenario(car: Vehicle, bump: Bump, speed_kmh: float) -> Scenario:
 
 
 @settings(max_examples=examples(30))
-@given(vehicles, bumps, between(10, 100))
+@given(vehicles, bumps | rows_of_bumps, between(10, 100))
 def test_peaks_of_any_car_bump_and_speed(car: Vehicle, bump: Bump, speed_kmh: float) -> None:
     """Within 0.3 % of an adaptive solver, for every shape, kinked ones included.
 

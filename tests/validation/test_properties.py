@@ -99,6 +99,7 @@ EXTREME = {
     "half pipe": Scenario(road=Road(bump=Bump(height=0.5, width=1, shape="circular"))),
     "hair": Scenario(road=Road(bump=Bump(height=1e-160, shape="circular"))),
     "hair cosine": Scenario(road=Road(bump=Bump(height=1e-160))),
+    "stairs": Scenario(road=Road(bump=Bump(height=0.3, width=0.05, shape="kerb", start=60, count=20, spacing=0.3))),
     "hole": Scenario(road=Road(bump=Bump(height=-1, width=0.05, shape="half_sine"))),
     "class H": Scenario(road=Road(roughness=0.262144)),
     "at once": Scenario(road=Road(length=5, bump=Bump(start=1, width=4))),

@@ -18,7 +18,7 @@ ROOT = Path(__file__).parents[2]
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
 BASE = Scenario(
-    road=Road(length=34, bump=Bump(start=22, width=3, height=0.09)),
+    road=Road(length=34, bump=Bump(start=20, width=3, height=0.09, count=2, spacing=3.5)),
     speed=Speed(initial_speed_kmh=36, detection_distance=16),
     mpc=Mpc(prediction_horizon=12, control_horizon=8, force_limit=2500, deflection_limit=0.05),
     lqr=Lqr(preview="lookahead", preview_horizon=12),

@@ -9,7 +9,7 @@ from scipy.signal import welch
 from sim_core.car.road import profile
 from sim_core.scenario import Bump, Road
 from tests.validation.reference.bump import bump_height
-from tests.validation.strategies import bumps
+from tests.validation.strategies import bumps, rows_of_bumps
 
 FLAT = Bump(height=0, start=10)
 SEEDS = range(20)
@@ -68,7 +68,7 @@ def test_a_longer_road_only_goes_on() -> None:
 
 
 @settings(max_examples=60)
-@given(bumps, st.sampled_from([0.0, 64e-6]))
+@given(bumps | rows_of_bumps, st.sampled_from([0.0, 64e-6]))
 def test_the_bump_is_added_to_the_roughness(bump: Bump, roughness: float) -> None:
     x = np.linspace(20, 120, 3001)
     whole = profile(Road(roughness=roughness, bump=bump)).height(x)
@@ -80,3 +80,26 @@ def test_the_papers_bump() -> None:
     """Eq. 2: 0 at 100 and 104 m, 0.1 m at 102 m, half of that at 101 and 103 m."""
     height = profile(Road(roughness=0)).height(np.array([99.0, 100, 101, 102, 103, 104, 105]))
     np.testing.assert_allclose(height, [0, 0, 0.05, 0.1, 0.05, 0, 0], atol=1e-15)
+
+
+def test_a_washboard_is_a_sine() -> None:
+    """Cosine bumps side by side: h/2 (1 - cos 2πx/λ), one wavelength as wide as a bump."""
+    bump = Bump(height=0.03, width=0.6, start=80, count=50, spacing=0.6)
+    x = np.linspace(80, 110, 4001)
+    height = profile(Road(roughness=0, bump=bump)).height(x)
+    np.testing.assert_allclose(height, 0.015 * (1 - np.cos(2 * np.pi * (x - 80) / 0.6)), atol=1e-12)
+    assert profile(Road(roughness=0, bump=bump)).height(np.array([79.9, 110.1, 149.0])).tolist() == [0, 0, 0]
+
+
+def test_behind_a_kerb_the_road_stays_up_and_a_second_one_goes_on_from_there() -> None:
+    """Half a cosine: half the height in the middle; beyond the road's end too."""
+    stairs = Bump(shape="kerb", height=0.1, width=0.2, start=50, count=2, spacing=10)
+    height = profile(Road(roughness=0, bump=stairs)).height(np.array([49, 50, 50.1, 50.2, 59.9, 60.1, 60.2, 149, 200]))
+    np.testing.assert_allclose(height, [0, 0, 0.05, 0.1, 0.1, 0.15, 0.2, 0.2, 0.2], atol=1e-15)
+
+
+def test_a_class_is_its_mean_roughness() -> None:
+    """ISO 8608, table C.1: class means of Gd(n0) in 1e-6 m³."""
+    means = {"A": 16, "B": 64, "C": 256, "D": 1024, "E": 4096, "F": 16384, "G": 65536, "H": 262144}
+    assert {name: Road(roughness=name).roughness * 1e6 for name in means} == pytest.approx(means)
+    assert Road(roughness="B") == Road()

@@ -144,8 +144,9 @@ def _field(field: Mapping[str, str]) -> str:
 def _drive(scenario: JsonObject) -> list[str]:
     bump, speed = scenario["road"]["bump"], scenario["speed"]
     height, width = bump["height"], f"{bump['width']:g} m"
-    kind = "bump" if height > 0 else "pothole"
-    obstacle = f"{kind} {_length(abs(height))} m × {width}" if height else "no bump"
+    kind = "kerb" if bump["shape"] == "kerb" else "bump" if height > 0 else "pothole"
+    several = f"{bump['count']} × " if bump["count"] > 1 else ""
+    obstacle = f"{several}{kind} {_length(abs(height))} m × {width}" if height else "no bump"
     return [f"{obstacle}, {speed['initial_speed_kmh']:g} → {speed['target_speed_kmh']:g} km/h"]
 
 

@@ -120,9 +120,12 @@ def drive(scenario: JsonObject) -> list[str]:
     bump = road["bump"]
     obstacle = "no bump"
     if bump["height"]:
-        kind = f"{bump['shape'].replace('_', ' ')} {'bump' if bump['height'] > 0 else 'pothole'}"
+        shape = bump["shape"].replace("_", " ")
+        kind = shape if shape == "kerb" else f"{shape} {'bump' if bump['height'] > 0 else 'pothole'}"
         height, width = exact(round(1000 * abs(bump["height"]), 6)), exact(bump["width"])
         obstacle = f"{kind}, {with_unit(height, 'mm')} over {with_unit(width, 'm')}"
+        if bump["count"] > 1:
+            obstacle = f"{bump['count']} × {obstacle}, every {with_unit(exact(bump['spacing']), 'm')}"
     rough = f"roughness {with_unit(exact(road['roughness']), 'm^3')}, seed {road['seed']}"
     return [
         obstacle,

@@ -1123,8 +1123,10 @@ export interface components {
              *       },
              *       "road": {
              *         "bump": {
+             *           "count": 1,
              *           "height": 0.1,
              *           "shape": "cosine",
+             *           "spacing": 10,
              *           "start": 100,
              *           "width": 4
              *         },
@@ -1223,7 +1225,7 @@ export interface components {
              *       }
              *     }
              */
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Input"];
             /** Strategies */
             strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
             sweep: components["schemas"]["Sweep"];
@@ -1412,9 +1414,15 @@ export interface components {
         };
         /**
          * Bump
-         * @description The obstacle, added to the roughness (Eq. 2-3).
+         * @description The obstacle, or several alike in a row, added to the roughness (Eq. 2-3).
          */
         Bump: {
+            /**
+             * Bumps
+             * @description How many alike in a row; they count as one bump, from the first to the last.
+             * @default 1
+             */
+            count: number;
             /**
              * Height
              * @description Crest height; 0 is no bump, negative a pothole.
@@ -1423,11 +1431,17 @@ export interface components {
             height: number;
             /**
              * Shape
-             * @description cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, trapezoid straight ones, each a quarter of the width.
+             * @description cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.
              * @default cosine
              * @enum {string}
              */
-            shape: "cosine" | "half_sine" | "circular" | "flat_top" | "trapezoid";
+            shape: "cosine" | "half_sine" | "circular" | "flat_top" | "trapezoid" | "kerb";
+            /**
+             * Spacing
+             * @description From the start of each to the next one's; cosines as far apart as they are wide are a washboard.
+             * @default 10
+             */
+            spacing: number;
             /**
              * Position
              * @description Where the front axle meets it.
@@ -1939,8 +1953,10 @@ export interface components {
              *       },
              *       "road": {
              *         "bump": {
+             *           "count": 1,
              *           "height": 0.1,
              *           "shape": "cosine",
+             *           "spacing": 10,
              *           "start": 100,
              *           "width": 4
              *         },
@@ -2039,7 +2055,7 @@ export interface components {
              *       }
              *     }
              */
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Input"];
         };
         /**
          * ControllerRow
@@ -2166,7 +2182,7 @@ export interface components {
              * @description Seeds road.seed, road.seed + 1, …; time histories and events are the first's
              */
             roads: number;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /**
              * Strategies
              * @description By strategy
@@ -2184,7 +2200,7 @@ export interface components {
             core_version: string;
             /** Id */
             id: string;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /**
              * Strategies
              * @description By strategy
@@ -2572,7 +2588,7 @@ export interface components {
             kind: "run" | "batch";
             /** Run */
             run: components["schemas"]["Run"] | components["schemas"]["RoadsRun"] | null;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /**
              * Schema Version
              * @description Which the scenario was stored under; `scenario` is today's
@@ -2705,8 +2721,10 @@ export interface components {
              *       },
              *       "road": {
              *         "bump": {
+             *           "count": 1,
              *           "height": 0.1,
              *           "shape": "cosine",
+             *           "spacing": 10,
              *           "start": 100,
              *           "width": 4
              *         },
@@ -2805,7 +2823,7 @@ export interface components {
              *       }
              *     }
              */
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Input"];
             /**
              * Signals
              * @description Time and position always come; none is all.
@@ -2891,7 +2909,7 @@ export interface components {
         LiveRun: {
             /** Core Version */
             core_version: string;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /**
              * Strategies
              * @description By strategy
@@ -3290,7 +3308,7 @@ export interface components {
             rules: {
                 [key: string]: string;
             };
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /** Seeds */
             seeds: number;
             /** @description The changes we simulate */
@@ -3370,7 +3388,7 @@ export interface components {
             id: string;
             /** Label */
             label: string;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
         };
         /**
          * Problem
@@ -3567,15 +3585,17 @@ export interface components {
         };
         /**
          * Road
-         * @description Rough road made in space by ISO 8608, with one bump (section 2.1).
+         * @description Rough road made in space by ISO 8608, with bumps (section 2.1).
          */
-        Road: {
+        "Road-Input": {
             /**
              * @default {
              *       "shape": "cosine",
              *       "height": 0.1,
              *       "width": 4,
-             *       "start": 100
+             *       "start": 100,
+             *       "count": 1,
+             *       "spacing": 10
              *     }
              */
             bump: components["schemas"]["Bump"];
@@ -3587,7 +3607,42 @@ export interface components {
             length: number;
             /**
              * Roughness
-             * @description Displacement PSD Gd(n0) at n0 = 0.1 1/m; class means A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.
+             * @description Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.
+             * @default 0.000064
+             */
+            roughness: number | ("A" | "B" | "C" | "D" | "E" | "F" | "G" | "H");
+            /**
+             * Seed
+             * @description Same seed, same road.
+             * @default 1
+             */
+            seed: number;
+        };
+        /**
+         * Road
+         * @description Rough road made in space by ISO 8608, with bumps (section 2.1).
+         */
+        "Road-Output": {
+            /**
+             * @default {
+             *       "shape": "cosine",
+             *       "height": 0.1,
+             *       "width": 4,
+             *       "start": 100,
+             *       "count": 1,
+             *       "spacing": 10
+             *     }
+             */
+            bump: components["schemas"]["Bump"];
+            /**
+             * Length
+             * @description The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle.
+             * @default 150
+             */
+            length: number;
+            /**
+             * Roughness
+             * @description Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.
              * @default 0.000064
              */
             roughness: number;
@@ -3682,7 +3737,7 @@ export interface components {
              * @description Seeds road.seed, road.seed + 1, …; time histories and events are the first's
              */
             roads: number;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /**
              * Strategies
              * @description By strategy
@@ -3761,7 +3816,7 @@ export interface components {
             core_version: string;
             /** Id */
             id: string;
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Output"];
             /**
              * Strategies
              * @description By strategy
@@ -3822,8 +3877,10 @@ export interface components {
              *       },
              *       "road": {
              *         "bump": {
+             *           "count": 1,
              *           "height": 0.1,
              *           "shape": "cosine",
+             *           "spacing": 10,
              *           "start": 100,
              *           "width": 4
              *         },
@@ -3922,7 +3979,7 @@ export interface components {
              *       }
              *     }
              */
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Input"];
             /** Strategies */
             strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
         };
@@ -3930,7 +3987,7 @@ export interface components {
          * Scenario
          * @description Everything a run depends on; an omitted part or field takes the paper's default.
          */
-        Scenario: {
+        "Scenario-Input": {
             /** @default {} */
             actuator: components["schemas"]["Actuator"];
             /**
@@ -4040,14 +4097,168 @@ export interface components {
              *       "seed": 1,
              *       "length": 150,
              *       "bump": {
+             *         "count": 1,
              *         "height": 0.1,
              *         "shape": "cosine",
+             *         "spacing": 10,
              *         "start": 100,
              *         "width": 4
              *       }
              *     }
              */
-            road: components["schemas"]["Road"];
+            road: components["schemas"]["Road-Input"];
+            /**
+             * @default {
+             *       "initial_speed_kmh": 50,
+             *       "target_speed_kmh": 22.5,
+             *       "detection_distance": 80,
+             *       "controller": "guarded"
+             *     }
+             */
+            speed: components["schemas"]["Speed"];
+            /**
+             * @default {
+             *       "body_mass": 1270,
+             *       "pitch_inertia": 1536.7,
+             *       "front_wheel_mass": 66.3,
+             *       "rear_wheel_mass": 66.3,
+             *       "cg_to_front": 1.015,
+             *       "cg_to_rear": 1.895,
+             *       "cg_height": 0.54,
+             *       "front_spring": 27000,
+             *       "rear_spring": 30000,
+             *       "front_damping": 6000,
+             *       "rear_damping": 6000,
+             *       "front_tyre_stiffness": 268000,
+             *       "rear_tyre_stiffness": 268000
+             *     }
+             */
+            vehicle: components["schemas"]["Vehicle"];
+        };
+        /**
+         * Scenario
+         * @description Everything a run depends on; an omitted part or field takes the paper's default.
+         */
+        "Scenario-Output": {
+            /** @default {} */
+            actuator: components["schemas"]["Actuator"];
+            /**
+             * @default {
+             *       "friction_coefficient": 0.38,
+             *       "effective_radius": 0.13,
+             *       "piston_area": 0.0025,
+             *       "brakes": 2,
+             *       "threshold_speed": 0.1,
+             *       "pressure_lag": 0.1,
+             *       "wheel_radius": 0.3,
+             *       "maximum_deceleration": 4,
+             *       "rolling_resistance": 0.012,
+             *       "drag_area": 0.65
+             *     }
+             */
+            brake: components["schemas"]["Brake"];
+            /**
+             * Hardware in the loop
+             * @default {
+             *       "bits": 12,
+             *       "compensation": "predict",
+             *       "iterations": 30,
+             *       "noise": 0,
+             *       "jitter": 0,
+             *       "packet_loss": 0,
+             *       "seed": 1
+             *     }
+             */
+            hil: components["schemas"]["Hil"];
+            /**
+             * LQR
+             * @default {
+             *       "weights": [
+             *         1,
+             *         1,
+             *         1
+             *       ],
+             *       "deflection_weight": 3,
+             *       "preview": "none",
+             *       "preview_horizon": 30
+             *     }
+             */
+            lqr: components["schemas"]["Lqr"];
+            /**
+             * Model mismatch
+             * @default {
+             *       "body_mass": 1,
+             *       "springs": 1,
+             *       "damping": 1,
+             *       "tyres": 1,
+             *       "preview_offset": 0,
+             *       "preview_gain": 1,
+             *       "preview_noise": 0,
+             *       "preview_delay": 0
+             *     }
+             */
+            mismatch: components["schemas"]["Mismatch"];
+            /**
+             * MPC
+             * @default {
+             *       "sample_time": 0.01,
+             *       "prediction_horizon": 30,
+             *       "control_horizon": 20,
+             *       "preview": "lookahead",
+             *       "deflection_limit": 0.08,
+             *       "force_limit": 5000,
+             *       "deflection_weight": 3,
+             *       "force_weight": 1e-9,
+             *       "force_change_weight": 1e-10,
+             *       "solver": "daqp",
+             *       "stage_weights": {
+             *         "brake": [
+             *           2,
+             *           6,
+             *           1
+             *         ],
+             *         "bump": [
+             *           1,
+             *           1,
+             *           6
+             *         ],
+             *         "cruise": [
+             *           8,
+             *           1,
+             *           1
+             *         ]
+             *       },
+             *       "road_weights": {
+             *         "bump": [
+             *           3,
+             *           1,
+             *           6
+             *         ],
+             *         "rough": [
+             *           8,
+             *           1,
+             *           1
+             *         ]
+             *       }
+             *     }
+             */
+            mpc: components["schemas"]["Mpc"];
+            /**
+             * @default {
+             *       "roughness": 0.000064,
+             *       "seed": 1,
+             *       "length": 150,
+             *       "bump": {
+             *         "count": 1,
+             *         "height": 0.1,
+             *         "shape": "cosine",
+             *         "spacing": 10,
+             *         "start": 100,
+             *         "width": 4
+             *       }
+             *     }
+             */
+            road: components["schemas"]["Road-Output"];
             /**
              * @default {
              *       "initial_speed_kmh": 50,
@@ -4937,8 +5148,10 @@ export interface components {
              *       },
              *       "road": {
              *         "bump": {
+             *           "count": 1,
              *           "height": 0.1,
              *           "shape": "cosine",
+             *           "spacing": 10,
              *           "start": 100,
              *           "width": 4
              *         },
@@ -5037,7 +5250,7 @@ export interface components {
              *       }
              *     }
              */
-            scenario: components["schemas"]["Scenario"];
+            scenario: components["schemas"]["Scenario-Input"];
             /**
              * Search
              * @description Weight -> [lowest, highest], searched on a logarithmic scale; what is not named keeps the scenario's value. Without it every weight of the strategy, 0.05 to 50.

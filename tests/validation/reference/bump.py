@@ -13,7 +13,14 @@ Array = NDArray[np.float64]
 
 
 def bump_height(bump: Bump, x: Array) -> Array:
-    """Height of the bump at x [m], from its definition."""
+    """Height of the bumps at x [m], each by its definition, added up."""
+    starts = [bump.start + number * bump.spacing for number in range(bump.count)]
+    return sum((_one(bump.model_copy(update={"start": start}), x) for start in starts), np.zeros(np.shape(x)))
+
+
+def _one(bump: Bump, x: Array) -> Array:
+    if bump.shape == "kerb":
+        return bump.height * np.sin(np.interp(x, [bump.start, bump.start + bump.width], [0, np.pi / 2])) ** 2
     s = (np.asarray(x, dtype=float) - bump.start) / bump.width
     inside = (s > 0) & (s < 1)
     s = np.clip(s, 0, 1)
@@ -39,7 +46,8 @@ def bump_height(bump: Bump, x: Array) -> Array:
 def kinks(bump: Bump) -> list[float]:
     """Positions where the bump's slope or curvature jumps."""
     quarters = (0, 0.25, 0.75, 1) if bump.shape in ("flat_top", "trapezoid") else (0, 1)
-    return [bump.start + quarter * bump.width for quarter in quarters]
+    starts = [bump.start + number * bump.spacing for number in range(bump.count)]
+    return [start + quarter * bump.width for start in starts for quarter in quarters]
 
 
 def crossing(car: Vehicle, bump: Bump, speed: float, settle: float = 1.5, step: float = 2e-4) -> tuple[Array, Array]:
@@ -79,5 +87,5 @@ def _read_out(model: StateSpace, state: Array, road: Array) -> Array:
 def peaks(car: Vehicle, bump: Bump, speed: float) -> Array:
     """Largest magnitude of OUTPUTS from the front axle's touch until the rear axle has left the bump."""
     time, output = crossing(car, bump, speed, settle=0.0005)
-    end = (bump.width + car.cg_to_front + car.cg_to_rear) / speed
+    end = ((bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear) / speed
     return np.abs(output[time <= end + 1e-9]).max(axis=0)

@@ -18,7 +18,7 @@ def window(result: StrategyResult, low: float, high: float) -> Array:
 def windows(scenario: Scenario, result: StrategyResult) -> dict[str, Array]:
     """The paper's two windows and the whole run."""
     bump, car = scenario.road.bump, scenario.vehicle
-    end = bump.start + bump.width + car.cg_to_front + car.cg_to_rear
+    end = bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
     return {
         "rough_road": window(result, 0, bump.start - 1e-9),  # the sample at the bump is the bump's
         "bump": window(result, bump.start, end),

@@ -45,7 +45,9 @@ class Held:
         """`window.signal.statistic` and `comfort.…` as the core names them."""
         bump, car = scenario.road.bump, scenario.vehicle
         arrival = motion.time_at(bump.start)
-        leaving = motion.time_at(bump.start + bump.width + car.cg_to_front + car.cg_to_rear)
+        leaving = motion.time_at(
+            bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
+        )
         end = motion.time_at(scenario.road.length)
         found: dict[str, float] = {}
         for window, first, last in (
