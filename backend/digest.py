@@ -6,11 +6,12 @@ No id begins with a sign, which a command line would take for an option and a sp
 import base64
 import hashlib
 import secrets
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import orjson
 
+from backend.json_types import JsonObject
 from sim_core import __version__ as CORE_VERSION
 from sim_core.ecu.sources import program_hash
 from sim_core.scenario import Scenario
@@ -46,7 +47,7 @@ def figures_key(scenario: Scenario, strategy: str) -> str:
     return _hash({"figures_of": result_key(scenario, strategy)})
 
 
-def derived_key(name: str, parameters: Mapping[str, Any]) -> str:
+def derived_key(name: str, parameters: JsonObject) -> str:
     """Key of what is derived from many runs: the program that computes them, what it is and what it was asked for."""
     return _hash({**_program(STRATEGIES), "derived": name, "parameters": dict(parameters)})
 
@@ -61,7 +62,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
         baseline: Which strategy the changes over several roads refer to.
     """
     names = sorted(set(strategies))
-    content: dict[str, Any] = {**_program(names), "scenario": scenario.identity(), "strategies": names}
+    content: JsonObject = {**_program(names), "scenario": scenario.identity(), "strategies": names}
     if roads > 1:
         content |= {"roads": roads, "baseline": baseline}
     return _hash(content).lstrip("-_")[:RUN_ID_LENGTH]
@@ -73,7 +74,7 @@ def _program(strategies: Iterable[str]) -> dict[str, str]:
     return {"core": CORE_VERSION, "ecu": program_hash()} if by_ecu else {"core": CORE_VERSION}
 
 
-def _hash(content: dict[str, Any]) -> str:
+def _hash(content: JsonObject) -> str:
     return base64.urlsafe_b64encode(hashlib.sha256(canonical(content)).digest()).decode().rstrip("=")
 
 

@@ -6,10 +6,11 @@ or a client ever becomes a label.
 
 from collections.abc import Mapping
 from platform import python_version
-from typing import Any, Protocol
+from typing import Protocol
 
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, ProcessCollector
 
+from backend.json_types import JsonObject
 from sim_core import __version__
 
 REGISTRY = CollectorRegistry()
@@ -59,7 +60,7 @@ for _what in ("jobs", "results"):
 BUILD.labels(__version__, python_version()).set(1)
 
 
-def count_run(kind: str, status: str, summary: Mapping[str, Any]) -> None:
+def count_run(kind: str, status: str, summary: JsonObject) -> None:
     """Count one computed result.
 
     Args:

@@ -9,6 +9,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInf
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
+from backend.json_types import JsonObject
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
@@ -249,7 +250,7 @@ class SeriesOfSeveral(Answer):
 class Figures(Answer):
     """Plotly figures by name, in the order of display."""
 
-    figures: dict[str, dict[str, Any]]
+    figures: dict[str, JsonObject]
 
 
 class PresetAnswer(Answer):

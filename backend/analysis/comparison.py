@@ -2,10 +2,10 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from backend.analysis import front
 from backend.analysis.measure import Aims, Failure, Measured, Roads, mean
+from backend.analysis.models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
 from backend.store.trials import StoredTrial
 from sim_core.study.intervals import change_with_interval, mean_with_interval
 
@@ -30,10 +30,10 @@ def roles(trials: Sequence[StoredTrial], objectives: int, *, own: bool) -> dict[
     return found
 
 
-def columns(aims: Aims) -> list[dict[str, str]]:
-    """`ComparedFigure`s: the objectives, the limits, the paper's eight."""
+def columns(aims: Aims) -> list[ComparedFigure]:
+    """The objectives, the limits, the paper's eight."""
     named = {f"objectives.{index}": objective for index, objective in enumerate(aims.objectives)} | aims.metrics
-    return [{"key": key, "label": each.label, "unit": each.unit} for key, each in named.items()]
+    return [ComparedFigure(key=key, label=each.label, unit=each.unit) for key, each in named.items()]
 
 
 def compared(
@@ -43,8 +43,8 @@ def compared(
     training: Sequence[int],
     fresh: Sequence[int],
     objectives: int,
-) -> list[dict[str, Any]]:
-    """`ComparedPoint`s.
+) -> list[ComparedPoint]:
+    """Each set of weights over both sets of roads.
 
     Args:
         trials: All of them.
@@ -58,28 +58,28 @@ def compared(
     for number, names in roles.items():
         ours, papers, tuned = measured[number], measured[0], number != 0
         points.append(
-            {
-                "trial": number,
-                "roles": names,
-                "weights": trials[number].weights,
-                "training": _over(training, ours, papers, tuned=tuned),
-                "fresh": _over(fresh, ours, papers, tuned=tuned),
-                "verdict": [_verdict(fresh, ours, papers, index) for index in range(objectives)] if tuned else None,
-                "failures": [f"Road {seed}: {run.reason}" for seed, run in ours.items() if isinstance(run, Failure)],
-            }
+            ComparedPoint(
+                trial=number,
+                roles=names,
+                weights=trials[number].weights,
+                training=_over(training, ours, papers, tuned=tuned),
+                fresh=_over(fresh, ours, papers, tuned=tuned),
+                verdict=[_verdict(fresh, ours, papers, index) for index in range(objectives)] if tuned else None,
+                failures=[f"Road {seed}: {run.reason}" for seed, run in ours.items() if isinstance(run, Failure)],
+            )
         )
     return points
 
 
-def _over(seeds: Sequence[int], ours: Roads, papers: Roads, *, tuned: bool) -> dict[str, Any]:
-    """`Figures` by key over the roads on which both sets of weights could be run."""
+def _over(seeds: Sequence[int], ours: Roads, papers: Roads, *, tuned: bool) -> dict[str, TunedFigures]:
+    """By key over the roads on which both sets of weights could be run."""
     both = _both(seeds, ours, papers)
-    found = {}
+    figures = {}
     for key in both[0][0] if both else ():
         values, base = [one[key] for one, _ in both], [other[key] for _, other in both]
         change = _change(values, base) if tuned else None
-        found[key] = {"mean": mean(values), "worst": max(values), "change": change}
-    return found
+        figures[key] = TunedFigures(mean=mean(values), worst=max(values), change=change)
+    return figures
 
 
 def _both(seeds: Sequence[int], ours: Roads, papers: Roads) -> list[tuple[Measured, Measured]]:
@@ -87,15 +87,15 @@ def _both(seeds: Sequence[int], ours: Roads, papers: Roads) -> list[tuple[Measur
     return [(one, other) for one, other in pairs if not isinstance(one, Failure) and not isinstance(other, Failure)]
 
 
-def _change(values: Sequence[float], base: Sequence[float]) -> dict[str, float | None] | None:
+def _change(values: Sequence[float], base: Sequence[float]) -> TunedChange | None:
     change = change_with_interval(values, base)
     if not math.isfinite(change.value):
         return None
     low, high = (each if math.isfinite(each) else None for each in (change.low, change.high))
-    return {"value": change.value, "low": low, "high": high}
+    return TunedChange(value=change.value, low=low, high=high)
 
 
-def _verdict(seeds: Sequence[int], ours: Roads, papers: Roads, objective: int) -> str:
+def _verdict(seeds: Sequence[int], ours: Roads, papers: Roads, objective: int) -> Verdict:
     """Whether the objective's change is sure: its interval, or against zero that of the difference, leaves out 0."""
     key = f"objectives.{objective}"
     both = _both(seeds, ours, papers)

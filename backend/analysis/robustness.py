@@ -2,9 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
 
 from backend.analysis.models import RobustnessDefaults, UncertainRange
+from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
@@ -50,12 +50,12 @@ def defaults() -> RobustnessDefaults:
     return RobustnessDefaults(ranges=ranges, samples=SAMPLES, strategies=STRATEGIES, baseline=BASELINE, figures=FIGURES)
 
 
-def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> dict[str, Any]:
+def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> JsonObject:
     """The Latin hypercube over those ranges, as a batch takes it."""
     return {"latin_hypercube": {"ranges": {k: list(v) for k, v in ranges.items()}, "samples": samples, "seed": seed}}
 
 
-def read(strategy: str, fields: Sequence[str], scenario: Mapping[str, Any]) -> list[str]:
+def read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
     """Those of the fields that can change the strategy's result; errors of the look ahead only where it looks ahead."""
     if strategy not in KNOWN:  # another version's
         return list(fields)

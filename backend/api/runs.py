@@ -13,6 +13,7 @@ from backend.errors import InvalidError
 from backend.http.answers import IMMUTABLE, answer_unless_cached, cancel_on_disconnect, json_answer, takes_gzip
 from backend.http.problems import Problem
 from backend.http.routing import ComputingRoute, ScenarioRoute
+from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
 from sim_core.catalogue import SIGNALS
@@ -113,7 +114,7 @@ async def get_run_figures(
 @drawing.get(
     "/runs/{id}/figures/{name}",
     operation_id="getRunFigure",
-    response_model=dict[str, Any],
+    response_model=JsonObject,
     responses={410: {"model": Problem}},
 )
 async def get_run_figure(

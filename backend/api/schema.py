@@ -10,6 +10,7 @@ from pydantic import BaseModel
 
 from backend import models
 from backend.api import router
+from backend.json_types import JsonObject
 from backend.runs import figures
 from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -71,7 +72,7 @@ def warm() -> None:
         make()
 
 
-@schema.get("/schema", operation_id="getSchema", response_model=dict[str, Any])
+@schema.get("/schema", operation_id="getSchema", response_model=JsonObject)
 async def get_schema() -> Response:
     """JSON Schema of the scenario: title, description, unit, default, hard limits and soft_range of each field."""
     return _answer(_schema())

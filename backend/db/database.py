@@ -210,7 +210,7 @@ class _RetryingThreads:
         raise DatabaseLockedError
 
 
-def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, Any]]) -> None:
+def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, object]]) -> None:
     """Insert the rows whose key is not there yet.
 
     In the key's order, whoever inserts: PostgreSQL locks row by row, and two orders would wait for each other.

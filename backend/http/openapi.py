@@ -4,7 +4,6 @@ Headers, examples, links and tags stand here and not at each route, because they
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
@@ -13,6 +12,7 @@ from backend.http.kinds import KINDS
 from backend.http.problems import MEDIA_TYPE
 from backend.http.request_log import HEADER
 from backend.http.tokens import COOKIE
+from backend.json_types import JsonObject
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -27,7 +27,7 @@ TAGS = {
     "login": "The page's login, where the service wants a token.",
     "health": "For those who operate the service.",
 }
-HEADERS: dict[str, dict[str, Any]] = {
+HEADERS: dict[str, JsonObject] = {
     HEADER: {"description": "The request's name, also in the service's log", "required": True},
     "Retry-After": {"description": "When to ask again [s]", "schema": {"type": "integer"}},
     "WWW-Authenticate": {"description": "`Bearer`", "required": True},
@@ -48,7 +48,7 @@ OF_ROWS = frozenset({"EqualSpeed"})  # its `strategy` is a row's id
 FILES = frozenset({"text/csv", "application/zip", "text/html"})  # answers that come with a file's name
 
 SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target_speed_kmh": 25}}
-EXAMPLES: dict[str, dict[str, Any]] = {  # of bodies, by their schema
+EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
     "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": [PAPER_SIGNALS[0]]},
     "BatchRequest": {
@@ -85,7 +85,7 @@ LINKS = {  # operations that take the id, by the operation that answers with it
 }
 
 
-def describe(app: FastAPI) -> dict[str, Any]:
+def describe(app: FastAPI) -> JsonObject:
     """OpenAPI 3.1, made once."""
     if app.openapi_schema is None:
         whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
@@ -111,14 +111,14 @@ def describe(app: FastAPI) -> dict[str, Any]:
     return app.openapi_schema
 
 
-def _operations(whole: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+def _operations(whole: JsonObject) -> Iterator[tuple[str, JsonObject]]:
     for path, operations in whole["paths"].items():
         for operation in operations.values():
             yield path, operation
 
 
-def _describe_answers(operation: dict[str, Any]) -> None:
-    answers: dict[str, dict[str, Any]] = operation["responses"]
+def _describe_answers(operation: JsonObject) -> None:
+    answers: dict[str, JsonObject] = operation["responses"]
     for status, answer in answers.items():
         content = answer.get("content", {})
         for media_type in list(content):  # a route that answers with HTML describes its problems so, too
@@ -145,7 +145,7 @@ def _describe_answers(operation: dict[str, Any]) -> None:
         }
 
 
-def _name_strategies(name: str, field: dict[str, Any]) -> None:
+def _name_strategies(name: str, field: JsonObject) -> None:
     """Say which names there are where a field holds a strategy's, or several."""
     listed = "with commas" in field.get("description", "")  # several in one text
     if name in ("strategy", "baseline", "strategies") and not listed:

@@ -1,8 +1,32 @@
-"""A job's runs in pieces: a run that waits, a chunk of them, a computed one. What travels, so nothing is imported."""
+"""A job's runs in pieces: planned, waiting, a chunk of them, a computed one. What travels, so little is imported."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal, NamedTuple
+
+from backend.json_types import JsonObject
+
+
+class PlannedRun(NamedTuple):
+    """One run of a new job; without a key it has failed already, and `reason` says why. `changes` is JSON text."""
+
+    position: int
+    changes: str
+    strategy: str
+    key: str | None
+    reason: str | None = None
+
+    def row(self, job_id: str) -> dict[str, object]:
+        """As the table of runs has it."""
+        return {
+            "job_id": job_id,
+            "position": self.position,
+            "changes": self.changes,
+            "strategy": self.strategy,
+            "status": "failed" if self.key is None else "waiting",
+            "result_key": self.key,
+            "reason": self.reason,
+        }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,7 +68,7 @@ class Chunk:
     group: str
     core_version: str
     schema_version: int
-    base: Mapping[str, Any]
+    base: JsonObject
     runs: Sequence[WaitingRun]
     budget: float
     timeout: float

@@ -1,8 +1,7 @@
 """What a worker process does with a chunk of a job; no web here."""
 
 import time
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import orjson
 
@@ -11,14 +10,13 @@ from backend.errors import EcuUnavailableError
 from backend.jobs.chunk import ComputedRun, WaitingRun
 from backend.jobs.reproduction import work as paper
 from backend.jobs.sweep.plan import scenario_at
+from backend.json_types import JsonObject
 from backend.runs.work import elapsed_ms, refusal, summary_json
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
 
 
-def run_chunk(
-    base: Mapping[str, Any], schema_version: int, runs: Sequence[WaitingRun], budget: float
-) -> list[ComputedRun]:
+def run_chunk(base: JsonObject, schema_version: int, runs: Sequence[WaitingRun], budget: float) -> list[ComputedRun]:
     """Simulate them in order, the first in any case, and begin no further one after `budget` [s].
 
     Runs of one point lie side by side and share its scenario, equal ones their result.

@@ -3,7 +3,7 @@
 import io
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 import orjson
@@ -11,6 +11,7 @@ import pyarrow as pa
 from pyarrow import csv, parquet
 
 from backend.ecu.drive import simulate
+from backend.json_types import JsonObject
 from backend.runs import pins
 from backend.runs.series import ROWS, SeriesArray, as_json, pack
 from sim_core.catalogue import SIGNALS
@@ -61,7 +62,7 @@ def render_json(members: Mapping[str, SeriesArray], export: Export) -> bytes:
     bodies = {name: as_json(array, export.signals, export.encoding) for name, array in members.items()}
     if len(bodies) == 1:
         ((name, body),) = bodies.items()
-        content: dict[str, Any] = {"strategy": name, "series": body}
+        content: JsonObject = {"strategy": name, "series": body}
     else:
         content = {"strategies": bodies}
     units = {key: SIGNALS[key].unit for key in export.signals}

@@ -8,11 +8,11 @@ them the unit shown.
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 import plotly.graph_objects as go
 
+from backend.json_types import JsonObject
 from backend.runs.series import ROWS, packed
 from backend.runs.work import Outcome
 from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
@@ -79,12 +79,12 @@ PANELS: dict[str, Panel] = {
 
 
 @cache
-def templates() -> dict[str, Any]:
+def templates() -> JsonObject:
     """Figure name -> plotly figure as plain JSON values, traces without data; in the order of display."""
     return {name: _template(panel) for name, panel in PANELS.items()}
 
 
-def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> dict[str, Any]:
+def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
     """One figure with a run's data, its stages shaded and its reference lines drawn.
 
     Args:
@@ -110,7 +110,7 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> dict[str, A
     return {"data": traces, "layout": {**template["layout"], "xaxis": x_axis, "shapes": shapes}}
 
 
-def _template(panel: Panel) -> dict[str, Any]:
+def _template(panel: Panel) -> JsonObject:
     unit, scale = panel.shown
     title = panel.title or SIGNALS[panel.signal].label
     figure = go.Figure(layout={"template": go.layout.Template()})
@@ -149,7 +149,7 @@ def _template(panel: Panel) -> dict[str, Any]:
         paper_bgcolor="rgba(0,0,0,0)",
         plot_bgcolor="rgba(0,0,0,0)",
     )
-    plain: dict[str, Any] = figure.to_plotly_json()
+    plain: JsonObject = figure.to_plotly_json()
     return {"data": list(plain["data"]), "layout": plain["layout"]}
 
 
@@ -157,9 +157,9 @@ def _axis_title(axis: str) -> str:
     return f"{SIGNALS[axis].label} [{SIGNALS[axis].unit}]"
 
 
-def _stages(summaries: Mapping[str, Mapping[str, Any]], axis: str) -> list[dict[str, Any]]:
+def _stages(summaries: Mapping[str, JsonObject], axis: str) -> list[JsonObject]:
     """Shaded bands, from the strategy with most stages: they lie at the same places, if not at the same times."""
-    spans: list[dict[str, Any]] = max((summary["stages"] for summary in summaries.values()), key=len, default=[])
+    spans: list[JsonObject] = max((summary["stages"] for summary in summaries.values()), key=len, default=[])
     return [
         {
             "type": "rect",
@@ -179,7 +179,7 @@ def _stages(summaries: Mapping[str, Mapping[str, Any]], axis: str) -> list[dict[
     ]
 
 
-def _references(panel: Panel, summaries: Mapping[str, Mapping[str, Any]]) -> list[dict[str, Any]]:
+def _references(panel: Panel, summaries: Mapping[str, JsonObject]) -> list[JsonObject]:
     """Horizontal lines, each distinct value once, and the band around one of them."""
     scale = panel.shown[1]
     common: dict[str, float] = {}
@@ -197,7 +197,7 @@ def _references(panel: Panel, summaries: Mapping[str, Mapping[str, Any]]) -> lis
     return lines
 
 
-def _across(low: float, high: float, label: str) -> dict[str, Any]:
+def _across(low: float, high: float, label: str) -> JsonObject:
     """A line over the whole width, or a band where the two values differ."""
     shape = {"xref": "paper", "yref": "y", "x0": 0, "x1": 1, "y0": low, "y1": high, "layer": "below", "name": label}
     if low == high:

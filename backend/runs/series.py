@@ -6,11 +6,11 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 import base64
 import itertools
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from backend.json_types import JsonObject
 from sim_core.catalogue import SIGNALS
 from sim_core.result import StrategyResult
 
@@ -82,7 +82,7 @@ def packed(values: NDArray[np.float32]) -> dict[str, str]:
     return {"dtype": "f4", "bdata": base64.b64encode(data.data).decode("ascii")}
 
 
-def as_json(series: SeriesArray, signals: Iterable[str], encoding: str) -> dict[str, Any]:
+def as_json(series: SeriesArray, signals: Iterable[str], encoding: str) -> JsonObject:
     """By signal its values, as lists (`list`) or typed arrays (`base64`)."""
     if encoding == "base64":
         return {key: packed(series[ROWS[key]]) for key in signals}

@@ -213,7 +213,7 @@ class Runs:
             gone = True
         against = baseline or stored.baseline or default_baseline(names)
         facts = run_report.RunFacts(
-            answer=run_answer(stored, baseline=against),
+            answer=run_answer(stored, baseline=against).model_dump(mode="json"),
             created_at=stored.created_at,
             baseline=against,
             outcomes=outcomes,

@@ -6,12 +6,12 @@ Nothing of the web is imported here, so that a worker starts quickly and stays s
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import orjson
 
 from backend.ecu.drive import simulate
 from backend.errors import EcuUnavailableError
+from backend.json_types import JsonObject
 from backend.runs.series import SeriesArray, pack
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.result import StrategyResult
@@ -33,7 +33,7 @@ class Outcome:
     """
 
     status: str
-    summary: dict[str, Any]
+    summary: JsonObject
     compute_ms: float
     lasting: bool = True
     points: int | None = None
@@ -70,7 +70,7 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
 
 
-def refusal(error: RidelabError) -> dict[str, Any]:
+def refusal(error: RidelabError) -> JsonObject:
     """Why there is no result, as it is stored: the reason; of a run that is too expensive also `kind` and `fields`."""
     if isinstance(error, TooExpensiveError):
         return {"reason": error.message, "kind": "too-expensive", "fields": list(error.fields)}

@@ -3,7 +3,7 @@
 A job that has not ended is driven until it has, whatever crashes: what is still to be done is a query.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from datetime import UTC, datetime
 from typing import Any, Literal
@@ -15,6 +15,9 @@ from sqlalchemy.exc import IntegrityError
 from backend import digest
 from backend.db.database import Database
 from backend.db.tables import job_events, job_runs, jobs, links, trials
+from backend.jobs.chunk import PlannedRun
+from backend.json_types import JsonObject
+from backend.store.trials import StoredTrial
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION
 
@@ -66,10 +69,10 @@ class StoredJob:
     reason: str | None = None
     core_version: str = CORE_VERSION
     schema_version: int = SCHEMA_VERSION
-    request: dict[str, Any]
-    sweep: dict[str, Any] | None = None
-    progress: dict[str, Any] = field(default_factory=dict)
-    answer: dict[str, Any] | None = None
+    request: JsonObject
+    sweep: JsonObject | None = None
+    progress: JsonObject = field(default_factory=dict)
+    answer: JsonObject | None = None
     estimated_cost: float
     total: int
     done: int = 0
@@ -106,7 +109,7 @@ class JobStore:
         self._database = database
 
     def create(
-        self, job: StoredJob, runs: Sequence[Mapping[str, Any]] = (), idempotency_key: str | None = None
+        self, job: StoredJob, runs: Sequence[PlannedRun] = (), idempotency_key: str | None = None
     ) -> tuple[StoredJob, bool]:
         """Commit a job with all its runs; an idempotency key already there gives its job, and False.
 
@@ -131,7 +134,7 @@ class JobStore:
                 )
                 connection.execute(insert(jobs), row)
                 if runs:
-                    connection.execute(insert(job_runs), [{"job_id": job.id, **run} for run in runs])
+                    connection.execute(insert(job_runs), [run.row(job.id) for run in runs])
                 tell(connection, job.id, "state")
         except IntegrityError:
             existing = None if idempotency_key is None else self.by_idempotency_key(job.kind, idempotency_key)
@@ -248,8 +251,8 @@ class JobStore:
         job: StoredJob,
         *,
         event: str | None,
-        told: Mapping[str, Any] | None = None,
-        new_trials: Sequence[Mapping[str, Any]] = (),
+        told: JsonObject | None = None,
+        new_trials: Sequence[StoredTrial] = (),
         drop_trials: bool = False,
         **values: Any,
     ) -> bool:
@@ -259,7 +262,7 @@ class JobStore:
             job: As it was when the step began.
             event: What to tell; None tells nothing.
             told: With the event, beside the counts and the progress.
-            new_trials: Rows to add.
+            new_trials: To add.
             drop_trials: Whether those that are there go.
             values: Columns to change.
         """
@@ -271,7 +274,7 @@ class JobStore:
             if drop_trials:
                 connection.execute(delete(trials).where(trials.c.job_id == job.id))
             if new_trials:
-                connection.execute(insert(trials), [{"job_id": job.id, **trial} for trial in new_trials])
+                connection.execute(insert(trials), [trial.row(job.id) for trial in new_trials])
             connection.execute(update(jobs).where(jobs.c.id == job.id).values(**values))
             if event is not None:
                 tell(connection, job.id, event, told)
@@ -323,7 +326,7 @@ class JobStore:
             events = _events(connection, job_id, after, PAGE)  # behind the state: an end that is seen has its event
         return events, state not in UNFINISHED and len(events) < PAGE
 
-    def history(self, job_id: str) -> list[dict[str, Any]]:
+    def history(self, job_id: str) -> list[JsonObject]:
         """What its progress events told since it last began anew."""
         events = self.events(job_id, 0, limit=1_000_000)
         begun = max((event.number for event in events if event.kind == "restart"), default=0)
@@ -354,7 +357,7 @@ def change_state(connection: Connection, job_id: str, before: Sequence[str], sta
     return True
 
 
-def tell(connection: Connection, job_id: str, kind: str, told: Mapping[str, Any] | None = None) -> None:
+def tell(connection: Connection, job_id: str, kind: str, told: JsonObject | None = None) -> None:
     """Add an event with the job as this transaction leaves it."""
     columns = (jobs.c.state, jobs.c.done, jobs.c.failed, jobs.c.total, jobs.c.progress)
     job = connection.execute(select(*columns).where(jobs.c.id == job_id)).one()

@@ -3,12 +3,13 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any, Literal
+from typing import Literal
 
 from sqlalchemy import select
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import links, pinned_series
+from backend.json_types import JsonObject
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -18,7 +19,7 @@ class StoredLink:
     slug: str
     kind: Literal["run", "batch"]
     target: str
-    view: dict[str, Any]
+    view: JsonObject
     created_at: datetime
 
 

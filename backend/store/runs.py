@@ -11,6 +11,7 @@ from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import results, run_results, runs
+from backend.json_types import JsonObject
 
 EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
 
@@ -22,7 +23,7 @@ class StoredResult:
     key: str
     strategy: str
     status: str
-    summary: dict[str, Any]
+    summary: JsonObject
     compute_ms: float
 
 
@@ -39,7 +40,7 @@ class StoredRun:
     id: str
     core_version: str
     schema_version: int
-    scenario: dict[str, Any]
+    scenario: JsonObject
     results: tuple[StoredResult, ...]
     created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
     roads: int = 1
@@ -111,7 +112,7 @@ class RunStore:
             connection.execute(update(runs).where(runs.c.id == run_id).values(core_version=core_version))
 
 
-def insert_results(connection: Connection, rows: Sequence[dict[str, Any]]) -> None:
+def insert_results(connection: Connection, rows: Sequence[dict[str, object]]) -> None:
     """Insert the results that are not there, or have expired; in the key's order, as `insert_new`."""
     if not rows:
         return
@@ -148,10 +149,10 @@ def _result(row: Row[Any]) -> StoredResult:
     )
 
 
-def _result_row(item: StoredResult, core_version: str) -> dict[str, Any]:
+def _result_row(item: StoredResult, core_version: str) -> dict[str, object]:
     row = {"core_version": core_version, "created_at": datetime.now(UTC), **asdict(item)}
     return row | {"summary": orjson.dumps(item.summary).decode()}
 
 
-def _members(run_id: str, outcomes: Sequence[StoredResult]) -> list[dict[str, Any]]:
+def _members(run_id: str, outcomes: Sequence[StoredResult]) -> list[dict[str, object]]:
     return [{"run_id": run_id, "position": position, "result_key": item.key} for position, item in enumerate(outcomes)]

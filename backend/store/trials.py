@@ -1,12 +1,13 @@
 """Trials of tunings. They are added with their generation's step (`JobStore.advance`), so that none is there twice."""
 
 from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from typing import Literal
 
 from sqlalchemy import select
 
 from backend.db.database import Database
 from backend.db.tables import trials
+from backend.json_types import JsonObject
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -15,17 +16,17 @@ class StoredTrial:
 
     number: int
     generation: int
-    weights: dict[str, Any]
+    weights: JsonObject
     status: Literal["ok", "failed"]
     reason: str | None = None
     feasible: bool = False
     values: list[float] | None = None
     limits: list[float] | None = None
 
-    def row(self) -> dict[str, Any]:
+    def row(self, job_id: str) -> dict[str, object]:
         """As its table has it."""
         row = asdict(self)
-        return {**row, "objectives": row.pop("values")}
+        return {"job_id": job_id, **row, "objectives": row.pop("values")}
 
 
 class TrialStore:

@@ -4,13 +4,12 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
-from typing import Any
 
 import orjson
 import pytest
 
 from backend.db.tables import links
-from backend.jobs.chunk import ComputedRun
+from backend.jobs.chunk import ComputedRun, PlannedRun
 from backend.store import Store, StoredJob, StoredLink
 
 RUNS = 12
@@ -28,18 +27,11 @@ BATCH = StoredJob(
 )
 
 
-def rows(prefix: str = "key", shared: int = 0) -> list[dict[str, Any]]:
+def rows(prefix: str = "key", shared: int = 0) -> list[PlannedRun]:
     """The batch's runs; the last `shared` have the key of the first."""
     keys = [f"{prefix}-{number if number < RUNS - shared else 0}" for number in range(RUNS)]
     return [
-        {
-            "position": number,
-            "changes": orjson.dumps({"road.seed": number // 2}).decode(),
-            "strategy": ("lv", "passive")[number % 2],
-            "status": "waiting",
-            "result_key": key,
-            "reason": None,
-        }
+        PlannedRun(number, orjson.dumps({"road.seed": number // 2}).decode(), ("lv", "passive")[number % 2], key)
         for number, key in enumerate(keys)
     ]
 

@@ -81,7 +81,7 @@ def test_a_child_that_is_named_or_linked_keeps_its_family(store: Store) -> None:
 
 def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> None:
     apply(store, retention_days=30)
-    store.jobs.create(replace(BATCH, id="again"), [{**rows()[0], "result_key": "plain-1"}])
+    store.jobs.create(replace(BATCH, id="again"), [rows()[0]._replace(key="plain-1")])
     assert [run.key for run in store.job_runs.waiting("again", -1, 9)[1]] == ["plain-1"], "it is not there"
     store.runs.recompute("plain", "2", outcomes("plain-1", "other"))
     run = store.runs.load("plain")

@@ -72,7 +72,7 @@ def add(store: Store, job: StoredJob, *trials: StoredTrial) -> bool:
         job,
         event="progress",
         told=TOLD,
-        new_trials=[each.row() for each in trials],
+        new_trials=trials,
         progress=job.progress | {"generation": generation},
         done=job.done + sum(each.status == "ok" for each in trials),
     )

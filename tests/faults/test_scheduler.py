@@ -97,7 +97,7 @@ def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSIO
             kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version
         )
         if core_version != CORE_VERSION:
-            planned.runs[:] = [{**each, "result_key": f"old-{each['position']}"} for each in planned.runs]
+            planned.runs[:] = [each._replace(key=f"old-{each.position}") for each in planned.runs]
         store.jobs.create(batch, planned.runs)
         for name, value in patches.items():
             setattr(store.job_runs, name, value(getattr(store.job_runs, name)))

@@ -193,13 +193,16 @@ def test_a_verdict_is_by_the_interval_on_validation_roads() -> None:
     trials = [trial(0, 1.1), trial(1, 0.55), trial(2, 0.99)]
     roles = {0: ["paper"], 1: ["best.0"], 2: ["scenario"]}
     points = comparison.compared(trials, roles, {0: papers, 1: overfitted, 2: better}, [1, 2], [11, 12, 13], 1)
-    assert [point["verdict"] for point in points] == [None, ["unclear"], ["better"]]
-    assert points[0]["fresh"]["objectives.0"]["change"] is None
-    change = points[1]["training"]["objectives.0"]["change"]
-    assert change["value"] == pytest.approx(-50)
+    assert [point.verdict for point in points] == [None, ["unclear"], ["better"]]
+    assert points[0].fresh["objectives.0"].change is None
+    change = points[1].training["objectives.0"].change
+    assert change is not None
+    assert change.value == pytest.approx(-50)
     # The validation roads by hand: the ratio of means is 3.4/3.3.
-    assert points[1]["fresh"]["objectives.0"]["change"]["value"] == pytest.approx(100 * (3.4 / 3.3 - 1))
-    assert points[1]["fresh"]["objectives.0"]["worst"] == 1.4
+    change = points[1].fresh["objectives.0"].change
+    assert change is not None
+    assert change.value == pytest.approx(100 * (3.4 / 3.3 - 1))
+    assert points[1].fresh["objectives.0"].worst == 1.4
 
 
 def test_against_zero_the_difference_decides() -> None:
@@ -207,8 +210,8 @@ def test_against_zero_the_difference_decides() -> None:
     worse = roads({1: 0.0, 11: 5.0, 12: 5.1, 13: 4.9})
     trials = [trial(0, 0.0), trial(1, 0.0)]
     points = comparison.compared(trials, {0: ["paper"], 1: ["best.0"]}, {0: papers, 1: worse}, [1], [11, 12, 13], 1)
-    assert points[1]["verdict"] == ["worse"]
-    assert points[1]["fresh"]["objectives.0"]["change"] is None
+    assert points[1].verdict == ["worse"]
+    assert points[1].fresh["objectives.0"].change is None
 
 
 @pytest.mark.parametrize(

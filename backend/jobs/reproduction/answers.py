@@ -6,6 +6,7 @@ from typing import Any
 
 from backend.jobs.reproduction import models
 from backend.jobs.reproduction.rows import Rows
+from backend.json_types import JsonObject
 from sim_core import __version__ as CORE_VERSION
 from sim_core.study import paper
 from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
@@ -16,7 +17,7 @@ from sim_core.study.paper import FIGURES, Judged
 from sim_core.study.paper_tables import TABLES, PaperCell, cells
 from sim_core.study.readings import READINGS, changes_of
 
-RunsByVariant = Sequence[Mapping[str, Mapping[str, Any]]]  # of each road
+RunsByVariant = Sequence[Mapping[str, JsonObject]]  # of each road
 
 
 def reproduction(

@@ -7,6 +7,7 @@ import numpy as np
 
 from backend.jobs.reproduction.models import PaperFigure
 from backend.jobs.reproduction.work import SPEEDS_KMH
+from backend.json_types import JsonObject
 from backend.runs.figures import PANELS, STYLES, filled, templates
 from backend.runs.series import packed
 from backend.runs.work import Outcome
@@ -124,7 +125,7 @@ def _over_speed(number: int, index: int, peaks: Peaks) -> PaperFigure:
     )
 
 
-def _line(name: str, x: Any, y: Any, colour: str, dash: str, unit: str) -> dict[str, Any]:
+def _line(name: str, x: Any, y: Any, colour: str, dash: str, unit: str) -> JsonObject:
     return {
         "type": "scatter",
         "name": name,

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field, create_model
 
+from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel
 from sim_core.scenario import Scenario
 from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
@@ -147,7 +148,7 @@ class Interpretation(Counted):
     title: str
     description: str
     choices: dict[str, str] = Field(description="Reading: choice, all of them")
-    changes: dict[str, Any] = Field(description="The scenario's fields it changes, by dotted name")
+    changes: JsonObject = Field(description="The scenario's fields it changes, by dotted name")
 
 
 class Progress(Answer):
@@ -280,7 +281,7 @@ class PaperFigure(Answer):
     number: int
     title: str
     caption: str
-    figure: dict[str, Any] = Field(description="Plotly: data and layout")
+    figure: JsonObject = Field(description="Plotly: data and layout")
 
 
 class PaperFigures(Answer):

@@ -1,16 +1,16 @@
 """The paper page's rows: those that are stored, and a job that computes the others for as long as somebody waits."""
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
-from typing import Any
 
 import orjson
 
 from backend.errors import BusyError
 from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.service import request_hash
+from backend.json_types import JsonObject
 from backend.store import Store, StoredJob
 from backend.store.jobs import FINAL, UNFINISHED
 from sim_core import __version__ as CORE_VERSION
@@ -36,7 +36,7 @@ class Rows:
         complete: Whether there is nothing to wait for.
     """
 
-    by_key: Mapping[str, Any]
+    by_key: JsonObject
     total: int
     reason: str | None
     complete: bool
@@ -70,7 +70,7 @@ class PaperRows:
         complete = len(rows) == len(unique) or reason is not None
         return Rows(by_key=rows, total=len(unique), reason=reason, complete=complete)
 
-    async def _stored(self, requests: Sequence[RowRequest]) -> tuple[dict[str, Any], str | None]:
+    async def _stored(self, requests: Sequence[RowRequest]) -> tuple[JsonObject, str | None]:
         """By key the rows that are stored, and why one is none and never will be."""
         results = await self._store.read(self._store.runs.load_results, [request.key for request in requests])
         rows = {key: result.summary["row"] for key, result in results.items() if result.status == "ok"}

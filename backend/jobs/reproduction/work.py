@@ -7,12 +7,13 @@ a job, named by a strategy that begins with `PREFIX`.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import orjson
 
 from backend import digest
 from backend.ecu.drive import simulate
+from backend.jobs.chunk import PlannedRun
+from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
 from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
@@ -35,16 +36,9 @@ class RowRequest:
     strategy: str
     changes: str
 
-    def run(self, position: int) -> dict[str, Any]:
-        """As a row of the table of runs."""
-        return {
-            "position": position,
-            "changes": self.changes,
-            "strategy": self.strategy,
-            "status": "waiting",
-            "result_key": self.key,
-            "reason": None,
-        }
+    def run(self, position: int) -> PlannedRun:
+        """The run that computes it."""
+        return PlannedRun(position, self.changes, self.strategy, self.key)
 
 
 def requests_under(chosen: Mapping[str, str], roads: range) -> dict[str, tuple[RowRequest, ...]]:
@@ -79,7 +73,7 @@ def requests_of_study(study: str, roads: range) -> tuple[RowRequest, ...]:
     )
 
 
-def compute(strategy: str, scenario: Scenario) -> dict[str, Any]:
+def compute(strategy: str, scenario: Scenario) -> JsonObject:
     """The row of that run, as `{"row": …}`.
 
     Raises:
@@ -94,7 +88,7 @@ def compute(strategy: str, scenario: Scenario) -> dict[str, Any]:
 
 
 def figures_by_strategy(
-    rows: Mapping[str, Any], requests: Mapping[str, Iterable[RowRequest]], window: str
+    rows: JsonObject, requests: Mapping[str, Iterable[RowRequest]], window: str
 ) -> dict[str, dict[tuple[str, str, str], list[float]]]:
     """Values as `sim_core.study.paper.judge` takes them, of the strategies that have every row.
 
@@ -114,7 +108,7 @@ def figures_by_strategy(
     }
 
 
-def _one(scenario: Scenario, strategy: Strategy) -> dict[str, Any]:
+def _one(scenario: Scenario, strategy: Strategy) -> JsonObject:
     """A variant's eight `figures`, its comfort figures and its travel time."""
     result = simulate_core(scenario, strategy)
     comfort = {key: result.comfort[key] for key in COMFORT_FIGURES}

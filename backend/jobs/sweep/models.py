@@ -1,13 +1,14 @@
 """The shapes of batch requests and answers."""
 
 from datetime import datetime
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import ConfigDict, Field
 
 from backend.analysis.models import Cell, StrategySummary
 from backend.jobs.models import Label
 from backend.jobs.sweep.sweeps import Sweep
+from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store import StoredJob
 from backend.store.jobs import State
@@ -57,7 +58,7 @@ class BatchItem(Answer):
     done: int
     failed: int
     core_version: str = Field(description="That accepted it; each row names the one that computed it")
-    scenario: dict[str, Any]
+    scenario: JsonObject
     strategies: list[str]
     fields: list[BatchField]
     estimated_cost: float = Field(description="Estimate [s of one core]")
@@ -82,7 +83,7 @@ class BatchItem(Answer):
 class Batch(BatchItem):
     """A batch as it stands."""
 
-    sweep: dict[str, Any]
+    sweep: JsonObject
 
 
 class Estimate(Answer):
@@ -132,8 +133,8 @@ class BatchResults(Answer):
 
     batch: str
     core_version: str
-    scenario: dict[str, Any]
-    sweep: dict[str, Any]
+    scenario: JsonObject
+    sweep: JsonObject
     units: dict[str, str]
     rows: list[BatchRow]
 

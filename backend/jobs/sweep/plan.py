@@ -2,17 +2,17 @@
 
 import statistics
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import orjson
 from pydantic import ValidationError
 
 from backend import digest
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import WaitingRun
+from backend.jobs.chunk import PlannedRun, WaitingRun
 from backend.jobs.sweep.sweeps import Sweep, points
+from backend.json_types import JsonObject
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.versions import restored
@@ -28,19 +28,23 @@ class Plan:
 
     Attributes:
         fields: Dotted names of the fields that change.
-        runs: Rows of the table of runs, a point's strategies side by side; one whose fields contradict each other
-            has failed already and says why.
+        runs: A point's strategies side by side; one whose fields contradict each other has failed already.
         cost: Estimated cost of all [s of one core].
         max_run_cost: The greatest of one run [s of one core].
     """
 
     fields: list[str]
-    runs: list[dict[str, Any]]
+    runs: list[PlannedRun]
     cost: float
     max_run_cost: float
 
+    @property
+    def contradictory(self) -> int:
+        """How many runs have failed already."""
+        return sum(run.key is None for run in self.runs)
 
-def scenario_at(base: Mapping[str, Any], changes: Mapping[str, Any], schema_version: int = SCHEMA_VERSION) -> Scenario:
+
+def scenario_at(base: JsonObject, changes: JsonObject, schema_version: int = SCHEMA_VERSION) -> Scenario:
     """The scenario of one point; fields have the names they had under that schema version.
 
     Raises:
@@ -52,7 +56,7 @@ def scenario_at(base: Mapping[str, Any], changes: Mapping[str, Any], schema_vers
 
 
 def rekeyed(
-    base: Mapping[str, Any], schema_version: int, runs: Iterable[WaitingRun]
+    base: JsonObject, schema_version: int, runs: Iterable[WaitingRun]
 ) -> dict[int, tuple[str | None, str | None]]:
     """By position this core version's key of each run, or the reason why it has none."""
     keys: dict[int, tuple[str | None, str | None]] = {}
@@ -67,30 +71,28 @@ def rekeyed(
     return keys
 
 
-def plan(base: Mapping[str, Any], strategies: Sequence[str], sweep: Sweep) -> Plan:
+def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> Plan:
     """Plan every point under every strategy.
 
     Raises:
         SweepError: The sweep has fields or values that cannot be used.
     """
     fields, changes_by_point = points(sweep, base)
-    runs: list[dict[str, Any]] = []
+    runs: list[PlannedRun] = []
     cost = max_run_cost = 0.0
     for changes in changes_by_point:
         text = orjson.dumps(changes).decode()
         try:
             scenario = scenario_at(base, changes)
         except ValidationError as error:
-            verdict = {"status": "failed", "result_key": None, "reason": contradiction(error)}
-            runs += [{"changes": text, "strategy": name, **verdict} for name in strategies]
+            reason = contradiction(error)
+            for name in strategies:
+                runs.append(PlannedRun(len(runs), text, name, None, reason))
             continue
         for name in strategies:
             each = estimate(scenario, name)
             cost, max_run_cost = cost + each, max(max_run_cost, each)
-            key = digest.result_key(scenario, name)
-            runs.append({"changes": text, "strategy": name, "status": "waiting", "result_key": key, "reason": None})
-    for position, run in enumerate(runs):
-        run["position"] = position
+            runs.append(PlannedRun(len(runs), text, name, digest.result_key(scenario, name)))
     return Plan(fields=fields, runs=runs, cost=cost, max_run_cost=max_run_cost)
 
 
@@ -101,7 +103,7 @@ def contradiction(error: ValidationError) -> str:
     return f"{field}: {first['msg']}" if field else str(first["msg"])
 
 
-def pilot(base: Mapping[str, Any], strategies: Sequence[str], sweep: Sweep) -> float | None:
+def pilot(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> float | None:
     """Time of one point under all strategies [s], the median of some tried ones; None where trying takes too long."""
     _, every_point = points(sweep, base)
     times = []

@@ -2,7 +2,7 @@
 
 import asyncio
 import time
-from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeVar
@@ -19,6 +19,7 @@ from backend.jobs.sweep import plan, table
 from backend.jobs.sweep.models import Batch, Batches, BatchItem, BatchSummary, Estimate
 from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
+from backend.json_types import JsonObject
 from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -90,7 +91,7 @@ class Sweeps:
         return Estimate(
             points=points,
             total=len(planned.runs),
-            contradictory=sum(run["result_key"] is None for run in planned.runs),
+            contradictory=planned.contradictory,
             estimated_cost=planned.cost,
             estimated_seconds=seconds,
         )
@@ -143,7 +144,7 @@ class Sweeps:
             sweep=sent,
             estimated_cost=planned.cost,
             total=len(planned.runs),
-            failed=sum(run["result_key"] is None for run in planned.runs),
+            failed=planned.contradictory,
             request_hash=hashed,
         )
         return await self.jobs.accept(job, planned.runs, key)
@@ -172,7 +173,7 @@ class Sweeps:
             raise ConflictError("It is done: nothing is left to run.", kind="done")
         return await self.jobs.resume(job_id)
 
-    async def table(self, job_id: str, figures: Sequence[str]) -> dict[str, Any]:
+    async def table(self, job_id: str, figures: Sequence[str]) -> JsonObject:
         """Every row column by column, with those figures, as `BatchTable`; a large one would take long to validate.
 
         Raises:
@@ -234,7 +235,7 @@ class Sweeps:
             yield rows
             last = rows[-1].position
 
-    async def _planned(self, base: Mapping[str, Any], names: Sequence[str], sweep: Sweep, client: str) -> plan.Plan:
+    async def _planned(self, base: JsonObject, names: Sequence[str], sweep: Sweep, client: str) -> plan.Plan:
         self._check_size(sweep, names)
         try:
             cost = PLAN_COST * size(sweep) * len(names)

@@ -13,12 +13,13 @@ import numpy as np
 from pydantic import Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
+from backend.json_types import JsonObject
 from backend.models import RequestModel
 from backend.unknown_names import pointer, shown_path, unknown_name
 from sim_core.errors import RidelabError
 from sim_core.scenario import dotted
 
-Changes = dict[str, Any]
+Changes = JsonObject
 # Checked against its field, not against a type: the error then says what that field takes.
 Value = Annotated[
     Any,
@@ -94,7 +95,7 @@ def size(sweep: Sweep) -> int:
     return len(sweep.points or [])
 
 
-def points(sweep: Sweep, base: Mapping[str, Any]) -> tuple[list[str], list[Changes]]:
+def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[Changes]]:
     """The fields it changes, and every point; `base` is the plain scenario they start from.
 
     Raises:
@@ -127,7 +128,7 @@ def _grid(grid: Mapping[str, Sequence[Any]], errors: Errors) -> Points:
     return lambda: (dict(zip(checked, values, strict=True)) for values in itertools.product(*checked.values()))
 
 
-def _list(listed: Sequence[Mapping[str, Any]], names: Sequence[str], base: Mapping[str, Any], errors: Errors) -> Points:
+def _list(listed: Sequence[JsonObject], names: Sequence[str], base: JsonObject, errors: Errors) -> Points:
     named = [
         {name: _checked(name, value, ["list", index, name], errors) for name, value in point.items()}
         for index, point in enumerate(listed)

@@ -8,6 +8,7 @@ import orjson
 import pyarrow as pa
 from pyarrow import csv, parquet
 
+from backend.json_types import JsonObject
 from backend.store import StoredJob
 from backend.store.job_runs import JobRow
 from sim_core.catalogue import METRICS
@@ -122,7 +123,7 @@ def _json_row(row: JobRow) -> bytes:
     return text if row.summary is None else text[:-1] + b"," + row.summary.encode()[1:]
 
 
-def _reason(row: JobRow, summary: Mapping[str, Any]) -> str | None:
+def _reason(row: JobRow, summary: JsonObject) -> str | None:
     return row.reason if row.reason is not None else summary.get("reason")
 
 

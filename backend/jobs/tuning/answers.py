@@ -1,6 +1,6 @@
 """The shapes of what is answered of tunings, made from what is stored."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from datetime import datetime
 from typing import Any, Literal, Self
 
@@ -8,7 +8,9 @@ from pydantic import Field
 
 from backend.analysis import front
 from backend.analysis.measure import Aims
+from backend.analysis.models import Comparison
 from backend.jobs.tuning.space import first_weights
+from backend.json_types import JsonObject
 from backend.models import Answer
 from backend.store import StoredJob
 from backend.store.jobs import State
@@ -63,7 +65,7 @@ class Generation(Answer):
     )
 
     @classmethod
-    def of(cls, told: Mapping[str, Any]) -> Self:
+    def of(cls, told: JsonObject) -> Self:
         """From what its event told, which counts the generations that are complete."""
         return cls(
             generation=told["generation"] - 1,
@@ -72,53 +74,6 @@ class Generation(Answer):
             best=told["best"],
             hypervolume=told["hypervolume"],
         )
-
-
-class TunedChange(Answer):
-    """Change of a mean against the paper's weights, paired by road, with its 95 % interval [%]."""
-
-    value: float
-    low: float | None = Field(description="Null on one road")
-    high: float | None
-
-
-class TunedFigures(Answer):
-    """One figure of one set of weights over some roads."""
-
-    mean: float
-    worst: float = Field(description="The largest over the roads")
-    change: TunedChange | None = Field(description="Null for the paper's weights themselves and against zero")
-
-
-class ComparedFigure(Answer):
-    """A column of the comparison."""
-
-    key: str = Field(description="objectives.0, limits.0, or a figure's name")
-    label: str
-    unit: str
-
-
-class ComparedPoint(Answer):
-    """One set of weights beside the paper's."""
-
-    trial: int
-    roles: list[str] = Field(description="paper, scenario, best.0 (of the first objective), knee")
-    weights: dict[str, float | list[float]]
-    training: dict[str, TunedFigures] = Field(description="By the figures' keys, over the training roads")
-    fresh: dict[str, TunedFigures] = Field(description="The same over the fresh roads")
-    verdict: list[Literal["better", "worse", "unclear"]] | None = Field(
-        description="An objective each, on the fresh roads against the paper's weights: whether the interval of the "
-        "change lies below zero, above it, or holds it; null for the paper's own"
-    )
-    failures: list[str] = Field(description="Roads it could not be run on; the figures leave them out")
-
-
-class Comparison(Answer):
-    """The paper's weights and the tuned ones over the training roads and over fresh ones."""
-
-    batch: str = Field(description="Whose rows these figures are made of")
-    figures: list[ComparedFigure]
-    points: list[ComparedPoint] = Field(description="The paper's weights first")
 
 
 class TrialCounts(Answer):
@@ -183,7 +138,7 @@ class TuningItem(Answer):
 class Tuning(TuningItem):
     """A tuning as it stands."""
 
-    scenario: dict[str, Any]
+    scenario: JsonObject
     paper: Trial | None = Field(description="The paper's weights; null until the first generation is complete")
     own: Trial | None = Field(description="The scenario's own weights where they are not the paper's")
     best: list[Trial | None] = Field(description="An objective each: the feasible trial with its smallest value")
@@ -193,7 +148,7 @@ class Tuning(TuningItem):
     comparison: Comparison | None
 
     @classmethod
-    def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[Mapping[str, Any]]) -> Self:
+    def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:
         """A stored tuning with its trials and what the events of its generations told."""
         request = job.request
         own = len(first_weights(request["scenario"], request["strategy"], request["search"])) > 1

@@ -8,6 +8,7 @@ from pydantic_core import PydanticCustomError
 from backend.analysis.objectives import NORMALISED
 from backend.jobs.models import Label
 from backend.jobs.tuning.space import LARGEST, STRATEGIES, default_search, searchable
+from backend.json_types import JsonObject
 from backend.models import RequestModel
 from sim_core.catalogue import LIMITS_EXCEEDED, NUMBERS, PAPER_METRICS, WINDOWS
 from sim_core.scenario import Scenario
@@ -83,7 +84,7 @@ class Objective(RequestModel):
             raise _at("q", "At least one coefficient must be greater than 0")
         return self
 
-    def stored(self) -> dict[str, Any]:
+    def stored(self) -> JsonObject:
         """Written out, as it is kept; a figure is as it is and its `q` is not used."""
         window = None if self.figure is not None else self.window or NORMALISED[self.kind][2]
         return {"kind": self.kind, "q": list(self.q), "window": window, "figure": self.figure}
@@ -162,7 +163,7 @@ class TuningRequest(RequestModel):
         wanted = default_search(self.strategy) if self.search is None else self.search
         return {name: wanted[name] for name in searchable(self.strategy) if name in wanted}
 
-    def stored(self) -> dict[str, Any]:
+    def stored(self) -> JsonObject:
         """All written out, without the number of trials, which resuming may change."""
         return {
             **self.model_dump(mode="json", exclude={"trials", "dry_run", "label"}),

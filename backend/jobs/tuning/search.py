@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from backend.jobs.tuning.space import point_of
+from backend.jobs.tuning.space import Ranges, point_of
+from backend.json_types import JsonObject
 from backend.store.trials import StoredTrial
 
 Point = dict[str, float]  # of the searched space: field -> value
@@ -31,8 +32,8 @@ class Search:
         seed: Same seed, same points.
     """
 
-    ranges: Mapping[str, Sequence[float]]
-    scenario: Mapping[str, Any]
+    ranges: Ranges
+    scenario: JsonObject
     objectives: int
     limits: Sequence[float]
     seed: int
@@ -54,7 +55,7 @@ def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count
     return [dict(study.ask(space).params) for _ in range(count)]
 
 
-def _known(optuna: Any, trial: StoredTrial, point: Point, space: Mapping[str, Any], limits: Sequence[float]) -> Any:
+def _known(optuna: Any, trial: StoredTrial, point: Point, space: Mapping[str, object], limits: Sequence[float]) -> Any:
     """A trial as Optuna knows it; it may do what its constraints' values, at most 0, allow."""
     placed = {"params": point, "distributions": space}
     if trial.values is None or trial.limits is None:

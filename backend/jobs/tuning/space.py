@@ -1,9 +1,9 @@
 """What can be tuned: the weights of a strategy, where the paper puts them, how far they are searched."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
-from typing import Any
 
+from backend.json_types import JsonObject
 from sim_core.scenario import Scenario, dotted
 
 SMALLEST, LARGEST = 0.05, 1000.0  # of a searched range where none is named; the scenario's hard limit
@@ -20,7 +20,8 @@ STRATEGIES: dict[str, tuple[tuple[str, ...], str]] = {
     "lqr": (("lqr.weights",), "lqr.deflection_weight"),
 }
 
-Weights = dict[str, Any]  # dotted name -> three weights, or one
+Ranges = Mapping[str, Sequence[float]]  # field -> lowest and highest value that is searched
+Weights = JsonObject  # dotted name -> three weights, or one
 
 
 def searchable(strategy: str) -> list[str]:
@@ -37,7 +38,7 @@ def default_search(strategy: str) -> dict[str, tuple[float, float]]:
     return dict.fromkeys(searchable(strategy)[:-1], DEFAULT_RANGE)
 
 
-def weights_at(scenario: Mapping[str, Any], strategy: str, searched: Iterable[str]) -> Weights:
+def weights_at(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> Weights:
     """The strategy's weights in a plain scenario; the travel weight only where it is searched."""
     triples, travel = STRATEGIES[strategy]
     names = [*triples, *([travel] if travel in searched else [])]
@@ -49,13 +50,13 @@ def paper_weights(strategy: str, searched: Iterable[str]) -> Weights:
     return weights_at(_paper(), strategy, searched)
 
 
-def first_weights(scenario: Mapping[str, Any], strategy: str, searched: Iterable[str]) -> list[Weights]:
+def first_weights(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> list[Weights]:
     """What every search begins with: the paper's weights, and the scenario's own where they are others."""
     papers, own = paper_weights(strategy, searched), weights_at(scenario, strategy, searched)
     return [papers] if own == papers else [papers, own]
 
 
-def point_of(weights: Weights, search: Mapping[str, Any], scenario: Mapping[str, Any]) -> dict[str, float] | None:
+def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> dict[str, float] | None:
     """Those weights as a point of the searched space; None where they do not lie in it."""
     flat = _flat(weights)
     for name, value in flat.items():
@@ -66,7 +67,7 @@ def point_of(weights: Weights, search: Mapping[str, Any], scenario: Mapping[str,
     return {name: flat[name] for name in search}
 
 
-def weights_of(point: Mapping[str, float], search: Mapping[str, Any], own: Weights) -> Weights:
+def weights_of(point: Mapping[str, float], search: Ranges, own: Weights) -> Weights:
     """The strategy's weights at a point of the searched space, rounded; what is not searched is the scenario's own."""
     made: Weights = {name: list(value) if isinstance(value, list) else value for name, value in own.items()}
     for name, value in point.items():
@@ -90,5 +91,5 @@ def _flat(weights: Weights) -> dict[str, float]:
 
 
 @cache
-def _paper() -> dict[str, Any]:
+def _paper() -> JsonObject:
     return Scenario().model_dump(mode="json")

@@ -7,7 +7,7 @@ what a crash interrupts goes on where its sweep stands.
 
 import asyncio
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from datetime import UTC, datetime
 from functools import partial
@@ -17,13 +17,14 @@ import orjson
 
 from backend.analysis import comparison, front
 from backend.analysis.measure import Aims, Failure, Measured, Roads
+from backend.analysis.models import Comparison
 from backend.analysis.objectives import UndefinedObjectiveError
 from backend.errors import ServiceError, TemporaryError
 from backend.jobs.scheduler import JobFailedError
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of
-from backend.json_types import Summary
+from backend.json_types import JsonObject, Summary
 from backend.store import Store, StoredJob
 from backend.store.job_runs import JobRow
 from backend.store.jobs import FINAL, ParentEndedError
@@ -120,7 +121,7 @@ class TuningSteps:
             job,
             event="progress",
             told=await asyncio.to_thread(_quality, [*trials, *new], len(aims.objectives)),
-            new_trials=[trial.row() for trial in new],
+            new_trials=new,
             progress=_waiting_for(job, "search", sweep) | {"generation": generation + 1, "feasible": feasible},
             done=job.done + succeeded,
             failed=job.failed + len(new) - succeeded,
@@ -165,7 +166,7 @@ class TuningSteps:
             state="done",
             finished_at=datetime.now(UTC),
             progress=_waiting_for(job, "comparison", sweep),
-            answer={"batch": sweep.id, "figures": comparison.columns(aims), "points": points},
+            answer=Comparison(batch=sweep.id, figures=comparison.columns(aims), points=points).model_dump(),
         )
 
     async def _measured(
@@ -240,12 +241,12 @@ class TuningSteps:
         return await self._store.write(self._store.jobs.advance, job, **changes)
 
 
-def first_progress(attempt: int) -> dict[str, Any]:
+def first_progress(attempt: int) -> JsonObject:
     """Of a tuning that has no trial: how often it was begun, the step, complete generations, trials within limits."""
     return {"step": "search", "attempt": attempt, "generation": 0, "feasible": 0, "batch": None}
 
 
-def _waiting_for(job: StoredJob, step: Step, sweep: StoredJob) -> dict[str, Any]:
+def _waiting_for(job: StoredJob, step: Step, sweep: StoredJob) -> JsonObject:
     return job.progress | {"step": step, "batch": sweep.id}
 
 
@@ -271,7 +272,7 @@ def _measure(
     return [aims.measured(row, passive.get(seeds[row.position % len(seeds)], {})) for row in rows]
 
 
-def _quality(trials: Sequence[StoredTrial], objectives: int) -> Mapping[str, Any]:
+def _quality(trials: Sequence[StoredTrial], objectives: int) -> JsonObject:
     """What a generation's event tells beside the counts: how good the best are by now."""
     best = [front.best(trials, index) for index in range(objectives)]
     return {

@@ -1,13 +1,11 @@
 """What makes a result one that no real car would have, or that says less than it seems, in plain words."""
 
-from collections.abc import Mapping
-from typing import Any
-
+from backend.json_types import JsonObject
 from backend.runs.reports.numbers import NOTHING, amount, told, with_unit
 from sim_core.catalogue import EVENTS
 
 
-def doubts(entry: Mapping[str, Any]) -> list[str]:
+def doubts(entry: JsonObject) -> list[str]:
     """Sentences about one strategy of a run, as `Run` has it; none where nothing is to be doubted."""
     if entry["status"] != "ok":
         return [f"It could not run: {entry['reason']}"]
@@ -38,7 +36,7 @@ def doubts(entry: Mapping[str, Any]) -> list[str]:
     return sentences
 
 
-def _above_zero(events: Mapping[str, Any], event: str) -> str | None:
+def _above_zero(events: JsonObject, event: str) -> str | None:
     """An event's amount with its unit, where there is any."""
     value = events.get(event)
     if not isinstance(value, int | float) or value <= NOTHING:

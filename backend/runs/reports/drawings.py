@@ -2,11 +2,11 @@
 
 import base64
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from backend.json_types import JsonObject
 from backend.runs.reports.keys import line_of
 from backend.runs.reports.numbers import NOTHING, significant, with_unit
 
@@ -14,7 +14,7 @@ REACH = 0.6  # how far beyond the curves, in spans of theirs, a reference line i
 PADDING = 0.05
 
 
-def framed(figure: dict[str, Any]) -> dict[str, Any]:
+def framed(figure: JsonObject) -> JsonObject:
     """A filled figure with its y axis around the curves and those reference lines that are near them.
 
     The axis has no title: the heading above the figure says signal and unit.
@@ -33,7 +33,7 @@ def framed(figure: dict[str, Any]) -> dict[str, Any]:
     return {**figure, "layout": {**figure["layout"], "yaxis": y_axis}}
 
 
-def caption(name: str, figure: Mapping[str, Any]) -> dict[str, Any]:
+def caption(name: str, figure: JsonObject) -> JsonObject:
     """A figure's title, unit, key of lines, and what is shaded, dashed, or too far away to be seen."""
     layout = figure["layout"]
     low, high = layout["yaxis"].get("range", (0.0, 0.0))

@@ -1,11 +1,11 @@
 """A scenario as tables: every part, each field with its unit, what differs from the paper marked."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from inspect import cleandoc
 from typing import Any
 
+from backend.json_types import JsonObject
 from backend.runs.reports import numbers
 from sim_core.scenario import Scenario, dotted
 
@@ -35,7 +35,7 @@ class Part:
         return sum(field.paper is not None for field in self.fields)
 
 
-def parts(scenario: Mapping[str, Any]) -> list[Part]:
+def parts(scenario: JsonObject) -> list[Part]:
     """Every part of a complete scenario, in the schema's order; parts inside parts follow them."""
     by_part: dict[str, list[Field]] = {}
     for name, described in dotted.fields().items():
@@ -51,7 +51,7 @@ def parts(scenario: Mapping[str, Any]) -> list[Part]:
     ]
 
 
-def command(scenario: Mapping[str, Any], strategies: list[str], roads: int = 1, baseline: str | None = None) -> str:
+def command(scenario: JsonObject, strategies: list[str], roads: int = 1, baseline: str | None = None) -> str:
     """The command line that runs it again, over several roads with that baseline."""
     changes = [
         f"--set {field.name}={_typed(dotted.value(scenario, field.name))}"
@@ -110,5 +110,5 @@ def _described(name: str) -> tuple[str, str]:
 
 
 @cache
-def _paper() -> dict[str, Any]:
+def _paper() -> JsonObject:
     return Scenario().model_dump(mode="json")

@@ -1,8 +1,6 @@
 """What a strategy is called, and its line in a figure's key."""
 
-from collections.abc import Mapping
-from typing import Any
-
+from backend.json_types import JsonObject
 from backend.runs import figures
 from sim_core.strategies import STRATEGIES
 
@@ -33,7 +31,7 @@ def key_of(strategy: str) -> dict[str, str]:
     return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _DASHES[style.dash]}
 
 
-def line_of(trace: Mapping[str, Any]) -> dict[str, str]:
+def line_of(trace: JsonObject) -> dict[str, str]:
     """The key of a line, or of a filled band, as its trace has it."""
     if "fillcolor" in trace:
         return {"label": trace["name"], "colour": trace["fillcolor"], "dash": "", "width": "10"}

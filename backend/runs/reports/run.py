@@ -6,7 +6,6 @@ from datetime import datetime
 from typing import Any
 
 from backend.json_types import JsonObject
-from backend.models import Run
 from backend.runs import figures
 from backend.runs.reports import inputs
 from backend.runs.reports.doubts import doubts
@@ -25,7 +24,6 @@ from backend.runs.reports.numbers import (
     with_unit,
 )
 from backend.runs.reports.page import Report, render
-from backend.runs.roads_models import RoadsRun
 from backend.runs.work import Outcome
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import (
@@ -56,7 +54,7 @@ class RunFacts:
     """What a report is made of.
 
     Attributes:
-        answer: The run; over several roads with changes against `baseline`.
+        answer: The run as it is answered; over several roads with changes against `baseline`.
         created_at: When it was stored, UTC.
         baseline: Whose figures the changes refer to.
         outcomes: By strategy, with the time histories there are.
@@ -64,7 +62,7 @@ class RunFacts:
         gone: Whether time histories there were cannot be had any more.
     """
 
-    answer: Run | RoadsRun
+    answer: JsonObject
     created_at: datetime
     baseline: str
     outcomes: Mapping[str, Outcome]
@@ -79,8 +77,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         facts: What it is made of.
         compressed: Whether whoever asked takes gzip.
     """
-    answer = facts.answer.model_dump(mode="json")
-    entries: JsonObject = answer["strategies"]
+    answer, entries = facts.answer, facts.answer["strategies"]
     ran = {name: entry for name, entry in entries.items() if entry["status"] == "ok"}
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
