@@ -1,12 +1,16 @@
 """The paper page's rows: those that are stored, and a job that computes the others for as long as somebody waits."""
 
+import asyncio
+import contextlib
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
+from functools import partial
 
 import orjson
 
+from backend.compute.flights import Flights
 from backend.errors import BusyError
 from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.service import request_hash
@@ -47,6 +51,7 @@ class PaperRows:
 
     def __init__(self, store: Store) -> None:
         self._store = store
+        self._waits: Flights[str, str | None] = Flights()
 
     async def get(self, requests: Sequence[RowRequest], patience: float | None) -> Rows:
         """These rows; those that come first are computed first.
@@ -64,7 +69,9 @@ class PaperRows:
             if len(rows) == len(unique) or reason is not None:
                 break
             job = await self._job(unique, patient=patience is None)
-            reason = await self._wait(job, patience)
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(None if job.state in FINAL else patience):
+                    reason = await self._waits.join(job.id, partial(self._wait, job))
             rows, failed = await self._stored(unique)
             reason = reason or failed
         complete = len(rows) == len(unique) or reason is not None
@@ -85,6 +92,7 @@ class PaperRows:
             ended = existing.finished_at
             failed_lately = existing.failed and not patient
             if ended is None or (failed_lately and datetime.now(UTC) - ended < TRY_AGAIN):
+                await self._note(existing)
                 return existing
             await self._store.write(self._store.jobs.delete, existing.id)
         counts = await self._store.read(self._store.jobs.counts)
@@ -104,27 +112,26 @@ class PaperRows:
         stored, _ = await self._store.write(self._store.jobs.create, job, runs, key)
         return stored
 
-    async def _wait(self, job: StoredJob, patience: float | None) -> str | None:
+    async def _wait(self, job: StoredJob) -> str | None:
         """Until it has ended, letting the scheduler know that somebody waits; why one of its runs failed."""
-        begin, noted = time.monotonic(), -LINGER
-        now: StoredJob | None = job
-        while now is not None and now.state not in FINAL:
-            clock = time.monotonic()
-            if clock - noted > LINGER / 4:
-                noted = clock
-                await self._store.write(self._store.jobs.note_progress, job.id, asked_at=time.time())
-            left = LOOK if patience is None else min(LOOK, begin + patience - clock)
-            if left <= 0:
-                return None
+        noted = time.monotonic()
+        while True:
             changes = self._store.changes.count
             now = await self._store.read(self._store.jobs.load, job.id)
-            if now is not None and now.state not in FINAL:
-                await self._store.changes.wait_beyond(changes, left)
+            if now is None or now.state in FINAL:
+                break
+            if time.monotonic() - noted > LINGER / 4:
+                noted = time.monotonic()
+                await self._note(job)
+            await self._store.changes.wait_beyond(changes, LOOK)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)
         failed = (row for row in rows if row.status == "failed")
         return next((row.reason or orjson.loads(row.summary or "{}").get("reason") for row in failed), None)
+
+    async def _note(self, job: StoredJob) -> None:
+        await self._store.write(self._store.jobs.note_progress, job.id, asked_at=time.time())
 
 
 def is_abandoned(job: StoredJob) -> bool:
