@@ -22,12 +22,12 @@ LONGEST_PAUSE = 2.0  # between two polls [s]
 Trial = dict[str, Any]  # number, weights, values, limits, feasible, …, as the service sends it
 
 
-def _told(key: str, doc: str) -> Any:
+def _field(key: str, doc: str) -> Any:
     """A property: what the last answer has under that key."""
     return property(lambda job: job.answer.get(key), doc=doc)
 
 
-def _counted(key: str, doc: str) -> Any:
+def _count(key: str, doc: str) -> Any:
     return property(lambda job: job.counts[key], doc=doc)
 
 
@@ -37,14 +37,14 @@ class Job:
     NAME: ClassVar[str]
     PLACE: ClassVar[str]  # its path on the service, without its id
 
-    id: str = _told("id", "Names it for ever.")
-    state: str = _told("state", "`queued`, `running`, `done`, `cancelled` or `failed`.")
-    reason: str | None = _told("reason", "Why it failed as a whole.")
-    label: str | None = _told("label", "What somebody called it.")
-    position: int | None = _told("position", "How many runs of other jobs are computed before its own.")
-    total: int = _counted("total", "Runs of a batch (points times strategies), trials wanted of a tuning.")
-    done: int = _counted("done", "Those that succeeded.")
-    failed: int = _counted("failed", "Those that failed; each says why.")
+    id: str = _field("id", "Names it for ever.")
+    state: str = _field("state", "`queued`, `running`, `done`, `cancelled` or `failed`.")
+    reason: str | None = _field("reason", "Why it failed as a whole.")
+    label: str | None = _field("label", "What somebody called it.")
+    position: int | None = _field("position", "How many runs of other jobs are computed before its own.")
+    total: int = _count("total", "Runs of a batch (points times strategies), trials wanted of a tuning.")
+    done: int = _count("done", "Those that succeeded.")
+    failed: int = _count("failed", "Those that failed; each says why.")
 
     def __init__(self, http: Http, answer: Mapping[str, Any]) -> None:
         self._http = http
@@ -227,12 +227,12 @@ class Tuning(Job):
     NAME = "tuning"
     PLACE = "/api/v1/tunings"
 
-    feasible: int = _counted("feasible", "Trials within every limit.")
-    paper: Trial | None = _told("paper", "The paper's weights; None until the first generation is complete.")
-    best: list[Trial | None] = _told("best", "Of each objective the feasible trial with its smallest value, or None.")
-    knee: Trial | None = _told("knee", "Of several objectives the point of the front nearest to its ideal corner.")
-    front: list[Trial] = _told("front", "Feasible trials that no other one betters.")
-    comparison: dict[str, Any] | None = _told(
+    feasible: int = _count("feasible", "Trials within every limit.")
+    paper: Trial | None = _field("paper", "The paper's weights; None until the first generation is complete.")
+    best: list[Trial | None] = _field("best", "Of each objective the feasible trial with its smallest value, or None.")
+    knee: Trial | None = _field("knee", "Of several objectives the point of the front nearest to its ideal corner.")
+    front: list[Trial] = _field("front", "Feasible trials that no other one betters.")
+    comparison: dict[str, Any] | None = _field(
         "comparison", "The paper's weights and the tuned ones on training and validation roads; None until done."
     )
 

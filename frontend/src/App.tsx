@@ -1,5 +1,5 @@
 import { useDocumentTitle, useHotkeys } from "@mantine/hooks";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQuery } from "@tanstack/react-query";
 import { Suspense, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
 import { LazyBatchPage } from "./batch/lazy";
@@ -46,14 +46,13 @@ const CAR_SIGNALS = ["rear_road"];
 
 function Desk() {
   const { lab } = useDesk();
-  const queries = useQueryClient();
   const schema = useQuery(schemaQuery);
   const presets = useQuery(presetsQuery);
   const strategies = useQuery(strategiesQuery);
   const catalogue = useQuery(catalogueQuery);
   const figures = useQuery(figuresQuery);
   const shown = useLab((state) => state.shown);
-  const chosen = useLab((state) => state.strategies);
+  const selected = useLab((state) => state.strategies);
   const view = useView();
 
   useDocumentTitle(pageTitle(useScenario()));
@@ -69,10 +68,10 @@ function Desk() {
   }, [lab, schema.data, figures.data]);
 
   const scene = useMemo(
-    () => (shown && strategies.data ? makeScene(shown, strategies.data, chosen, view) : null),
-    [shown, strategies.data, chosen, view],
+    () => (shown && strategies.data ? makeScene(shown, strategies.data, selected, view) : null),
+    [shown, strategies.data, selected, view],
   );
-  const broken = [schema, presets, strategies, catalogue, figures].find(({ error }) => error !== null && !isTransient(error));
+  const failedQuery = [schema, presets, strategies, catalogue, figures].find(({ error }) => error !== null && !isTransient(error));
 
   return (
     <div className={classes.shell}>
@@ -84,8 +83,8 @@ function Desk() {
           <SharedBanner strategies={strategies.data ?? []} catalogue={catalogue.data} figures={figures.data} />
           <Toolbar strategies={strategies.data ?? []} scene={scene} />
           <StatusLine place="page" />
-          {broken?.error ? (
-            <CouldNotLoad message={broken.error.message} onRetry={() => void queries.refetchQueries()} />
+          {failedQuery?.error ? (
+            <CouldNotLoad message={failedQuery.error.message} />
           ) : (
             <Results strategies={strategies.data ?? []} catalogue={catalogue.data} figures={figures.data} scene={scene} />
           )}

@@ -31,6 +31,6 @@ export const PAGES: readonly Page[] = [
 /** The page of an address and what follows its path; `null` where the address is another one's. */
 export function pageAt(pathname: string): (Page & PageProps) | null {
   const [, first = "", id = ""] = pathname.split("/");
-  const found = PAGES.find(({ path }) => path === `/${first}`);
-  return found ? { ...found, id: id === "" ? null : id } : null;
+  const page = PAGES.find(({ path }) => path === `/${first}`);
+  return page ? { ...page, id: id === "" ? null : id } : null;
 }

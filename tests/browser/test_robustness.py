@@ -52,7 +52,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     expect(page.get_by_test_id("tornado").get_by_role("button")).to_have_count(20, timeout=LONG_MS)
     dashboard.expect_accessible()
 
-    page.get_by_label("Compare with").select_option("lqr")
+    page.get_by_label("Baseline").select_option("lqr")
     expect(page.get_by_role("heading", name="Where LQR is better")).to_be_visible()
     page.reload()  # the address is all there is to share
     expect(page.get_by_role("heading", name="Where LQR is better")).to_be_visible()

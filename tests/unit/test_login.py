@@ -10,7 +10,7 @@ import pytest
 
 from ridelab import Batch, Ridelab, RidelabAPIError, RidelabClientError, RidelabConnectionError
 from ridelab.cli import app
-from ridelab.cli.following import later
+from ridelab.cli.following import resume_command
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
 
@@ -77,7 +77,7 @@ def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pyt
     with at(lambda _: httpx.Response(202, json=BATCH)) as ridelab:
         batch = ridelab.get_batch(str(BATCH["id"]))
         assert isinstance(batch, Batch)
-        told = later(batch, Services(ADDRESS, Path("d")))
+        told = resume_command(batch, Services(ADDRESS, Path("d")))
     assert f"--server {SHOWN}" in told
     for words in (
         ["run", f"{ADDRESS}x"],

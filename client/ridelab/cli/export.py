@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import options, targets
-from ridelab.cli.following import file_options, followed
+from ridelab.cli.following import file_options, follow_to_end
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note
 from ridelab.cli.run import with_units
 from ridelab.cli.service import Services
@@ -39,7 +39,7 @@ def export(
     source = targets.find(target, services)
     if source.batch is not None:
         if wait:
-            followed(source.batch, services, *file_options(out, file_format), ours=False)
+            follow_to_end(source.batch, services, *file_options(out, file_format), ours=False)
         elif not source.batch.finished:
             left = source.batch.total - source.batch.done - source.batch.failed
             note(f"The batch is {source.batch.state}: {left} of {source.batch.total} rows wait")

@@ -27,24 +27,24 @@ from ridelab.jobs import Job, Tuning
 AnyJob = TypeVar("AnyJob", bound=Job)
 
 
-def left_alone(services: Services) -> Ridelab:
+def detached_service(services: Services) -> Ridelab:
     """The service that goes on with a job that is left to it."""
     if services.private:
         raise InputError("--detach needs --server: a private service ends with this command")
     return services.at()
 
 
-def submitted(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
+def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
     """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends."""
     key = uuid.uuid4().hex
     try:
         return submit(key)
     except KeyboardInterrupt as interrupt:
         job = submit(key)
-        raise typer.Exit(_stopped(job, interrupt, later(job, services, *options), ours=True)) from None
+        raise typer.Exit(_stopped(job, interrupt, resume_command(job, services, *options), ours=True)) from None
 
 
-def followed(job: Job, services: Services, *options: str, ours: bool = True, timeout: float | None = None) -> int:
+def follow_to_end(job: Job, services: Services, *options: str, ours: bool = True, timeout: float | None = None) -> int:
     """Wait for a job with a progress bar, `timeout` [s] at most.
 
     Ctrl-C cancels a job that is `ours`, handed in by this command; another's goes on. SIGTERM cancels none. `options`
@@ -60,10 +60,10 @@ def followed(job: Job, services: Services, *options: str, ours: bool = True, tim
         _follow(job, timeout)
         return 0
     except KeyboardInterrupt as interrupt:
-        return _stopped(job, interrupt, later(job, services, *options), ours=ours)
+        return _stopped(job, interrupt, resume_command(job, services, *options), ours=ours)
 
 
-def later(job: Job, services: Services, *options: str) -> str:
+def resume_command(job: Job, services: Services, *options: str) -> str:
     """The command that waits for a batch and writes its rows, or that shows a tuning."""
     words = ["export", job.id, "--wait", *(options or ("--out", "FILE"))]
     if isinstance(job, Tuning):
@@ -76,10 +76,10 @@ def file_options(out: str | None, file_format: str | None) -> list[str]:
     return [] if out is None else ["--out", out, *([] if file_format is None else ["--format", file_format])]
 
 
-def left(job: Job, services: Services, *options: str, as_json: bool) -> None:
+def show_detached(job: Job, services: Services, *options: str, as_json: bool) -> None:
     """Say which job was handed in and how to come back to it."""
     print_json(job.answer) if as_json else typer.echo(job.id)
-    note(f"{job.total} {'trials' if isinstance(job, Tuning) else 'runs'}; {later(job, services, *options)}")
+    note(f"{job.total} {'trials' if isinstance(job, Tuning) else 'runs'}; {resume_command(job, services, *options)}")
 
 
 def say_end(job: Job) -> int:

@@ -5,7 +5,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options, targets
-from ridelab.cli.following import followed, later, say_end
+from ridelab.cli.following import follow_to_end, resume_command, say_end
 from ridelab.cli.reporting import note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
@@ -57,7 +57,7 @@ def show(services: Services, job_id: JobId, as_json: options.AsJson = False) -> 
         "core": answer.get("core_version"),
         "created": answer.get("created_at"),
         "finished": answer.get("finished_at"),
-        "results": later(job, services),
+        "results": resume_command(job, services),
     }
     for name, value in lines.items():
         if value not in (None, ""):
@@ -67,7 +67,7 @@ def show(services: Services, job_id: JobId, as_json: options.AsJson = False) -> 
 def follow(services: Services, job_id: JobId, timeout: Timeout = None) -> None:
     """Wait for a job's end; Ctrl-C only ends the waiting."""
     job = targets.job_of(job_id, services)
-    followed(job, services, ours=False, timeout=timeout)
+    follow_to_end(job, services, ours=False, timeout=timeout)
     raise typer.Exit(say_end(job))
 
 
@@ -85,7 +85,7 @@ def resume(services: Services, job_id: JobId) -> None:
     """Go on with a job that was cancelled or failed; a private service ends with the command, so it is followed."""
     job = targets.job_of(job_id, services).resume()
     if services.private:
-        followed(job, services)
+        follow_to_end(job, services)
     say_end(job)
 
 

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.following import followed, say_end, submitted
+from ridelab.cli.following import follow_to_end, say_end, submit_job
 from ridelab.cli.reporting import InputError, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
@@ -51,8 +51,8 @@ def robustness(
     if not varied:
         raise InputError("Nothing is uncertain: every field is exact. Name one with --range FIELD=LOW:HIGH")
     sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
-    batch = submitted(lambda key: ridelab.submit(start, names, sweep, key, label), services)
-    code = followed(batch, services)
+    batch = submit_job(lambda key: ridelab.submit(start, names, sweep, key, label or "Robustness study"), services)
+    code = follow_to_end(batch, services)
     if batch.state != "failed":
         summary = batch.summary(baseline=baseline)
         print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)

@@ -7,7 +7,16 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.following import file_options, followed, later, left, left_alone, say_end, show_estimate, submitted
+from ridelab.cli.following import (
+    detached_service,
+    file_options,
+    follow_to_end,
+    resume_command,
+    say_end,
+    show_detached,
+    show_estimate,
+    submit_job,
+)
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
@@ -58,21 +67,21 @@ def sweep(
     else:
         ranges = fields.ranges_of(latin_hypercube or [], "--latin-hypercube")
         swept = {"latin_hypercube": {"ranges": ranges, "samples": samples, "seed": seed}}
-    ridelab, names = left_alone(services) if detach else services.at(), options.listed(strategy) or ["lv"]
+    ridelab, names = detached_service(services) if detach else services.at(), options.listed(strategy) or ["lv"]
     start = fields.scenario_of(scenario, changes, services)
     if dry_run:
         show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
     again = file_options(out, file_format)
-    batch = submitted(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
+    batch = submit_job(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
     if detach:
-        left(batch, services, *again, as_json=as_json)
+        show_detached(batch, services, *again, as_json=as_json)
         return
-    code = followed(batch, services, *again)
+    code = follow_to_end(batch, services, *again)
     if out is not None and kind is not None:
-        _write(batch, kind, out, later(batch, services, *again))
+        _write(batch, kind, out, resume_command(batch, services, *again))
     elif code:
-        note(f"For its rows: {later(batch, services)}")
+        note(f"For its rows: {resume_command(batch, services)}")
     elif not as_json:
         _preview(batch, services)
     if as_json:
@@ -93,9 +102,8 @@ def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:
 def _preview(batch: Batch, services: Services) -> None:
     """The first rows, with the metrics most people look at."""
     swept = [(item["name"], item["unit"]) for item in batch.answer["fields"]]
-    taken = list(itertools.islice(batch.rows(), _PREVIEW))
     rows = []
-    for row in taken:
+    for row in itertools.islice(batch.rows(), _PREVIEW):
         figures = dict(flat(row.get("metrics") or {}))
         cells = [*(row.get(name) for name, _ in swept), row["strategy"], row["status"], *map(figures.get, _FIGURES)]
         rows.append([*cells, row.get("reason") or ""])

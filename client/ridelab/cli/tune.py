@@ -9,7 +9,15 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.following import followed, later, left, left_alone, say_end, show_estimate, submitted
+from ridelab.cli.following import (
+    detached_service,
+    follow_to_end,
+    resume_command,
+    say_end,
+    show_detached,
+    show_estimate,
+    submit_job,
+)
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
 from ridelab.cli.service import Services
@@ -53,7 +61,7 @@ def tune(
 
     Ctrl-C cancels; --resume goes on where it stopped. With several objectives --out takes the front's knee.
     """
-    ridelab = services.at() if not detach else left_alone(services)
+    ridelab = services.at() if not detach else detached_service(services)
     if resume is not None:
         tuning = ridelab.get_tuning(resume)
         if tuning.state != "done" or trials not in (None, tuning.total):  # else it is only shown
@@ -75,12 +83,12 @@ def tune(
         if dry_run:
             show_estimate(ridelab.estimate_tuning(request), "runs", "generations", as_json=as_json)
             return
-        tuning = submitted(lambda key: ridelab.tune(request, key), services)
+        tuning = submit_job(lambda key: ridelab.tune(request, key), services)
     if detach:
-        left(tuning, services, as_json=as_json)
+        show_detached(tuning, services, as_json=as_json)
         return
-    if code := followed(tuning, services):
-        note(f"To go on: {later(tuning, services)}")
+    if code := follow_to_end(tuning, services):
+        note(f"To go on: {resume_command(tuning, services)}")
         raise typer.Exit(code)
     if tuning.state != "done":
         raise typer.Exit(say_end(tuning))

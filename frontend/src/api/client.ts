@@ -29,12 +29,12 @@ import type {
 } from "./types";
 
 /** Over how many roads, and which strategy the changes refer to. */
-export interface RoadsWish {
+export interface RoadsOptions {
   readonly roads: number;
   readonly baseline?: StrategyId;
 }
 
-export interface LiveWish {
+export interface LiveRequest {
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
   readonly signals: readonly string[];
@@ -55,7 +55,7 @@ export const api = {
   figures: async (signal?: AbortSignal) =>
     (await get<{ readonly figures: Readonly<Record<string, FigureTemplate>> }>("/figures", signal)).figures,
 
-  createRun: async (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal, over: RoadsWish | null = null) =>
+  createRun: async (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal, over: RoadsOptions | null = null) =>
     readRun(await post<RunAnswer | RoadsAnswer>("/runs", { scenario, strategies, ...over }, { signal })),
   run: async (id: string, signal?: AbortSignal) => readRun(await get<RunAnswer | RoadsAnswer>(`/runs/${encodeURIComponent(id)}`, signal)),
 
@@ -79,7 +79,7 @@ export const api = {
     (await get<{ readonly figures: readonly PaperFigure[] }>(`/paper/figures${asQuery(roads)}`, signal)).figures,
   paperReportAddress: (choices: Readonly<Record<string, string>>) => `${BASE}/paper/report.html${asQuery(choices)}`,
 
-  live: (wish: LiveWish, signal?: AbortSignal) => post<LiveAnswer>("/live", wish, { signal }),
+  live: (body: LiveRequest, signal?: AbortSignal) => post<LiveAnswer>("/live", body, { signal }),
 
   series: async (
     id: string,

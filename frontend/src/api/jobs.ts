@@ -17,7 +17,7 @@ import type {
   TuningItem,
 } from "./types";
 
-export interface SweepWish {
+export interface SweepRequest {
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
   readonly sweep: Sweep;
@@ -37,7 +37,7 @@ export interface TuningChoice {
   readonly seed: number;
 }
 
-export interface TuningWish extends TuningChoice {
+export interface TuningRequest extends TuningChoice {
   readonly scenario: Scenario;
 }
 
@@ -49,7 +49,7 @@ export interface JobPage<Item> {
 
 const PAGE = "10";
 /** What is sent again with its key begins nothing anew. */
-const once = (key: string) => ({ headers: { "idempotency-key": key } });
+const withKey = (key: string) => ({ headers: { "idempotency-key": key } });
 
 function callsOf<Item, Job extends Item>(plural: "batches" | "tunings") {
   const path = (id: string, rest = "") => `/${plural}/${encodeURIComponent(id)}${rest}`;
@@ -76,8 +76,8 @@ const ofBatches = callsOf<BatchItem, Batch>("batches");
 
 export const batches = {
   ...ofBatches,
-  create: (wish: SweepWish, key: string) => post<Batch>("/batches", wish, once(key)),
-  estimate: (wish: SweepWish, signal?: AbortSignal) => post<Estimate>("/batches", { ...wish, dry_run: true }, { signal }),
+  create: (body: SweepRequest, key: string) => post<Batch>("/batches", body, withKey(key)),
+  estimate: (body: SweepRequest, signal?: AbortSignal) => post<Estimate>("/batches", { ...body, dry_run: true }, { signal }),
   table: (id: string, figures: readonly string[], signal?: AbortSignal) =>
     get<BatchTable>(ofBatches.path(id, `/table${asQuery({ figures: figures.join(",") })}`), signal),
   summary: (id: string, figures: readonly string[], baseline: StrategyId | null, signal?: AbortSignal) =>
@@ -90,7 +90,7 @@ const ofTunings = callsOf<TuningItem, Tuning>("tunings");
 
 export const tunings = {
   ...ofTunings,
-  create: (wish: TuningWish, key: string) => post<Tuning>("/tunings", wish, once(key)),
-  estimate: (wish: TuningWish, signal?: AbortSignal) => post<TuningEstimate>("/tunings", { ...wish, dry_run: true }, { signal }),
+  create: (body: TuningRequest, key: string) => post<Tuning>("/tunings", body, withKey(key)),
+  estimate: (body: TuningRequest, signal?: AbortSignal) => post<TuningEstimate>("/tunings", { ...body, dry_run: true }, { signal }),
   trials: (id: string, signal?: AbortSignal) => get<{ readonly trials: readonly Trial[] }>(ofTunings.path(id, "/trials"), signal),
 };

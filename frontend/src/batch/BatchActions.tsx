@@ -7,8 +7,8 @@ import { batches } from "../api/jobs";
 import type { Batch } from "../api/types";
 import { download } from "../export/image";
 import { ShareLink } from "../share/ShareLink";
-import shell from "../shell/shell.module.css";
 import type { BatchView } from "./view";
+import { compact } from "../ui/compact";
 
 interface Props {
   readonly batch: Batch | undefined;
@@ -20,8 +20,6 @@ const FORMATS = [
   { format: "parquet", label: "Parquet", icon: IconTable },
   { format: "json", label: "JSON", icon: IconBraces },
 ] as const;
-
-const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" };
 
 export function BatchActions({ batch, view }: Props) {
   return (

@@ -1,7 +1,6 @@
 /** A sweep: how far it is, its plot and its rows. */
 
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
 import type { Link } from "../api/types";
@@ -9,14 +8,16 @@ import { BATCH, useJob } from "../jobs/useJob";
 import { markersOf } from "../plots/markers";
 import { Page } from "../shell/Page";
 import { useCatalogues } from "../state/useCatalogues";
-import { BatchFault, BatchLoading, NoBatch } from "./BatchBlank";
 import { BatchActions } from "./BatchActions";
 import { BatchResults } from "./BatchResults";
 import { BatchState } from "./BatchState";
-import classes from "./batch.module.css";
 import { SharedBatchBanner } from "./SharedBatchBanner";
 import { SweepList, titleOf } from "./SweepList";
 import { useBatchView } from "./view";
+import ui from "../ui/ui.module.css";
+import { Loading } from "../ui/Loading";
+import { Blank, CouldNotLoad } from "../shell/Blank";
+import { Anchor } from "@mantine/core";
 
 interface Props {
   readonly id: string;
@@ -25,9 +26,8 @@ interface Props {
 }
 
 export function BatchPage({ id, link }: Props) {
-  const queries = useQueryClient();
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const { catalogues, fault: missing } = useCatalogues();
+  const { catalogues, fault: catalogueFault } = useCatalogues();
   const [view, setView] = useBatchView(link?.view);
   const title = batch ? (batch.label ?? `Sweep of ${titleOf(batch.fields)}`) : "Sweep";
   useDocumentTitle(`${title} · Ridelab`);
@@ -35,23 +35,27 @@ export function BatchPage({ id, link }: Props) {
   const strategies = catalogues?.strategies;
   const swept = useMemo(() => strategies?.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)) ?? [], [strategies, batch?.strategies]);
   const markers = useMemo(() => markersOf(strategies ?? []), [strategies]);
-  const fault = error !== null && !isTransient(error) ? error : missing;
+  const fault = error !== null && !isTransient(error) ? error : catalogueFault;
 
   return (
     <Page actions={<BatchActions batch={batch} view={view} />}>
-      <main className={classes.main}>
+      <main className={ui.main}>
         {link && <SharedBatchBanner link={link} />}
         {fault ? (
-          isNotFound(error) ? <NoBatch /> : <BatchFault message={fault.message} onRetry={() => void queries.refetchQueries()} />
+          isNotFound(error) ? (
+            <Blank title="There is no sweep at this address" text="The address may be cut short, or the sweep was made on another server.">
+              <Anchor href="/">Open the paper’s scenario</Anchor>
+            </Blank>
+          ) : <CouldNotLoad what="sweep" message={fault.message} />
         ) : batch && catalogues ? (
           <>
-            <h1 className={classes.title}>{title}</h1>
+            <h1 className={ui.title}>{title}</h1>
             <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
             <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={setView} />
             {!link && <SweepList strategies={catalogues.strategies} current={id} />}
           </>
         ) : (
-          <BatchLoading />
+          <Loading label="Loading the sweep" heights={[28, 96, 440, 320]} />
         )}
       </main>
     </Page>

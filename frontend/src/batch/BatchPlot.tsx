@@ -20,6 +20,7 @@ import { scatterFigure } from "./scatter";
 import { cell, pointsOf, type Columns } from "./table";
 import { describeRow, isAirborne, placeOf } from "./describeRow";
 import type { BatchView } from "./view";
+import { Card } from "../ui/Card";
 
 interface Props {
   readonly batch: Batch;
@@ -62,12 +63,12 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
   const [drawing, setDrawing] = useState(0);
   useEffect(() => {
     if (!plotly || !host.current || width === 0) return undefined;
-    let wanted = true;
+    let mounted = true;
     void plotly.react(host.current, [...figure.lines, ...figure.data], { ...figure.layout, width, height: HEIGHT }, CONFIG).then(() => {
-      if (wanted) setDrawing((before) => before + 1);
+      if (mounted) setDrawing((before) => before + 1);
     });
     return () => {
-      wanted = false;
+      mounted = false;
     };
   }, [plotly, figure, width]);
 
@@ -90,7 +91,7 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
 
   const drawn = figure.count;
   return (
-    <section className={classes.card} aria-label="Plot">
+    <Card aria-label="Plot">
       <PlotTools {...{ batch, strategies, markers, figures, x, y, view, onView }} />
       <div ref={ref} className={classes.plot} style={{ height: HEIGHT }}>
         <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
@@ -106,7 +107,7 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
       <Text size="xs" className={classes.best}>
         {best === null ? "\u00a0" : describeBest(best, { batch, columns, strategies, y })}
       </Text>
-    </section>
+    </Card>
   );
 }
 

@@ -1,6 +1,5 @@
 /** The plot and the rows, and from a row to its run. */
 
-import { Text } from "@mantine/core";
 import { keepPreviousData, useMutation, useQuery } from "@tanstack/react-query";
 import { useEffect, useEffectEvent, useMemo } from "react";
 import { api } from "../api/client";
@@ -9,12 +8,13 @@ import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import { BatchPlot } from "./BatchPlot";
 import { BatchRows } from "./BatchRows";
-import classes from "./batch.module.css";
 import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
 import { lowest, rowsOf, scenarioOf, type Columns } from "./table";
 import { CAVEAT_COLUMNS } from "./describeRow";
 import { tableQuery } from "./queries";
 import type { BatchView } from "./view";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly batch: Batch;
@@ -33,8 +33,8 @@ export function BatchResults({ batch, catalogue, strategies, markers, figures, v
   const y = figures.find(({ key }) => key === view.y) ?? figures.find(({ key }) => key === OPENING_FIGURE) ?? figures[0];
   const x = batch.fields.find(({ name }) => name === view.x) ?? batch.fields[0];
   const keys = useMemo(() => [...new Set([...(y ? [y.key] : []), ...paperFigures(catalogue)])], [catalogue, y]);
-  const asked = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
-  const table = useQuery({ ...tableQuery(batch, asked), placeholderData: keepPreviousData });
+  const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
+  const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
   const columns = table.data?.columns ?? NOTHING;
   // The first finished runs are shown as soon as they are known of, not when rows are due again.
   const readFirst = useEffectEvent(() => {
@@ -66,16 +66,12 @@ export function BatchResults({ batch, catalogue, strategies, markers, figures, v
 
   if (!x || !y) return null;
   return (
-    <div className={classes.results} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
+    <div className={ui.stack} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
       {table.isError && (
-        <Text size="sm" role="alert" className={classes.failed}>
-          The rows could not be read: {table.error.message}
-        </Text>
+        <Fault size="sm">The rows could not be read: {table.error.message}</Fault>
       )}
       {opening.isError && (
-        <Text size="sm" role="alert" className={classes.failed}>
-          This run could not be opened: {opening.error instanceof ApiProblem && opening.error.errors[0] ? opening.error.errors[0].message : opening.error.message}
-        </Text>
+        <Fault size="sm">This run could not be opened: {opening.error instanceof ApiProblem && opening.error.errors[0] ? opening.error.errors[0].message : opening.error.message}</Fault>
       )}
       <BatchPlot {...{ batch, columns, catalogue, strategies, markers, figures, x, y, view, best, onView }} onOpen={open} />
       <BatchRows

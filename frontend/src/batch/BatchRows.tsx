@@ -12,6 +12,9 @@ import { MarkerKey } from "./MarkerKey";
 import { showCell, showFigure } from "./show";
 import { cell, ordered, rowsOf, type Columns, type Order } from "./table";
 import { caveatsOfRow } from "./describeRow";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly batch: Batch;
@@ -35,8 +38,8 @@ export function BatchRows({ batch, columns, catalogue, strategies, markers, figu
   const [page, setPage] = useState(1);
 
   const rows = useMemo(() => {
-    const kept = rowsOf(columns, (row) => !failedOnly || cell(columns, "status", row) === "failed");
-    return ordered(columns, kept, order);
+    const filtered = rowsOf(columns, (row) => !failedOnly || cell(columns, "status", row) === "failed");
+    return ordered(columns, filtered, order);
   }, [columns, failedOnly, order]);
   const pages = Math.max(1, Math.ceil(rows.length / PAGE));
   const current = Math.min(page, pages);
@@ -48,7 +51,7 @@ export function BatchRows({ batch, columns, catalogue, strategies, markers, figu
   const head = { order, onSort: sort };
 
   return (
-    <section className={classes.card} aria-label="Rows">
+    <Card aria-label="Rows">
       <div className={classes.rowsTools}>
         <Text size="sm" fw={600}>
           {count(rows.length, failedOnly ? "failed run" : "run")}
@@ -74,34 +77,32 @@ export function BatchRows({ batch, columns, catalogue, strategies, markers, figu
           getItemProps={(item) => ({ "aria-label": `Page ${item}` })}
         />
       </div>
-      <div className={classes.scroll} tabIndex={0} role="region" aria-label="Runs of the sweep">
-        <table className={classes.table}>
-          <caption className="visually-hidden">Runs of the sweep, a page of {PAGE}</caption>
-          <thead>
-            <tr>
-              <Heading {...head} column="run" title="Run" />
-              {batch.fields.map(({ name, title, unit }) => (
-                <Heading key={name} {...head} column={name} title={title} unit={unit} />
-              ))}
-              <Heading {...head} column="strategy" title="Strategy" left />
-              {figures.map(({ key, label, group, unit }) => (
-                <Heading key={key} {...head} column={key} title={label} detail={group} unit={unit} />
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {shown.map((row) => (
-              <Row key={row} row={row} isBest={row === best} isOpening={row === opening} {...{ batch, columns, catalogue, strategies, markers, figures, onOpen }} />
+      <ScrollTable label="Runs of the sweep" className={classes.table}>
+        <caption className="visually-hidden">Runs of the sweep, a page of {PAGE}</caption>
+        <thead>
+          <tr>
+            <Heading {...head} column="run" title="Run" />
+            {batch.fields.map(({ name, title, unit }) => (
+              <Heading key={name} {...head} column={name} title={title} unit={unit} />
             ))}
-          </tbody>
-        </table>
-        {shown.length === 0 && (
-          <Text size="sm" c="dimmed" p="md">
-            {loading ? "The rows are on their way." : failedOnly ? "No run has failed." : "There are no rows."}
-          </Text>
-        )}
-      </div>
-    </section>
+            <Heading {...head} column="strategy" title="Strategy" left />
+            {figures.map(({ key, label, group, unit }) => (
+              <Heading key={key} {...head} column={key} title={label} detail={group} unit={unit} />
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {shown.map((row) => (
+            <Row key={row} row={row} isBest={row === best} isOpening={row === opening} {...{ batch, columns, catalogue, strategies, markers, figures, onOpen }} />
+          ))}
+        </tbody>
+      </ScrollTable>
+      {shown.length === 0 && (
+        <Text size="sm" c="dimmed" p="md">
+          {loading ? "The rows are on their way." : failedOnly ? "No run has failed." : "There are no rows."}
+        </Text>
+      )}
+    </Card>
   );
 }
 
@@ -184,7 +185,7 @@ function Row({ row, batch, columns, catalogue, strategies, markers, figures, isB
       {status === "ok" ? (
         figures.map(({ key, scale }) => <td key={key}>{showFigure(cell(columns, key, row), scale)}</td>)
       ) : (
-        <td colSpan={figures.length} data-left className={status === "failed" ? classes.failed : classes.waiting}>
+        <td colSpan={figures.length} data-left className={status === "failed" ? ui.error : classes.waiting}>
           <span className={classes.reason}>
             {status}
             {typeof reason === "string" && `: ${reason}`}

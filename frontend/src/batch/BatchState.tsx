@@ -7,10 +7,11 @@ import { otherThanPaper } from "../origin/otherThanPaper";
 import type { Group } from "../editor/schema";
 import { isFinal } from "../jobs/follow";
 import { JobState } from "../jobs/JobState";
-import jobs from "../jobs/jobs.module.css";
 import { BATCH, useJobCall } from "../jobs/useJob";
 import { formatDuration, formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly batch: Batch;
@@ -37,9 +38,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
   return (
     <JobState kind={BATCH} job={batch} {...{ counts, connected, readOnly }} resume={goOn}>
       {resume.isError && (
-        <Text size="xs" className={jobs.failed} role="alert">
-          It could not be resumed: {resume.error.message}
-        </Text>
+        <Fault>It could not be resumed: {resume.error.message}</Fault>
       )}
       <Text size="xs" c="dimmed">
         {facts(batch)}. {otherThanPaper(batch.scenario, form, batch.fields.map(({ name }) => name))}
@@ -51,7 +50,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
 /** `1 ok, 2 failed of 3 runs`; `12 of 60 runs finished` where nothing has failed. */
 function Counts({ batch, ended }: { readonly batch: Batch; readonly ended: boolean }) {
   const finished = batch.done + batch.failed;
-  const failed = <span className={jobs.failed}>{formatWhole(batch.failed)} failed</span>;
+  const failed = <span className={ui.error}>{formatWhole(batch.failed)} failed</span>;
   if (batch.failed === 0) return `${formatWhole(finished)} of ${count(batch.total, "run")} finished`;
   const whole = finished === batch.total ? ` of ${count(batch.total, "run")}` : "";
   return (

@@ -120,9 +120,9 @@ describe("a plot of many points", () => {
   it("has decades for a field that spans them, and names for choices", () => {
     const decades = [{ strategy: "lv", rows: [0, 1], x: [1e-6, 1e-3], y: [1, 2] }];
     const names = [{ strategy: "lv", rows: [0, 1], x: ["cosine", "flat_top"], y: [1, 2] }];
-    const made = (list: typeof decades | typeof names) => scatterFigure({ ...rest, points: list, best: null });
-    expect(made(decades).layout.xaxis).toMatchObject({ type: "log" });
-    expect(made(names).data[0]?.x).toEqual(["Cosine", "Flat top"]);
+    const figureOf = (list: typeof decades | typeof names) => scatterFigure({ ...rest, points: list, best: null });
+    expect(figureOf(decades).layout.xaxis).toMatchObject({ type: "log" });
+    expect(figureOf(names).data[0]?.x).toEqual(["Cosine", "Flat top"]);
   });
 
   it("finds the point under the pointer, where it is in sight", () => {
@@ -152,8 +152,8 @@ describe("time left", () => {
   });
 
   it("forgets a pace that is over", () => {
-    const kept = marks([0, 0], [10_000, 1000], [60_000, 1100], [80_000, 1300]);
-    expect(kept[0]).toEqual({ at: 60_000, finished: 1100 });
-    expect(secondsLeft(kept, 1500)).toBe(20);
+    const recent = marks([0, 0], [10_000, 1000], [60_000, 1100], [80_000, 1300]);
+    expect(recent[0]).toEqual({ at: 60_000, finished: 1100 });
+    expect(secondsLeft(recent, 1500)).toBe(20);
   });
 });

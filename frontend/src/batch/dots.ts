@@ -45,7 +45,7 @@ const inside = ({ xaxis, yaxis }: Axes, x: number, y: number) =>
 
 /** The nearest point within reach that is in sight; of points one upon the other, the one drawn last. */
 export function nearest(placed: readonly Placed[], axes: Axes, x: number, y: number, reach: number): Hit | null {
-  let found: Hit | null = null;
+  let nearest: Hit | null = null;
   let least = reach * reach;
   for (const { dots, x: xs, y: ys } of placed) {
     for (let index = 0; index < xs.length; index++) {
@@ -53,10 +53,10 @@ export function nearest(placed: readonly Placed[], axes: Axes, x: number, y: num
       const distance = (atX - x) ** 2 + (atY - y) ** 2;
       if (distance > least || !inside(axes, atX, atY)) continue;
       least = distance;
-      found = { dots, index, x: atX, y: atY };
+      nearest = { dots, index, x: atX, y: atY };
     }
   }
-  return found;
+  return nearest;
 }
 
 /** One symbol, drawn once and then copied. */

@@ -16,14 +16,14 @@ const MOST = 40;
 /** Joins the points that are equal in the `others`, the swept fields that are not x; none where there are too many. */
 export function linesOf(columns: Columns, points: readonly Points[], others: readonly string[]): readonly Lines[] {
   const groups = points.map(({ rows }) => {
-    const found = new Map<string, number[]>();
+    const groups = new Map<string, number[]>();
     rows.forEach((row, index) => {
       const key = JSON.stringify(others.map((name) => cell(columns, name, row)));
-      const group = found.get(key);
+      const group = groups.get(key);
       if (group) group.push(index);
-      else found.set(key, [index]);
+      else groups.set(key, [index]);
     });
-    return [...found.values()].filter(({ length }) => length >= 2);
+    return [...groups.values()].filter(({ length }) => length >= 2);
   });
   if (groups.reduce((sum, { length }) => sum + length, 0) > MOST) return [];
   return points.map(({ strategy, x, y }, place) => ({

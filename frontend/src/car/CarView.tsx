@@ -13,6 +13,7 @@ import classes from "./car.module.css";
 import { EXAGGERATION, Lane } from "./Lane";
 import { play } from "./playback";
 import { restingCursor } from "./resting";
+import { Card } from "../ui/Card";
 
 const SPEEDS = [
   { value: "0.05", label: "1/20 speed" },
@@ -47,7 +48,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
 
   if (!first) return null;
   return (
-    <section className={classes.view} aria-label="The moving car">
+    <Card className={classes.view ?? ""} aria-label="The moving car">
       <div ref={ref} className={classes.lanes}>
         <Lane scene={scene} strategy={first} width={width} />
         {other && <Lane scene={scene} strategy={other} width={width} />}
@@ -70,7 +71,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
           onChange={(event) => setSecond(event.currentTarget.value)}
         />
       </div>
-    </section>
+    </Card>
   );
 }
 

@@ -54,6 +54,6 @@ export function roadProfile(series: Series, wheelbase: Metres): readonly (readon
   const { position, front_road: front, rear_road: rear } = series;
   if (!position || !front || !rear) return [];
   const behind = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const).filter(([x]) => x < 0);
-  const ahead = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
-  return [...behind, ...ahead];
+  const roadPoints = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
+  return [...behind, ...roadPoints];
 }

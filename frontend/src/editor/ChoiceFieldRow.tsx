@@ -6,23 +6,16 @@ import type { JsonValue } from "../api/types";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
 import { humanise, type ChoiceField } from "./schema";
-import { useLeaf } from "./useLeaf";
+import type { LeafState } from "./useLeaf";
 
 const asText = (value: JsonValue | undefined) => (typeof value === "string" ? value : "");
 
-export function ChoiceFieldRow({ field }: { readonly field: ChoiceField }) {
+export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; readonly leaf: LeafState }) {
   const id = useId();
-  const leaf = useLeaf(field.pointer, field.standard);
   return (
     <FieldFrame
-      id={id}
-      title={field.title}
-      description={field.description}
-      changed={leaf.changed}
-      fixed={leaf.readOnly}
+      {...{ id, field, leaf }}
       standard={humanise(asText(field.standard))}
-      error={leaf.error}
-      onReset={() => leaf.commit(field.standard)}
       aside={
         <NativeSelect
           id={id}

@@ -9,6 +9,7 @@ import { sections, type Section } from "./layout";
 import { Members } from "./Members";
 import type { Pointer } from "./path";
 import type { Group } from "./schema";
+import { Fault } from "../ui/Fault";
 
 export function Editor({ form }: { readonly form: Group }) {
   const edit = useEdit();
@@ -45,9 +46,7 @@ export function Editor({ form }: { readonly form: Group }) {
         )}
       </div>
       {refused.general.length > 0 && (
-        <Text className={classes.error} role="alert" px="md" pb="xs">
-          {refused.general.join(". ")}
-        </Text>
+        <Fault px="md" pb="xs">{refused.general.join(". ")}</Fault>
       )}
       <Accordion
         multiple

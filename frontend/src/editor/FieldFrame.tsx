@@ -4,24 +4,21 @@ import { ActionIcon, Text, Tooltip } from "@mantine/core";
 import { IconArrowBackUp, IconInfoCircle } from "../icons";
 import { useEffect, useRef, type ReactNode } from "react";
 import classes from "./editor.module.css";
+import type { ChoiceField, NumberField } from "./schema";
+import type { LeafState } from "./useLeaf";
 
 interface Props {
   readonly id: string;
-  readonly title: string;
-  readonly description: string;
-  readonly changed: boolean;
-  /** Shown, not edited. */
-  readonly fixed: boolean;
+  readonly field: NumberField | ChoiceField;
+  readonly leaf: LeafState;
   /** The paper's value as text. */
   readonly standard: string;
-  readonly error: string | undefined;
-  readonly onReset: () => void;
   /** What stands at the right end of the label's row. */
   readonly aside?: ReactNode;
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, title, description, changed, fixed, standard, error, onReset, aside, children }: Props) {
+export function FieldFrame({ id, field: { title, description, standard: reset }, leaf: { changed, readOnly, error, commit }, standard, aside, children }: Props) {
   return (
     <div className={classes.field} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
       <div className={classes.row}>
@@ -30,7 +27,7 @@ export function FieldFrame({ id, title, description, changed, fixed, standard, e
         </label>
         {description !== "" && <Help id={id} title={title} text={description} />}
         <span className={classes.spacer} />
-        <ResetButton title={title} standard={standard} changed={changed} fixed={fixed} onReset={onReset} />
+        <ResetButton title={title} standard={standard} changed={changed} fixed={readOnly} onReset={() => commit(reset)} />
         {aside}
       </div>
       {children}

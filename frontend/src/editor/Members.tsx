@@ -6,7 +6,8 @@ import { ChoiceFieldRow } from "./ChoiceFieldRow";
 import classes from "./editor.module.css";
 import { NumberFieldRow } from "./NumberFieldRow";
 import { RoadClassRow } from "./RoadClassRow";
-import type { Member, VectorField } from "./schema";
+import type { ChoiceField, Member, NumberField, VectorField } from "./schema";
+import { useLeaf } from "./useLeaf";
 import { WeightsMatrix } from "./WeightsMatrix";
 
 const ROUGHNESS = "/road/roughness";
@@ -32,11 +33,15 @@ function MemberControl({ member }: { readonly member: Member }) {
           <Members members={member.members} />
         </div>
       );
-    case "choice":
-      return <ChoiceFieldRow field={member} />;
-    case "number":
-      return member.pointer === ROUGHNESS ? <RoadClassRow field={member} /> : <NumberFieldRow field={member} />;
     case "vector":
       return null; // together in one table above
+    default:
+      return <Leaf field={member} />;
   }
+}
+
+function Leaf({ field }: { readonly field: NumberField | ChoiceField }) {
+  const leaf = useLeaf(field.pointer, field.standard);
+  if (field.kind === "choice") return <ChoiceFieldRow {...{ field, leaf }} />;
+  return field.pointer === ROUGHNESS ? <RoadClassRow {...{ field, leaf }} /> : <NumberFieldRow {...{ field, leaf }} />;
 }

@@ -9,25 +9,24 @@ import { typicalValue } from "./limits";
 import { NumberEntry } from "./NumberEntry";
 import { NumberSlider } from "./NumberSlider";
 import type { NumberField } from "./schema";
-import { useLeaf } from "./useLeaf";
+import type { LeafState } from "./useLeaf";
 
 const OFF = "off";
 
-export function NumberFieldRow({ field }: { readonly field: NumberField }) {
+interface Props {
+  readonly field: NumberField;
+  readonly leaf: LeafState;
+  readonly withSlider?: boolean;
+}
+
+export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
   const id = useId();
-  const leaf = useLeaf(field.pointer, field.standard);
   const isOff = leaf.value === null;
   const standard = typeof field.standard === "number" ? formatExact(field.standard, field.unit) : OFF;
   return (
     <FieldFrame
-      id={id}
-      title={field.title}
-      description={field.description}
-      changed={leaf.changed}
-      fixed={leaf.readOnly}
+      {...{ id, field, leaf }}
       standard={standard}
-      error={leaf.error}
-      onReset={() => leaf.commit(field.standard)}
       aside={
         <>
           {field.nullable && (
@@ -44,7 +43,7 @@ export function NumberFieldRow({ field }: { readonly field: NumberField }) {
         </>
       }
     >
-      {!isOff && <NumberSlider field={field} leaf={leaf} label={field.title} />}
+      {withSlider && !isOff && <NumberSlider field={field} leaf={leaf} label={field.title} />}
     </FieldFrame>
   );
 }

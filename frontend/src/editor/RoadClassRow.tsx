@@ -7,7 +7,7 @@ import { FieldFrame } from "./FieldFrame";
 import { NumberEntry } from "./NumberEntry";
 import { ROAD_CLASSES, exactClass, nearestClass } from "./roadClass";
 import type { NumberField } from "./schema";
-import { useLeaf } from "./useLeaf";
+import type { LeafState } from "./useLeaf";
 
 const SMOOTH = "smooth";
 
@@ -23,22 +23,15 @@ function inMillionths(roughness: number): string {
   return `${Number((roughness * 1e6).toPrecision(6))}×10⁻⁶ m³`;
 }
 
-export function RoadClassRow({ field }: { readonly field: NumberField }) {
+export function RoadClassRow({ field, leaf }: { readonly field: NumberField; readonly leaf: LeafState }) {
   const id = useId();
-  const leaf = useLeaf(field.pointer, field.standard);
   const roughness = typeof leaf.value === "number" ? leaf.value : 0;
-  const chosen = roughness === 0 ? SMOOTH : (exactClass(roughness)?.letter ?? "");
+  const roadClass = roughness === 0 ? SMOOTH : (exactClass(roughness)?.letter ?? "");
   const options = [{ value: SMOOTH, label: "0" }, ...ROAD_CLASSES.map(({ letter }) => ({ value: letter, label: letter }))];
   return (
     <FieldFrame
-      id={id}
-      title={field.title}
-      description={field.description}
-      changed={leaf.changed}
-      fixed={leaf.readOnly}
+      {...{ id, field, leaf }}
       standard={typeof field.standard === "number" ? inMillionths(field.standard) : ""}
-      error={leaf.error}
-      onReset={() => leaf.commit(field.standard)}
       aside={<NumberEntry id={id} field={field} leaf={leaf} />}
     >
       <SegmentedControl
@@ -46,7 +39,7 @@ export function RoadClassRow({ field }: { readonly field: NumberField }) {
         size="xs"
         className={classes.classes ?? ""}
         aria-label="Road class (ISO 8608)"
-        value={chosen}
+        value={roadClass}
         disabled={leaf.readOnly}
         data={options}
         onChange={(value) => leaf.commit(ROAD_CLASSES.find(({ letter }) => letter === value)?.roughness ?? 0)}

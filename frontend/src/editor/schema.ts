@@ -88,8 +88,8 @@ class Reader {
 
   #member(raw: JsonObject, pointer: Pointer, name: string, parent: JsonValue): Member | null {
     const node = this.resolve(raw);
-    const given = isObject(parent) ? parent[name] : undefined;
-    const standard = given ?? node.default ?? null;
+    const parentDefault = isObject(parent) ? parent[name] : undefined;
+    const standard = parentDefault ?? node.default ?? null;
     const base: Base = {
       pointer,
       title: text(raw.title) || (node.properties ? humanise(name) : text(node.title) || humanise(name)),

@@ -9,11 +9,11 @@ import { useDesk, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { axisKey, makeScene } from "../state/scene";
 import { useController } from "../hil/useController";
-import shell from "../shell/shell.module.css";
-import { asCommand, asCurl, asPython, type Wanted } from "./copyAs";
+import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
 import { download, plotsImage } from "./image";
 import { useCopied } from "./useCopied";
+import { compact } from "../ui/compact";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
@@ -28,7 +28,7 @@ const COPIES = [
 
 export function ExportMenu() {
   const shown = useLab((state) => state.shown);
-  const chosen = useLab((state) => state.strategies);
+  const selected = useLab((state) => state.strategies);
   const view = useView();
   const { lab } = useDesk();
   const figures = useQuery(figuresQuery).data;
@@ -41,19 +41,19 @@ export function ExportMenu() {
 
   const saveImage = (format: "png" | "svg") => {
     if (!shown || !figures || !strategies) return;
-    const scene = makeScene(shown, strategies, chosen, view);
+    const scene = makeScene(shown, strategies, selected, view);
     void plotsImage(figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
   };
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;
-    const { baseline } = makeScene(shown, strategies, chosen, view);
+    const { baseline } = makeScene(shown, strategies, selected, view);
     download(api.reportAddress(runId, baseline, axisKey(view.axis)), `ridelab-${runId}.html`);
   };
-  const copyAs = (write: (wanted: Wanted) => string) => {
+  const copyAs = (write: (request: CopyRequest) => string) => {
     if (!form) return;
     const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
-    const over = shown?.over && chosen.includes(shown.over.baseline) ? { roads: shown.over.roads, baseline: shown.over.baseline } : null;
-    copy(write({ origin: window.location.origin, form, scenario, strategies: chosen, over }));
+    const over = shown?.over && selected.includes(shown.over.baseline) ? { roads: shown.over.roads, baseline: shown.over.baseline } : null;
+    copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over }));
   };
 
   return (
@@ -65,7 +65,7 @@ export function ExportMenu() {
             variant="default"
             aria-label="Export"
             leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
-            classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+            classNames={compact}
             disabled={!shown}
             loading={saving}
           >
@@ -75,7 +75,7 @@ export function ExportMenu() {
         <Menu.Dropdown className={classes.dropdown ?? ""}>
           <Menu.Label>Time histories, full resolution</Menu.Label>
           {(strategies ?? [])
-            .filter(({ id }) => shown && id in shown.summaries && chosen.includes(id))
+            .filter(({ id }) => shown && id in shown.summaries && selected.includes(id))
             .map(({ id, label }) => (
               <div key={id} className={classes.files}>
                 <span className={classes.file}>{label}</span>

@@ -9,7 +9,7 @@ export async function copyText(text: string): Promise<boolean> {
 }
 
 /**
- * Copies a text that is still to come. The wish to copy is told at once, within the click: some browsers forget the
+ * Copies a text that is still to come. The copy is announced at once, within the click: some browsers forget the
  * click while they wait.
  */
 export async function copyWhenThere(text: Promise<string>): Promise<boolean> {

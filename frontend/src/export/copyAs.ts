@@ -6,7 +6,7 @@ import { getAt, setAt } from "../editor/path";
 import { fieldsOf, type Group } from "../editor/schema";
 import { sweepFields } from "../sweep/fields";
 
-export interface Wanted {
+export interface CopyRequest {
   /** Where the service is. */
   readonly origin: string;
   readonly form: Group;
@@ -30,12 +30,12 @@ const quoted = (text: string) => `'${text.replace(/'/g, `'\\''`)}'`;
 
 const word = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : quoted(text));
 
-export function asCurl({ origin, form, scenario, strategies, over }: Wanted): string {
+export function asCurl({ origin, form, scenario, strategies, over }: CopyRequest): string {
   const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies, ...over });
   return `curl -sS ${word(`${origin}/api/v1/runs`)} -H 'content-type: application/json' -d ${quoted(body)}`;
 }
 
-export function asCommand({ origin, form, scenario, strategies, over }: Wanted): string {
+export function asCommand({ origin, form, scenario, strategies, over }: CopyRequest): string {
   const changes = sweepFields(form).flatMap(({ name, leaf }) => {
     const value = getAt(scenario, leaf.pointer);
     if (value === undefined || !isChanged(scenario, leaf)) return [];
@@ -60,7 +60,7 @@ function literal(value: JsonValue, depth = 1): string {
   return `{\n${members.map((member) => `${pad}${member},\n`).join("")}${INDENT.repeat(depth - 1)}}`;
 }
 
-export function asPython({ origin, form, scenario, strategies, over }: Wanted): string {
+export function asPython({ origin, form, scenario, strategies, over }: CopyRequest): string {
   const roads = over ? `, roads=${over.roads}, baseline=${JSON.stringify(over.baseline)}` : "";
   return [
     "from ridelab import Ridelab",

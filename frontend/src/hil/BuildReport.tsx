@@ -8,10 +8,13 @@ import { api } from "../api/client";
 import type { Catalogue, ControllerReport, Scenario } from "../api/types";
 import { formatPercent } from "../tables/change";
 import { headingOf, VIEWS } from "../tables/ComparisonTable";
-import tables from "../tables/tables.module.css";
 import { formatNumber, formatWhole } from "../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
 import classes from "./hil.module.css";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Fault } from "../ui/Fault";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly scenario: Scenario;
@@ -22,18 +25,23 @@ const reportQuery = (scenario: Scenario, enabled: boolean) =>
   queryOptions({ queryKey: ["controller report", scenario], queryFn: ({ signal }) => api.controllerReport(scenario, signal), staleTime: Infinity, enabled });
 
 export function BuildReport({ scenario, catalogue }: Props) {
-  const [wanted, setWanted] = useState<Scenario | null>(null);
-  const report = useQuery(reportQuery(scenario, wanted === scenario));
+  const [requested, setRequested] = useState<Scenario | null>(null);
+  const report = useQuery(reportQuery(scenario, requested === scenario));
   return (
-    <section className={classes.card} aria-label="Build report" aria-busy={report.isFetching || undefined}>
-      <header className={classes.head}>
-        <h2 className={classes.title}>Does it fit a small part?</h2>
-        {!report.data && (
-          <Button size="xs" variant="default" loading={report.isFetching} onClick={() => (wanted === scenario ? void report.refetch() : setWanted(scenario))}>
-            Build and measure
-          </Button>
-        )}
-      </header>
+    <Card
+      aria-label="Build report"
+      aria-busy={report.isFetching || undefined}
+      title="Does it fit a small part?"
+      tools={
+        <>
+          {!report.data && (
+            <Button size="xs" variant="default" loading={report.isFetching} onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}>
+              Build and measure
+            </Button>
+          )}
+        </>
+      }
+    >
       {report.data ? (
         <Report report={report.data} catalogue={catalogue} />
       ) : (
@@ -45,13 +53,11 @@ export function BuildReport({ scenario, catalogue }: Props) {
           </Text>
           {report.isFetching && <Skeleton height={180} radius={6} />}
           {report.isError && !report.isFetching && (
-            <Text className={classes.error ?? ""} role="alert">
-              {report.error.message}
-            </Text>
+            <Fault>{report.error.message}</Fault>
           )}
         </div>
       )}
-    </section>
+    </Card>
   );
 }
 
@@ -72,80 +78,78 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
             ? `Of the smaller ones ${fitting.length === 1 ? "one fits" : `${fitting.length} fit`}; the least loss has Np ${least.prediction_horizon}, Nc ${least.control_horizon}, ${least.checked_rows} limits checked.`
             : "None of the smaller ones tried does either.")}
       </Text>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Controllers on the part">
-        <table className={`${tables.table ?? ""} ${classes.report ?? ""}`}>
-          <thead>
-            <tr>
-              <th scope="col" data-left>
-                Np · Nc
-              </th>
-              <th scope="col">Limits checked</th>
-              <th scope="col">Iterations</th>
-              <th scope="col">
-                Flash <span className={classes.dim}>of {kilobytes(part.flash)}</span>
-              </th>
-              <th scope="col">
-                RAM with stack <span className={classes.dim}>of {kilobytes(part.ram)}</span>
-              </th>
-              <th scope="col">
-                Operations a step <span className={classes.dim}>least to most</span>
-              </th>
-              <th scope="col">
-                Time a step <span className={classes.dim}>of {formatTime(step)}</span>
-              </th>
-              <th scope="col">Fits</th>
-              {VIEWS.map((view) =>
-                all ? (
-                  catalogue.paper_signals.map((signal) => (
-                    <th key={`${view.window} ${signal}`} scope="col">
-                      {labelOf(signal, catalogue)} <span className={classes.dim}>{headingOf(view, catalogue)}</span>
-                    </th>
-                  ))
-                ) : (
-                  <th key={view.window} scope="col">
-                    {headingOf(view, catalogue)} <span className={classes.dim}>furthest up</span>
+      <ScrollTable label="Controllers on the part" className={classes.report}>
+        <thead>
+          <tr>
+            <th scope="col" data-left>
+              Np · Nc
+            </th>
+            <th scope="col">Limits checked</th>
+            <th scope="col">Iterations</th>
+            <th scope="col">
+              Flash <span className={ui.dim}>of {kilobytes(part.flash)}</span>
+            </th>
+            <th scope="col">
+              RAM with stack <span className={ui.dim}>of {kilobytes(part.ram)}</span>
+            </th>
+            <th scope="col">
+              Operations a step <span className={ui.dim}>least to most</span>
+            </th>
+            <th scope="col">
+              Time a step <span className={ui.dim}>of {formatTime(step)}</span>
+            </th>
+            <th scope="col">Fits</th>
+            {VIEWS.map((view) =>
+              all ? (
+                catalogue.paper_signals.map((signal) => (
+                  <th key={`${view.window} ${signal}`} scope="col">
+                    {labelOf(signal, catalogue)} <span className={ui.dim}>{headingOf(view, catalogue)}</span>
                   </th>
+                ))
+              ) : (
+                <th key={view.window} scope="col">
+                  {headingOf(view, catalogue)} <span className={ui.dim}>furthest up</span>
+                </th>
+              ),
+            )}
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row, index) => (
+            <tr key={`${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`} data-fits={row.fits}>
+              <th scope="row" data-left>
+                {row.prediction_horizon} · {row.control_horizon}
+                {index === 0 && <span className={ui.dim}> the scenario’s</span>}
+              </th>
+              <td>{formatWhole(row.checked_rows)}</td>
+              <td>
+                {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
+                {row.unfinished > 0 && <span className={classes.bad}>, {formatWhole(row.unfinished)} unfinished</span>}
+              </td>
+              <td>{kilobytes(row.code + row.constants)}</td>
+              <td>{kilobytes(row.variables + part.stack)}</td>
+              <td>
+                {formatEnds(row.operations, formatWhole)}
+              </td>
+              <td>
+                {formatEnds(row.time, formatTime)}
+              </td>
+              <td>
+                <Fits fits={row.fits} reasons={row.reasons} />
+              </td>
+              {VIEWS.map(({ window }) =>
+                all ? (
+                  catalogue.paper_signals.map((signal) => <td key={`${window} ${signal}`}>{shownChange(row.changes[window]?.[signal])}</td>)
+                ) : (
+                  <td key={window}>
+                    <Loss changes={row.changes[window] ?? {}} catalogue={catalogue} />
+                  </td>
                 ),
               )}
             </tr>
-          </thead>
-          <tbody>
-            {rows.map((row, index) => (
-              <tr key={`${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`} data-fits={row.fits}>
-                <th scope="row" data-left>
-                  {row.prediction_horizon} · {row.control_horizon}
-                  {index === 0 && <span className={classes.dim}> the scenario’s</span>}
-                </th>
-                <td>{formatWhole(row.checked_rows)}</td>
-                <td>
-                  {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
-                  {row.unfinished > 0 && <span className={classes.bad}>, {formatWhole(row.unfinished)} unfinished</span>}
-                </td>
-                <td>{kilobytes(row.code + row.constants)}</td>
-                <td>{kilobytes(row.variables + part.stack)}</td>
-                <td>
-                  {formatEnds(row.operations, formatWhole)}
-                </td>
-                <td>
-                  {formatEnds(row.time, formatTime)}
-                </td>
-                <td>
-                  <Fits fits={row.fits} reasons={row.reasons} />
-                </td>
-                {VIEWS.map(({ window }) =>
-                  all ? (
-                    catalogue.paper_signals.map((signal) => <td key={`${window} ${signal}`}>{shownChange(row.changes[window]?.[signal])}</td>)
-                  ) : (
-                    <td key={window}>
-                      <Loss changes={row.changes[window] ?? {}} catalogue={catalogue} />
-                    </td>
-                  ),
-                )}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
+          ))}
+        </tbody>
+      </ScrollTable>
       <Switch size="xs" className={classes.all ?? ""} label="All eight figures" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
       <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
         The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own, they are the first move’s forces and every third deflection of the horizon.{" "}

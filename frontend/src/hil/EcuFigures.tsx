@@ -1,12 +1,11 @@
 /** Figures 19 to 22 for this scenario: the paper's four signals, in the ECU, in the simulation and under the LQR. */
 
-import { SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { SegmentedControl, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
 import { PALETTES } from "../plots/palettes";
 import { PlotPanel } from "../plots/PlotPanel";
-import plots from "../plots/plots.module.css";
 import { usePlotly } from "../plots/usePlotly";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../state/address";
 import { DETAIL_POINTS, seriesQuery } from "../state/queries";
@@ -15,6 +14,8 @@ import { fromRun } from "../state/shown";
 import { cursor } from "../state/cursor";
 import { StrategyKey } from "../tables/StrategyKey";
 import classes from "./hil.module.css";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly run: Run;
@@ -40,8 +41,8 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
     <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
-      <header className={classes.head}>
-        <h2 className={classes.title}>Figures 19 to 22, for this scenario</h2>
+      <header className={ui.head}>
+        <h2 className={ui.heading}>Figures 19 to 22, for this scenario</h2>
         <span className={classes.keys}>
           {drawn.map((strategy) => (
             <span key={strategy.id} className={classes.columnHead}>
@@ -65,9 +66,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
         />
       </header>
       {series.isError && (
-        <Text size="sm" role="alert" className={classes.error ?? ""}>
-          The time histories could not be read: {series.error.message}
-        </Text>
+        <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>
       )}
       <div className={classes.figures}>
         {scene ? (
@@ -75,7 +74,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
             <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, scene, palette }} series={scene.series} onZoom={setZoom} />
           ))
         ) : (
-          templates.map(({ layout }) => <div key={layout.meta.signal} className={`${plots.panel ?? ""} ${classes.panelLoading ?? ""}`} />)
+          templates.map(({ layout }) => <div key={layout.meta.signal} className={`${ui.card} ${classes.panelLoading}`} />)
         )}
       </div>
     </section>

@@ -1,30 +1,32 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
-import { Alert, Button, Skeleton, Text } from "@mantine/core";
+import { Alert, Skeleton, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Summary } from "../api/types";
 import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { placeErrors } from "../editor/errors";
-import { Blank } from "../shell/Blank";
+import { CouldNotLoad } from "../shell/Blank";
 import { Page } from "../shell/Page";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
 import { ExportController } from "./ExportController";
-import classes from "./hil.module.css";
 import { HilForm } from "./HilForm";
 import { RealTime } from "./RealTime";
 import { STRATEGIES, useEcuRun } from "./useEcuRun";
+import ui from "../ui/ui.module.css";
+import { Problems } from "../ui/Fault";
+import { Card } from "../ui/Card";
+import { Loading } from "../ui/Loading";
 
 const NO_ERRORS = { fields: {}, general: [] };
 
 export function EcuPage() {
-  const queries = useQueryClient();
   const source = usePageScenario();
   const { scenario, run, stale, error, change, choose } = useEcuRun(source);
   const schema = useQuery(schemaQuery);
@@ -44,28 +46,22 @@ export function EcuPage() {
 
   return (
     <Page run={source.origin.run}>
-      <main className={classes.main}>
-        <h1 className={classes.heading}>The controller as an ECU’s program</h1>
-        <Text className={classes.lead ?? ""}>
+      <main className={ui.main}>
+        <h1 className={ui.title}>The controller as an ECU’s program</h1>
+        <Text className={ui.lead ?? ""}>
           LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), runs as a process of its own and meets the simulated car over TCP: sensors and
           commands through converters, every command a step late. <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes part.
         </Text>
         {fault ? (
-          <Blank title="This page could not be shown" text={fault.message}>
-            <Button onClick={() => void queries.refetchQueries()}>Try again</Button>
-          </Blank>
+          <CouldNotLoad message={fault.message} />
         ) : (
           <>
-            <section className={`${classes.card ?? ""} ${classes.setup ?? ""}`} aria-label="Scenario and loop">
+            <Card className={`${ui.part}`} aria-label="Scenario and loop">
               <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
               {schema.data && scenario ? <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} /> : <Skeleton height={58} />}
-              {[...refused.general, ...elsewhere(refused.fields)].map((message) => (
-                <Alert key={message} color="red" variant="light" p="xs" role="alert">
-                  {message}
-                </Alert>
-              ))}
+              <Problems messages={[...refused.general, ...elsewhere(refused.fields)]} />
               <ExportController scenario={source.scenario} />
-            </section>
+            </Card>
             {failures.map(({ id, reason }) => (
               <Alert key={id} color="red" variant="light" p="xs" role="alert">
                 {shown.find((each) => each.id === id)?.label ?? id} could not be driven: {reason}
@@ -108,11 +104,11 @@ function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies
 
 function EcuLoading() {
   return (
-    <div className={classes.part} aria-busy aria-label="Driving">
+    <>
       <Text size="sm" c="dimmed">
         The program is built and driven over the road; the first time that takes some seconds.
       </Text>
-      <Skeleton height={420} radius={8} />
-    </div>
+      <Loading label="Driving" heights={[420]} />
+    </>
   );
 }

@@ -12,6 +12,9 @@ import { shownUnit } from "../tables/units";
 import { formatResult, formatWhole, prettyUnit } from "../units/format";
 import classes from "./hil.module.css";
 import { rowsOf, RULE_PERCENT, type HilRow } from "./rule";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly summaries: Readonly<Record<string, Summary>>;
@@ -26,55 +29,58 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
   const judged = rows.filter(({ within }) => within !== null);
   const reached = judged.filter(({ within }) => within).length;
   return (
-    <section className={classes.card} aria-label="LV in the ECU against LV in the simulation" data-stale={stale || undefined}>
-      <header className={classes.head}>
-        <h2 className={classes.title}>In the ECU against in the simulation</h2>
-        {judged.length > 0 && (
-          <Text size="sm" fw={650} data-testid="hil-count" className={reached === judged.length ? classes.good : classes.bad}>
-            {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
-          </Text>
-        )}
-      </header>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Figures, in the ECU and in the simulation">
-        <table className={`${tables.table ?? ""} ${classes.table ?? ""}`}>
-          <thead>
-            <tr>
-              <th scope="col" className={tables.corner}>
-                Figure
+    <Card
+      aria-label="LV in the ECU against LV in the simulation"
+      data-stale={stale || undefined}
+      title="In the ECU against in the simulation"
+      tools={
+        <>
+          {judged.length > 0 && (
+            <Text size="sm" fw={650} data-testid="hil-count" className={reached === judged.length ? classes.good : classes.bad}>
+              {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
+            </Text>
+          )}
+        </>
+      }
+    >
+      <ScrollTable label="Figures, in the ECU and in the simulation" className={classes.table}>
+        <thead>
+          <tr>
+            <th scope="col" className={tables.corner}>
+              Figure
+            </th>
+            {strategies.map((strategy) => (
+              <th key={strategy.id} scope="col" className={tables.column}>
+                <span className={classes.columnHead}>
+                  <StrategyKey strategy={strategy} /> {strategy.label}
+                </span>
               </th>
-              {strategies.map((strategy) => (
-                <th key={strategy.id} scope="col" className={tables.column}>
-                  <span className={classes.columnHead}>
-                    <StrategyKey strategy={strategy} /> {strategy.label}
-                  </span>
-                </th>
-              ))}
-              <th scope="col" className={tables.column}>
-                Within ±{RULE_PERCENT}&nbsp;%
+            ))}
+            <th scope="col" className={tables.column}>
+              Within ±{RULE_PERCENT}&nbsp;%
+            </th>
+          </tr>
+        </thead>
+        {VIEWS.map((view) => (
+          <tbody key={view.window}>
+            <tr className={classes.groupRow}>
+              <th scope="colgroup" colSpan={strategies.length + 2} className={tables.group}>
+                {headingOf(view, catalogue)}
               </th>
             </tr>
-          </thead>
-          {VIEWS.map((view) => (
-            <tbody key={view.window}>
-              <tr className={classes.groupRow}>
-                <th scope="colgroup" colSpan={strategies.length + 2} className={tables.group}>
-                  {headingOf(view, catalogue)}
-                </th>
-              </tr>
-              {rows
-                .filter((row) => row.view === view)
-                .map((row) => (
-                  <Row key={row.key} row={row} {...{ strategies, catalogue }} unit={shownUnit(row.signal, figures, catalogue)} />
-                ))}
-            </tbody>
-          ))}
-        </table>
-      </div>
+            {rows
+              .filter((row) => row.view === view)
+              .map((row) => (
+                <Row key={row.key} row={row} {...{ strategies, catalogue }} unit={shownUnit(row.signal, figures, catalogue)} />
+              ))}
+          </tbody>
+        ))}
+      </ScrollTable>
       <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
         The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" underline="always" href="/paper">the paper page</Anchor>.
       </Text>
       <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
-    </section>
+    </Card>
   );
 }
 
@@ -91,7 +97,7 @@ function Row({ row, strategies, catalogue, unit: { unit, scale } }: RowProps) {
     <tr data-cell={row.key}>
       <th scope="row" className={tables.quantity}>
         {catalogue.signals.find(({ key }) => key === row.signal)?.label ?? row.signal}
-        <span className={classes.dim}> {prettyUnit(unit)}</span>
+        <span className={ui.dim}> {prettyUnit(unit)}</span>
       </th>
       {strategies.map(({ id }) => (
         <td key={id} className={tables.cell} data-value={values[id] ?? ""}>

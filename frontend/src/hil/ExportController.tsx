@@ -5,6 +5,7 @@ import { IconDownload } from "../icons";
 import type { Scenario } from "../api/types";
 import classes from "./hil.module.css";
 import { useController } from "./useController";
+import { Fault } from "../ui/Fault";
 
 export function ExportController({ scenario }: { readonly scenario: Scenario | undefined }) {
   const { save, saving, error } = useController();
@@ -17,9 +18,7 @@ export function ExportController({ scenario }: { readonly scenario: Scenario | u
         A zip: the tables for this scenario, the C99 program without dynamic memory, a Makefile and how to build it, with any C compiler.
       </Text>
       {error && (
-        <Text className={classes.error ?? ""} role="alert">
-          It could not be exported: {error.message}
-        </Text>
+        <Fault>It could not be exported: {error.message}</Fault>
       )}
     </div>
   );

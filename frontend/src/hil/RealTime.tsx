@@ -10,11 +10,14 @@ import { Chart } from "../plots/Chart";
 import { PALETTES } from "../plots/palettes";
 import { formatPercent } from "../tables/change";
 import { VIEWS } from "../tables/ComparisonTable";
-import tables from "../tables/tables.module.css";
 import { count, formatNumber, formatWhole } from "../units/format";
 import { formatTime } from "./effort";
 import classes from "./hil.module.css";
 import { histogramFigure } from "./histogram";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Fault } from "../ui/Fault";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly scenario: Scenario;
@@ -29,13 +32,16 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
   const report = drive.data;
   const other = drive.isSuccess && drive.variables !== scenario;
   return (
-    <section className={classes.card} aria-label="In real time" aria-busy={drive.isPending || undefined}>
-      <header className={classes.head}>
-        <h2 className={classes.title}>In real time</h2>
+    <Card
+      aria-label="In real time"
+      aria-busy={drive.isPending || undefined}
+      title="In real time"
+      tools={
         <Button size="xs" variant="default" loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
           {report ? "Drive again" : "Drive in real time"}
         </Button>
-      </header>
+      }
+    >
       <div className={classes.body}>
         <Text size="sm" c="dimmed">
           The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed deadline, and the actuators hold the last command. It takes as long as
@@ -44,9 +50,7 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
         </Text>
         {drive.isPending && <Waiting seconds={seconds} />}
         {drive.isError && (
-          <Text className={classes.error ?? ""} role="alert">
-            {isTransient(drive.error) ? `The server has no room for a drive by the clock just now: ${drive.error.message}` : drive.error.message}
-          </Text>
+          <Fault>{isTransient(drive.error) ? `The server has no room for a drive by the clock just now: ${drive.error.message}` : drive.error.message}</Fault>
         )}
         {other && (
           <Text size="xs" className={classes.bad} role="status">
@@ -55,7 +59,7 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
         )}
       </div>
       {report && <Report {...{ report, catalogue, colour }} />}
-    </section>
+    </Card>
   );
 }
 
@@ -105,29 +109,27 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
   const figure = useMemo(() => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null), [spread, report.deadline, palette, colour]);
   return (
     <>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Times by the clock">
-        <table className={`${tables.table ?? ""} ${classes.report ?? ""}`}>
-          <thead>
-            <tr>
-              <th scope="col" data-left>
-                <span className={report.misses === 0 ? classes.good : classes.bad} data-testid="misses">
-                  {report.misses === 0 ? "No deadline missed" : `${count(report.misses, "deadline")} missed`} in {count(report.steps, "step")}
-                </span>
-              </th>
-              <th scope="col">Mean</th>
-              <th scope="col">Deviation</th>
-              <th scope="col">Median</th>
-              <th scope="col">99 %</th>
-              <th scope="col">Most</th>
-            </tr>
-          </thead>
-          <tbody>
-            {KINDS.map(({ value, label }) => (
-              <SpreadRow key={value} label={label} meaning={MEANING[value]} spread={report[value]} />
-            ))}
-          </tbody>
-        </table>
-      </div>
+      <ScrollTable label="Times by the clock" className={classes.report}>
+        <thead>
+          <tr>
+            <th scope="col" data-left>
+              <span className={report.misses === 0 ? classes.good : classes.bad} data-testid="misses">
+                {report.misses === 0 ? "No deadline missed" : `${count(report.misses, "deadline")} missed`} in {count(report.steps, "step")}
+              </span>
+            </th>
+            <th scope="col">Mean</th>
+            <th scope="col">Deviation</th>
+            <th scope="col">Median</th>
+            <th scope="col">99 %</th>
+            <th scope="col">Most</th>
+          </tr>
+        </thead>
+        <tbody>
+          {KINDS.map(({ value, label }) => (
+            <SpreadRow key={value} label={label} meaning={MEANING[value]} spread={report[value]} />
+          ))}
+        </tbody>
+      </ScrollTable>
       <div className={classes.histogram}>
         <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
         {figure ? (
@@ -139,7 +141,7 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
         )}
       </div>
       <p className={classes.lockStep}>
-        <span className={classes.dim}>Against the drive in lock-step: </span>
+        <span className={ui.dim}>Against the drive in lock-step: </span>
         {VIEWS.map(({ window, statistic }) => (
           <span key={window}>
             {statistic === "rms" ? "RMS" : "peaks"}{" "}
@@ -160,7 +162,7 @@ function SpreadRow({ label, meaning, spread }: { readonly label: string; readonl
   return (
     <tr>
       <th scope="row" data-left>
-        {label} <span className={classes.dim}>{meaning}</span>
+        {label} <span className={ui.dim}>{meaning}</span>
       </th>
       {values ? values.map((value, index) => <td key={index}>{formatTime(value)}</td>) : <td colSpan={5}>–</td>}
     </tr>

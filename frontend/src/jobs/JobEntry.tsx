@@ -27,11 +27,11 @@ interface Props<Item extends Common, Job extends Item> {
 const STATE: Readonly<Record<Common["state"], string>> = { queued: "waiting", running: "running", done: "done", cancelled: "cancelled", failed: "failed" };
 
 export function JobEntry<Item extends Common, Job extends Item>({ kind, item, description: { title, details }, current }: Props<Item, Job>) {
-  const [asked, setAsked] = useState<"name" | "delete" | null>(null);
+  const [openForm, setOpenForm] = useState<"name" | "delete" | null>(null);
   const { done, failed, total } = kind.counts(item);
   const name = item.label ?? title;
   const texts = [...(item.label === null ? [] : [title]), ...details, formatMinute(item.created_at), count(total, kind.unit)];
-  const close = () => setAsked(null);
+  const close = () => setOpenForm(null);
   return (
     <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
       <a href={kind.address(item.id)}>
@@ -48,14 +48,14 @@ export function JobEntry<Item extends Common, Job extends Item>({ kind, item, de
           </ActionIcon>
         </Menu.Target>
         <Menu.Dropdown>
-          <Menu.Item onClick={() => setAsked("name")}>Rename</Menu.Item>
-          <Menu.Item disabled={!isFinal(item)} onClick={() => setAsked("delete")}>
+          <Menu.Item onClick={() => setOpenForm("name")}>Rename</Menu.Item>
+          <Menu.Item disabled={!isFinal(item)} onClick={() => setOpenForm("delete")}>
             {isFinal(item) ? "Delete" : "Delete (cancel it first)"}
           </Menu.Item>
         </Menu.Dropdown>
       </Menu>
-      {asked === "name" && <Rename {...{ kind, item }} onClose={close} />}
-      {asked === "delete" && <Delete {...{ kind, item, name }} onClose={close} />}
+      {openForm === "name" && <Rename {...{ kind, item }} onClose={close} />}
+      {openForm === "delete" && <Delete {...{ kind, item, name }} onClose={close} />}
     </li>
   );
 }

@@ -2,11 +2,13 @@
 
 import { Button, Skeleton, Text } from "@mantine/core";
 import { useInfiniteQuery } from "@tanstack/react-query";
-import { useId } from "react";
 import { isFinal } from "./follow";
 import { JobEntry, type Description } from "./JobEntry";
 import classes from "./jobs.module.css";
 import type { Common, Kind } from "./useJob";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
+import { Card } from "../ui/Card";
 
 interface Props<Item extends Common, Job extends Item> {
   readonly kind: Kind<Item, Job>;
@@ -21,7 +23,6 @@ interface Props<Item extends Common, Job extends Item> {
 const REFRESH_MS = 3_000;
 
 export function JobList<Item extends Common, Job extends Item>({ kind, title, describe, none, current }: Props<Item, Job>) {
-  const heading = useId();
   const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useInfiniteQuery({
     queryKey: [kind.name, "list"],
     queryFn: ({ pageParam, signal }) => kind.calls.page(pageParam, signal),
@@ -31,18 +32,13 @@ export function JobList<Item extends Common, Job extends Item>({ kind, title, de
   });
   const items = data?.pages.flatMap((page) => page.items);
   return (
-    <section className={classes.card} aria-labelledby={heading} aria-busy={!items && !error}>
-      <h2 id={heading} className={classes.title}>
-        {title}
-      </h2>
+    <Card aria-label={title} aria-busy={!items && !error} title={title}>
       {error && !items ? (
-        <Text size="sm" role="alert" className={classes.note ?? ""}>
-          They could not be read: {error.message}
-        </Text>
+        <Fault size="sm" className={ui.note ?? ""}>They could not be read: {error.message}</Fault>
       ) : !items ? (
         <Skeleton height={44} mx="0.9rem" mb="0.7rem" width="auto" />
       ) : items.length === 0 ? (
-        <Text size="sm" c="dimmed" className={classes.note ?? ""}>
+        <Text size="sm" c="dimmed" className={ui.note ?? ""}>
           {none}
         </Text>
       ) : (
@@ -57,6 +53,6 @@ export function JobList<Item extends Common, Job extends Item>({ kind, title, de
           Show more
         </Button>
       )}
-    </section>
+    </Card>
   );
 }

@@ -5,9 +5,11 @@ import type { ReactNode } from "react";
 import { count } from "../units/format";
 import { isFinal } from "./follow";
 import classes from "./jobs.module.css";
-import { useJobCall, type Common, type Followed, type Kind } from "./useJob";
+import { useJobCall, type Common, type JobStatus, type Kind } from "./useJob";
+import { Fault } from "../ui/Fault";
+import { Card } from "../ui/Card";
 
-interface Props<Item extends Common, Job extends Item> extends Pick<Followed<Job>, "connected"> {
+interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Job>, "connected"> {
   readonly kind: Kind<Item, Job>;
   readonly job: Job;
   /** In place of the state's own words. */
@@ -37,7 +39,7 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
   const ended = isFinal(job);
   const text = [texts?.[job.state] ?? STATE[job.state], ...(job.state === "queued" && job.position > 0 ? [waitsFor(job)] : [])].join(", ");
   return (
-    <section className={`${classes.card ?? ""} ${classes.state ?? ""}`} aria-label="Progress" data-state={job.state}>
+    <Card className={classes.state} aria-label="Progress" data-state={job.state}>
       <div className={classes.stateLine}>
         <Text size="sm" fw={650} role="status" data-testid={`${kind.name}-state`}>
           {text}
@@ -67,11 +69,9 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
         </Text>
       )}
       {cancel.isError && (
-        <Text size="xs" className={classes.failed} role="alert">
-          It could not be cancelled: {cancel.error.message}
-        </Text>
+        <Fault>It could not be cancelled: {cancel.error.message}</Fault>
       )}
       {children}
-    </section>
+    </Card>
   );
 }

@@ -3,7 +3,7 @@
 import type { Batch } from "../api/types";
 
 /** What every event says. */
-export type News = Pick<Batch, "state" | "done" | "failed" | "total">;
+export type JobEvent = Pick<Batch, "state" | "done" | "failed" | "total">;
 
 const FINAL: readonly Batch["state"][] = ["done", "cancelled", "failed"];
 export const isFinal = ({ state }: Pick<Batch, "state">) => FINAL.includes(state);
@@ -11,21 +11,21 @@ export const isFinal = ({ state }: Pick<Batch, "state">) => FINAL.includes(state
 const EVENTS = ["state", "progress", "restart"];
 const RETRY_MS = 3000;
 
-const isNews = (value: unknown): value is News =>
+const isJobEvent = (value: unknown): value is JobEvent =>
   typeof value === "object" && value !== null && "state" in value && "done" in value && "failed" in value && "total" in value;
 
-function read(text: string): News | null {
+function read(text: string): JobEvent | null {
   try {
     const value: unknown = JSON.parse(text);
-    return isNews(value) ? value : null;
+    return isJobEvent(value) ? value : null;
   } catch {
     return null;
   }
 }
 
 interface Handlers {
-  readonly onNews: (news: News) => void;
-  /** Whether news arrive at the moment. */
+  readonly onEvent: (event: JobEvent) => void;
+  /** Whether events can arrive at the moment. */
   readonly onConnected: (connected: boolean) => void;
 }
 
@@ -34,20 +34,20 @@ interface Handlers {
  * state. The browser itself asks again from where a connection broke; only where the server refuses it has to be asked
  * anew, from the last number seen.
  */
-export function follow(address: (after: number) => string, { onNews, onConnected }: Handlers): () => void {
+export function follow(address: (after: number) => string, { onEvent, onConnected }: Handlers): () => void {
   let source: EventSource | null = null;
   let retry: ReturnType<typeof setTimeout> | undefined;
-  let [seen, ended] = [0, false];
+  let [lastEvent, ended] = [0, false];
 
-  const receive = (event: MessageEvent<string>) => {
-    seen = Number(event.lastEventId) || seen;
-    const news = read(event.data);
-    if (news === null) return;
-    ended = isFinal(news);
-    onNews(news);
+  const receive = ({ data, lastEventId }: MessageEvent<string>) => {
+    lastEvent = Number(lastEventId) || lastEvent;
+    const event = read(data);
+    if (event === null) return;
+    ended = isFinal(event);
+    onEvent(event);
   };
   const connect = () => {
-    const opened = new EventSource(address(seen));
+    const opened = new EventSource(address(lastEvent));
     source = opened;
     opened.addEventListener("open", () => onConnected(true));
     for (const name of EVENTS) opened.addEventListener(name, receive);

@@ -4,7 +4,7 @@ import { queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/r
 import { useEffect, useState } from "react";
 import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
-import { follow, isFinal, type News } from "./follow";
+import { follow, isFinal, type JobEvent } from "./follow";
 import { secondsLeft, withMark, type Mark } from "./pace";
 
 export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
@@ -16,9 +16,9 @@ export interface Kind<Item extends Common, Job extends Item> {
   readonly unit: "run" | "trial";
   readonly calls: JobCalls<Item, Job>;
   readonly address: (id: string) => string;
-  readonly counts: (job: Item) => Pick<News, "done" | "failed" | "total">;
+  readonly counts: (job: Item) => Pick<JobEvent, "done" | "failed" | "total">;
   /** The job with an event's news; null where the job itself has to be asked for. */
-  readonly withNews: (job: Job, news: News) => Job | null;
+  readonly withEvent: (job: Job, event: JobEvent) => Job | null;
 }
 
 export const BATCH: Kind<BatchItem, Batch> = {
@@ -27,10 +27,10 @@ export const BATCH: Kind<BatchItem, Batch> = {
   calls: batches,
   address: (id) => `/b/${encodeURIComponent(id)}`,
   counts: (batch) => batch,
-  withNews: (batch, news) => {
-    if (isFinal(news)) return null; // when it ended, and why, no event says
+  withEvent: (batch, event) => {
+    if (isFinal(event)) return null; // when it ended, and why, no event says
     // The first events are of the past.
-    return news.done + news.failed < batch.done + batch.failed ? batch : { ...batch, ...news };
+    return event.done + event.failed < batch.done + batch.failed ? batch : { ...batch, ...event };
   },
 };
 
@@ -40,7 +40,7 @@ export const TUNING: Kind<TuningItem, Tuning> = {
   calls: tunings,
   address: (id) => `/tuner/${encodeURIComponent(id)}`,
   counts: ({ trials }) => trials,
-  withNews: () => null,
+  withEvent: () => null,
 };
 
 export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: Kind<Item, Job>, id: string) =>
@@ -50,7 +50,7 @@ const REPLAY_MS = 1_000;
 /** No event says how many runs are still before it. */
 const QUEUED_MS = 3_000;
 
-export interface Followed<Job> {
+export interface JobStatus<Job> {
   readonly job: Job | undefined;
   readonly error: Error | null;
   readonly connected: boolean;
@@ -58,7 +58,7 @@ export interface Followed<Job> {
   readonly left: number | null;
 }
 
-export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string): Followed<Job> {
+export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string): JobStatus<Job> {
   const queries = useQueryClient();
   const { data: job, error } = useQuery({
     ...jobQuery(kind, id),
@@ -74,12 +74,12 @@ export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, J
     const { queryKey } = jobQuery(kind, id);
     return follow((after) => kind.calls.eventsAddress(id, after), {
       onConnected: setConnected,
-      onNews: (news) => {
-        const mark = { at: performance.now(), finished: news.done + news.failed };
+      onEvent: (event) => {
+        const mark = { at: performance.now(), finished: event.done + event.failed };
         // Events of the past come all at once and say nothing of the pace.
         setMarks((all) => (mark.at - opened < REPLAY_MS ? [mark] : withMark(all, mark)));
         const before = queries.getQueryData<Job>(queryKey);
-        const now = before ? kind.withNews(before, news) : null;
+        const now = before ? kind.withEvent(before, event) : null;
         if (now) queries.setQueryData<Job>(queryKey, now);
         else void queries.invalidateQueries({ queryKey });
       },

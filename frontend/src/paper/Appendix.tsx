@@ -6,6 +6,7 @@ import classes from "./paper.module.css";
 import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
 import { VERDICTS } from "./verdicts";
+import { ScrollTable } from "../ui/ScrollTable";
 
 /** What the other rules are about. */
 const ABOUT: Readonly<Record<string, string>> = {
@@ -37,33 +38,31 @@ export function Rules({ rules }: Pick<Paper, "rules">) {
 
 export function Errata({ errata }: Pick<Paper, "errata">) {
   return (
-    <div className={tables.scroll} tabIndex={0} role="region" aria-label="What is printed, what is used here">
-      <table className={`${tables.table ?? ""} ${tables.errata ?? ""}`} data-testid="errata">
-        <thead>
-          <tr>
-            {["Place", "Printed", "Here"].map((name) => (
-              <th key={name} scope="col">
-                {name}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {errata.map(({ place, printed, here }) => (
-            <tr key={`${place} ${printed}`}>
-              <th scope="row" className={tables.rowName}>
-                <Inline text={place} />
-              </th>
-              <td>
-                <Inline text={printed} />
-              </td>
-              <td>
-                <Inline text={here} />
-              </td>
-            </tr>
+    <ScrollTable label="What is printed, what is used here" card className={`${tables.table ?? ""} ${tables.errata ?? ""}`} data-testid="errata">
+      <thead>
+        <tr>
+          {["Place", "Printed", "Here"].map((name) => (
+            <th key={name} scope="col">
+              {name}
+            </th>
           ))}
-        </tbody>
-      </table>
-    </div>
+        </tr>
+      </thead>
+      <tbody>
+        {errata.map(({ place, printed, here }) => (
+          <tr key={`${place} ${printed}`}>
+            <th scope="row" className={tables.rowName}>
+              <Inline text={place} />
+            </th>
+            <td>
+              <Inline text={printed} />
+            </td>
+            <td>
+              <Inline text={here} />
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }

@@ -14,6 +14,8 @@ import { Interpretations } from "./Interpretations";
 import { typeset } from "./numbers";
 import { cellId, countedOf, isMissed, previewSentence, soFar, uncertain } from "./verdicts";
 import type { Words } from "./words";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly paper: Paper;
@@ -31,7 +33,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
     <>
       <Runs paper={paper} />
       <div className={classes.counts}>
-        <div className={classes.count} data-testid="count">
+        <div className={`${ui.card} ${classes.count}`} data-testid="count">
           <p className={classes.countLine}>
             <strong className={classes.countNumber}>{paper.reached}</strong> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}{paper.unavailable && ", "}
             {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
@@ -39,7 +41,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
           <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} large />
           <VerdictCountList counts={paper.counts} />
         </div>
-        <div className={classes.count} data-testid="count-without" data-aside>
+        <div className={`${ui.card} ${classes.count}`} data-testid="count-without" data-aside>
           <p className={classes.countLine}>
             <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
             <span>
@@ -109,9 +111,7 @@ function OpenScenario({ paper, words }: Props) {
         Open this scenario in the lab
       </Button>
       {opening.error && (
-        <Text size="sm" role="alert" className={classes.fault}>
-          {opening.error.message}
-        </Text>
+        <Fault size="sm">{opening.error.message}</Fault>
       )}
     </div>
   );

@@ -8,6 +8,7 @@ import { spreadOf, typeset } from "./numbers";
 import tables from "./tables.module.css";
 import { WindowHeads } from "./WindowHeads";
 import type { Words } from "./words";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly pairs: Attribution["equal_speed"];
@@ -20,37 +21,35 @@ export function EqualSpeed({ pairs, words }: Props) {
   const [first] = pairs;
   if (!first) return null;
   return (
-    <div className={tables.scroll} tabIndex={0} role="region" aria-label="At the same speed">
-      <table className={tables.table} data-testid="equal-speed">
-        <thead>
-          <WindowHeads before={1} metrics={first.cells} words={words} />
-          <tr>
-            <th scope="col" className={tables.sticky}>
-              At the same speed plan
+    <ScrollTable label="At the same speed" card className={tables.table} data-testid="equal-speed">
+      <thead>
+        <WindowHeads before={1} metrics={first.cells} words={words} />
+        <tr>
+          <th scope="col" className={tables.sticky}>
+            At the same speed plan
+          </th>
+          {first.cells.map((cell) => (
+            <th key={metricKey(cell)} scope="col" className={tables.number}>
+              {words.signal(cell.signal)}
             </th>
-            {first.cells.map((cell) => (
-              <th key={metricKey(cell)} scope="col" className={tables.number}>
-                {words.signal(cell.signal)}
-              </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {pairs.map(({ label, cells }) => (
+          <tr key={label}>
+            <th scope="row" className={tables.sticky} data-wide>
+              {typeset(label)}
+            </th>
+            {cells.map((cell) => (
+              <td key={metricKey(cell)} className={tables.number}>
+                <Sure cell={cell} />
+              </td>
             ))}
           </tr>
-        </thead>
-        <tbody>
-          {pairs.map(({ label, cells }) => (
-            <tr key={label}>
-              <th scope="row" className={tables.sticky} data-wide>
-                {typeset(label)}
-              </th>
-              {cells.map((cell) => (
-                <td key={metricKey(cell)} className={tables.number}>
-                  <Sure cell={cell} />
-                </td>
-              ))}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
 

@@ -11,6 +11,7 @@ import classes from "./parts.module.css";
 import tables from "./tables.module.css";
 import { WindowHeads } from "./WindowHeads";
 import type { Words } from "./words";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly rows: readonly Combination[];
@@ -57,37 +58,35 @@ export function FairTable({ rows, words }: Props) {
           {listed.length === rows.length ? count(rows.length, "combination") : `${listed.length} of ${count(rows.length, "combination")}`}
         </Text>
       </div>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Combinations of controller, speed, preview and weights">
-        <table className={`${tables.table ?? ""} ${tables.combinations ?? ""}`} data-testid="combinations">
-          <thead>
-            <WindowHeads before={FILTERS.length + 2} metrics={metrics} words={words} />
-            <tr>
-              {FILTERS.map(({ name, label }, index) => (
-                <Head key={name} column={name} sticky={index === 0} {...heads}>
-                  {label}
-                </Head>
-              ))}
-              <Head column="travel_time" number {...heads}>
-                {words.figure("travel_time")}
+      <ScrollTable label="Combinations of controller, speed, preview and weights" card className={`${tables.table ?? ""} ${tables.combinations ?? ""}`} data-testid="combinations">
+        <thead>
+          <WindowHeads before={FILTERS.length + 2} metrics={metrics} words={words} />
+          <tr>
+            {FILTERS.map(({ name, label }, index) => (
+              <Head key={name} column={name} sticky={index === 0} {...heads}>
+                {label}
               </Head>
-              <Head column={COMFORT} number {...heads}>
-                {words.figure(COMFORT)}
-              </Head>
-              {metrics.map((metric) => (
-                <Head key={metricKey(metric)} column={metricKey(metric)} number {...heads}>
-                  {words.signal(metric.signal)} {shown === "value" && <span className={tables.unit}>{words.unit(metric.signal).unit}</span>}
-                </Head>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {listed.map((row) => (
-              <Row key={row.id} row={row} shown={shown} words={words} />
             ))}
-          </tbody>
-        </table>
-        {listed.length === 0 && <p className={classes.empty}>No combination is like that: the passive car has neither preview nor weights, LQR no weights to switch.</p>}
-      </div>
+            <Head column="travel_time" number {...heads}>
+              {words.figure("travel_time")}
+            </Head>
+            <Head column={COMFORT} number {...heads}>
+              {words.figure(COMFORT)}
+            </Head>
+            {metrics.map((metric) => (
+              <Head key={metricKey(metric)} column={metricKey(metric)} number {...heads}>
+                {words.signal(metric.signal)} {shown === "value" && <span className={tables.unit}>{words.unit(metric.signal).unit}</span>}
+              </Head>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {listed.map((row) => (
+            <Row key={row.id} row={row} shown={shown} words={words} />
+          ))}
+        </tbody>
+      </ScrollTable>
+      {listed.length === 0 && <p className={classes.empty}>No combination is like that: the passive car has neither preview nor weights, LQR no weights to switch.</p>}
     </>
   );
 }

@@ -9,12 +9,13 @@ import { PALETTES } from "../plots/palettes";
 import { StrategyKey } from "../tables/StrategyKey";
 import type { Choices } from "./choices";
 import classes from "./figures.module.css";
-import { drawn, legendOf, type Scheme } from "./made";
+import { drawn, legendOf, type Scheme } from "./render";
 import { typeset } from "./numbers";
 import paper from "./paper.module.css";
 import { attributionQuery, paperFiguresQuery } from "./queries";
-import { useSeen } from "./useSeen";
+import { useVisible } from "./useVisible";
 import { Fault, Waiting } from "./Waiting";
+import ui from "../ui/ui.module.css";
 
 const HEIGHT = 250;
 /** Two of them side by side on A4 [px]. */
@@ -61,11 +62,11 @@ interface PanelProps {
 }
 
 const Panel = memo(function Panel({ figure: { number, title, caption, figure }, scheme, bumpOnly }: PanelProps) {
-  const { ref, seen, printed } = useSeen();
-  const shown = useMemo(() => (seen ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null), [seen, figure, scheme, bumpOnly]);
+  const { ref, visible, printed } = useVisible();
+  const shown = useMemo(() => (visible ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null), [visible, figure, scheme, bumpOnly]);
   const legend = useMemo(() => legendOf(figure), [figure]);
   return (
-    <figure ref={ref} className={classes.panel} id={`figure-${number}`} data-drawn={seen || undefined}>
+    <figure ref={ref} className={`${ui.card} ${classes.panel}`} id={`figure-${number}`} data-drawn={visible || undefined}>
       <figcaption className={classes.head}>
         <h3 className={classes.title}>
           <span className={classes.ordinal}>Figure {number}</span> {title}

@@ -5,6 +5,7 @@ import type { Paper, PaperInterpretation } from "../api/types";
 import { withSet, type Choices } from "./choices";
 import { typeset } from "./numbers";
 import classes from "./tables.module.css";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly paper: Paper;
@@ -19,44 +20,42 @@ interface Share {
 
 export function Interpretations({ paper, choices, onChoose }: Props) {
   return (
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label="Both interpretations">
-      <table className={`${classes.table ?? ""} ${classes.effects ?? ""} ${classes.sets ?? ""}`} data-testid="interpretations">
-        <thead>
-          <tr>
-            <th scope="col">Interpretation</th>
-            <th scope="col" className={classes.number}>
-              Reached
-            </th>
-            <th scope="col" className={classes.number}>
-              Simulated changes
-            </th>
-            <th scope="col" className={classes.number}>
-              On the ECU, by ±8&nbsp;%
-            </th>
-            <th scope="col" className={classes.number}>
-              Within ±10 points
-            </th>
-            <th scope="col" className={classes.number}>
-              In our interval
-            </th>
-            <th scope="col" className={classes.unprinted}>
-              <span className="visually-hidden">Show it</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {paper.interpretations.map((item) => (
-            <Row
-              key={item.id}
-              item={item}
-              complete={paper.complete}
-              shown={item.id === paper.interpretation}
-              onShow={() => onChoose(withSet(choices, paper.readings, item.id))}
-            />
-          ))}
-        </tbody>
-      </table>
-    </div>
+    <ScrollTable label="Both interpretations" card className={`${classes.table ?? ""} ${classes.effects ?? ""} ${classes.sets ?? ""}`} data-testid="interpretations">
+      <thead>
+        <tr>
+          <th scope="col">Interpretation</th>
+          <th scope="col" className={classes.number}>
+            Reached
+          </th>
+          <th scope="col" className={classes.number}>
+            Simulated changes
+          </th>
+          <th scope="col" className={classes.number}>
+            On the ECU, by ±8&nbsp;%
+          </th>
+          <th scope="col" className={classes.number}>
+            Within ±10 points
+          </th>
+          <th scope="col" className={classes.number}>
+            In our interval
+          </th>
+          <th scope="col" className={classes.unprinted}>
+            <span className="visually-hidden">Show it</span>
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {paper.interpretations.map((item) => (
+          <Row
+            key={item.id}
+            item={item}
+            complete={paper.complete}
+            shown={item.id === paper.interpretation}
+            onShow={() => onChoose(withSet(choices, paper.readings, item.id))}
+          />
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
 

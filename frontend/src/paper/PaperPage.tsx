@@ -9,7 +9,6 @@ import { api } from "../api/client";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Paper } from "../api/types";
 import { Page } from "../shell/Page";
-import shell from "../shell/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
 import { Contents, SECTIONS, type SectionId } from "./Contents";
@@ -23,6 +22,7 @@ import { Switches } from "./Switches";
 import { Tables } from "./Tables";
 import { Fault, Waiting } from "./Waiting";
 import { useWords, type Words } from "./words";
+import { compact } from "../ui/compact";
 
 const DOI = "10.3390/wevj16040232";
 
@@ -47,7 +47,7 @@ export function PaperPage() {
           variant="default"
           aria-label="Report"
           leftSection={<IconFileDescription size={15} aria-hidden />}
-          classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+          classNames={compact}
         >
           Report
         </Button>

@@ -6,6 +6,7 @@ import classes from "./parts.module.css";
 import tables from "./tables.module.css";
 import { PARTS, scaleOf, segmentsOf, type Share } from "./shares";
 import type { Words } from "./words";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly shares: readonly Share[];
@@ -15,51 +16,49 @@ interface Props {
 export function ShareBars({ shares, words }: Props) {
   const scale = scaleOf(shares);
   return (
-    <div className={tables.scroll} tabIndex={0} role="region" aria-label="Shares of LV’s gain">
-      <table className={tables.table} data-testid="shares">
-        <thead>
-          <tr>
-            <th scope="col" className={tables.sticky}>
-              Figure
+    <ScrollTable label="Shares of LV’s gain" card className={tables.table} data-testid="shares">
+      <thead>
+        <tr>
+          <th scope="col" className={tables.sticky}>
+            Figure
+          </th>
+          <th scope="col" className={tables.number}>
+            Whole change
+          </th>
+          {PARTS.map(({ part, label }) => (
+            <th key={part} scope="col" className={tables.number}>
+              <span className={classes.partName}>
+                <span className={classes.swatch} data-part={part} aria-hidden />
+                {label}
+              </span>
             </th>
-            <th scope="col" className={tables.number}>
-              Whole change
-            </th>
-            {PARTS.map(({ part, label }) => (
-              <th key={part} scope="col" className={tables.number}>
-                <span className={classes.partName}>
-                  <span className={classes.swatch} data-part={part} aria-hidden />
-                  {label}
-                </span>
-              </th>
-            ))}
-            <th scope="col" className={classes.track}>
-              <Ends scale={scale} />
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {shares.map((share) => (
-            <tr key={`${share.window} ${share.signal}`}>
-              <th scope="row" className={tables.sticky} data-line>
-                {words.signal(share.signal)} <span className={tables.unit}>{words.view(share)}</span>
-              </th>
-              <td className={tables.number}>
-                <b>{formatPercent(share.total_change)}</b>
-              </td>
-              {PARTS.map(({ part }) => (
-                <td key={part} className={tables.number}>
-                  {formatFixed(share[part], 0)} %
-                </td>
-              ))}
-              <td className={classes.track}>
-                <Bar share={share} scale={scale} />
-              </td>
-            </tr>
           ))}
-        </tbody>
-      </table>
-    </div>
+          <th scope="col" className={classes.track}>
+            <Ends scale={scale} />
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {shares.map((share) => (
+          <tr key={`${share.window} ${share.signal}`}>
+            <th scope="row" className={tables.sticky} data-line>
+              {words.signal(share.signal)} <span className={tables.unit}>{words.view(share)}</span>
+            </th>
+            <td className={tables.number}>
+              <b>{formatPercent(share.total_change)}</b>
+            </td>
+            {PARTS.map(({ part }) => (
+              <td key={part} className={tables.number}>
+                {formatFixed(share[part], 0)} %
+              </td>
+            ))}
+            <td className={classes.track}>
+              <Bar share={share} scale={scale} />
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
 

@@ -8,10 +8,11 @@ import { withSet, type Choices } from "./choices";
 import { typeset } from "./numbers";
 import tables from "./tables.module.css";
 import { effectsQuery } from "./queries";
-import { useSeen } from "./useSeen";
+import { useVisible } from "./useVisible";
 import { VerdictBar } from "./Verdict";
 import { countsInWords } from "./verdicts";
 import { Fault, Waiting } from "./Waiting";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly paper: Paper;
@@ -22,47 +23,45 @@ interface Props {
 type Row = ReadingEffects["rows"][number];
 
 export function SwitchEffects({ paper: { readings, complete }, choices, onChoose }: Props) {
-  const { ref, seen } = useSeen();
-  const { data, error, refetch } = useQuery({ ...effectsQuery(choices), enabled: seen && complete });
+  const { ref, visible } = useVisible();
+  const { data, error, refetch } = useQuery({ ...effectsQuery(choices), enabled: visible && complete });
   const expected = readings.reduce((sum, { choices: offered }) => sum + offered.length - 1, 0);
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
   if (!data) {
     return (
       <div ref={ref} className={tables.unprinted}>
-        <Waiting key={String(seen && complete)} what={complete ? "Turning each switch by itself" : "Waiting for the runs of the tables"} height={24 + 40 * expected} />
+        <Waiting key={String(visible && complete)} what={complete ? "Turning each switch by itself" : "Waiting for the runs of the tables"} height={24 + 40 * expected} />
       </div>
     );
   }
   return (
     <>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="What each switch does">
-        <table className={`${tables.table ?? ""} ${tables.effects ?? ""}`} data-testid="effects">
-          <thead>
-            <tr>
-              <th scope="col">Switch, alone</th>
-              <th scope="col" className={tables.number}>
-                Cells reached
-              </th>
-              <th scope="col" className={tables.barColumn}>
-                Reached, smaller, contradicts
-              </th>
-              <th scope="col" className={tables.number}>
-                Other verdict
-              </th>
-              <th scope="col" className={tables.unprinted}>
-                <span className="visually-hidden">Try it</span>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {data.rows.map((row) => {
-              const reading = readings.find(({ id }) => id === row.reading);
-              if (!reading) return null;
-              return <EffectRow key={`${row.reading} ${row.choice}`} row={row} reading={reading} onTry={() => onChoose({ ...withSet(choices, readings, "default"), [reading.id]: row.choice })} />;
-            })}
-          </tbody>
-        </table>
-      </div>
+      <ScrollTable label="What each switch does" card className={`${tables.table ?? ""} ${tables.effects ?? ""}`} data-testid="effects">
+        <thead>
+          <tr>
+            <th scope="col">Switch, alone</th>
+            <th scope="col" className={tables.number}>
+              Cells reached
+            </th>
+            <th scope="col" className={tables.barColumn}>
+              Reached, smaller, contradicts
+            </th>
+            <th scope="col" className={tables.number}>
+              Other verdict
+            </th>
+            <th scope="col" className={tables.unprinted}>
+              <span className="visually-hidden">Try it</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {data.rows.map((row) => {
+            const reading = readings.find(({ id }) => id === row.reading);
+            if (!reading) return null;
+            return <EffectRow key={`${row.reading} ${row.choice}`} row={row} reading={reading} onTry={() => onChoose({ ...withSet(choices, readings, "default"), [reading.id]: row.choice })} />;
+          })}
+        </tbody>
+      </ScrollTable>
       {data.unavailable && (
         <Text size="xs" c="dimmed">
           Without the {data.unavailable.cells} cells that are not available here.

@@ -11,6 +11,7 @@ import { typeset } from "./numbers";
 import classes from "./switches.module.css";
 import { VerdictCountList } from "./Verdict";
 import { countedOf, soFar } from "./verdicts";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly paper: Paper;
@@ -23,7 +24,7 @@ interface Props {
 export function Switches({ paper, choices, waiting, onChoose }: Props) {
   // The address is ahead of the answer: a switch stands where it was put.
   const set = setOf(choices, paper.interpretations);
-  const readings = paper.readings.map((reading) => ({ ...reading, chosen: chosenOf(reading, choices, set) }));
+  const readings = paper.readings.map((reading) => ({ ...reading, chosen: choiceOf(reading, choices, set) }));
   const changed = readings.filter((reading) => reading.chosen !== standardOf(reading, set));
   return (
     <>
@@ -57,9 +58,9 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
   );
 }
 
-function chosenOf({ id, choices: offered, chosen }: PaperReading, choices: Choices, set: PaperInterpretation | undefined): string {
-  const wanted = choices[id] ?? set?.choices[id];
-  return offered.find((choice) => choice.id === wanted)?.id ?? chosen;
+function choiceOf({ id, choices: offered, chosen }: PaperReading, choices: Choices, set: PaperInterpretation | undefined): string {
+  const requested = choices[id] ?? set?.choices[id];
+  return offered.find((choice) => choice.id === requested)?.id ?? chosen;
 }
 
 interface SwitchProps {
@@ -74,7 +75,7 @@ function Switch({ reading, set, onChange }: SwitchProps) {
   const chosen = reading.choices.find((choice) => choice.id === reading.chosen);
   const isChanged = standard !== chosen;
   return (
-    <div className={classes.switch} data-changed={isChanged || undefined} data-reading={reading.id}>
+    <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined} data-reading={reading.id}>
       <div className={classes.head}>
         <h3 id={id} className={classes.title}>
           {typeset(reading.title)}

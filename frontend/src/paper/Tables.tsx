@@ -11,6 +11,7 @@ import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
 import { cellId } from "./verdicts";
 import type { Words } from "./words";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props {
   readonly paper: Paper;
@@ -55,40 +56,38 @@ function Table({ table, cells, words, reason }: TableProps) {
       <h3 className={classes.subtitle}>
         Table {table.number} <span className={tables.subtitleRest}>{table.title}</span>
       </h3>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label={`Table ${table.number}`}>
-        <table className={`${tables.table ?? ""} ${tables.comparison ?? ""}`} data-table={table.number}>
-          <caption className="visually-hidden">{table.title}</caption>
-          <thead>
-            <tr>
-              <th scope="col" className={tables.sticky}>
-                {first ? words.view(first) : ""}
-              </th>
-              <th scope="colgroup" colSpan={3} className={tables.group}>
-                Paper
-              </th>
-              <th scope="colgroup" colSpan={3} className={tables.group}>
-                Here
-              </th>
-              <th scope="col" className={tables.group} data-own>
-                Verdict
-              </th>
-              <th scope="col" className={tables.group}>
-                <IconEyeOff size={13} stroke={2} aria-hidden className={tables.inlineIcon} /> Without preview
-              </th>
-            </tr>
-          </thead>
-          {table.columns.map(({ strategy, against }) => (
-            <Pair
-              key={`${strategy} ${against}`}
-              strategy={words.strategy(strategy)}
-              against={words.strategy(against)}
-              cells={cells.filter((cell) => cell.strategy === strategy && cell.against === against)}
-              words={words}
-              reason={reason}
-            />
-          ))}
-        </table>
-      </div>
+      <ScrollTable label={`Table ${table.number}`} card className={`${tables.table ?? ""} ${tables.comparison ?? ""}`} data-table={table.number}>
+        <caption className="visually-hidden">{table.title}</caption>
+        <thead>
+          <tr>
+            <th scope="col" className={tables.sticky}>
+              {first ? words.view(first) : ""}
+            </th>
+            <th scope="colgroup" colSpan={3} className={tables.group}>
+              Paper
+            </th>
+            <th scope="colgroup" colSpan={3} className={tables.group}>
+              Here
+            </th>
+            <th scope="col" className={tables.group} data-own>
+              Verdict
+            </th>
+            <th scope="col" className={tables.group}>
+              <IconEyeOff size={13} stroke={2} aria-hidden className={tables.inlineIcon} /> Without preview
+            </th>
+          </tr>
+        </thead>
+        {table.columns.map(({ strategy, against }) => (
+          <Pair
+            key={`${strategy} ${against}`}
+            strategy={words.strategy(strategy)}
+            against={words.strategy(against)}
+            cells={cells.filter((cell) => cell.strategy === strategy && cell.against === against)}
+            words={words}
+            reason={reason}
+          />
+        ))}
+      </ScrollTable>
     </div>
   );
 }

@@ -9,20 +9,20 @@ const REACHED = 120;
 export function useSection(ids: readonly string[]): number {
   const [section, setSection] = useState(0);
   useEffect(() => {
-    let asked = 0;
+    let frame = 0;
     const look = () => {
-      asked = 0;
+      frame = 0;
       const tops = ids.map((id) => document.getElementById(id)?.getBoundingClientRect().top ?? Infinity);
       const atEnd = window.innerHeight + window.scrollY >= document.documentElement.scrollHeight - 2;
       setSection(atEnd && window.scrollY > 0 ? ids.length - 1 : Math.max(0, tops.findLastIndex((top) => top < REACHED)));
     };
     const onScroll = () => {
-      if (asked === 0) asked = requestAnimationFrame(look);
+      if (frame === 0) frame = requestAnimationFrame(look);
     };
     window.addEventListener("scroll", onScroll, { passive: true });
     return () => {
       window.removeEventListener("scroll", onScroll);
-      cancelAnimationFrame(asked);
+      cancelAnimationFrame(frame);
     };
   }, [ids]);
   return section;

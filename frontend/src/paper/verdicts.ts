@@ -36,8 +36,8 @@ export function previewSentence(paper: Paper): string {
   const choice = preview?.choices.find(({ id }) => id === preview.chosen);
   if (!choice || choice.id === "none") return "These are already the cells without preview: no controller knows the road ahead.";
   const same = `With preview (${choice.label.toLowerCase()}) ${reached} of ${total} cells are reached, without it ${without.reached}: `;
-  const lost = reached - without.reached;
-  if (lost <= 0) return `${same}here the claim does not hinge on preview.`;
+  const fewer = reached - without.reached;
+  if (fewer <= 0) return `${same}here the claim does not hinge on preview.`;
   return `${same}the claim hinges on what the controller knows of the road ahead. Without it ${count(turned(paper), "verdict")} ${turned(paper) === 1 ? "changes" : "change"}.`;
 }
 

@@ -34,8 +34,8 @@ export function wordsOf(catalogue: Catalogue, strategies: readonly Strategy[], t
     },
     view: (view) => headingOf(view as WindowView, catalogue),
     figure: (key) => {
-      const found = [...catalogue.comfort, ...catalogue.run_figures].find((entry) => entry.key === key);
-      return found ? `${found.label} [${prettyUnit(found.unit)}]` : key;
+      const quantity = [...catalogue.comfort, ...catalogue.run_figures].find((entry) => entry.key === key);
+      return quantity ? `${quantity.label} [${prettyUnit(quantity.unit)}]` : key;
     },
   };
 }

@@ -26,10 +26,10 @@ interface Props {
 
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
-export function Chart({ figure, height, width: wanted, label, onPoint }: Props) {
+export function Chart({ figure, height, width: fixedWidth, label, onPoint }: Props) {
   const plotly = usePlotly();
   const { ref, width: room } = useElementSize<HTMLDivElement>();
-  const width = wanted ?? room;
+  const width = fixedWidth ?? room;
   const host = useRef<HTMLDivElement>(null);
 
   useEffect(() => {

@@ -13,6 +13,7 @@ import classes from "./plots.module.css";
 import type { Plotly } from "./plotly";
 import { Readouts } from "./Readouts";
 import { Surface } from "./Surface";
+import { Card } from "../ui/Card";
 
 interface Props {
   readonly plotly: Plotly | null;
@@ -41,7 +42,7 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, scene, seri
   );
   const drawn = scene.strategies.map(({ label }) => label).join(", ");
   return (
-    <section ref={viewRef} className={classes.panel} aria-label={meta.title} data-figure={meta.signal}>
+    <Card ref={viewRef} aria-label={meta.title} data-figure={meta.signal}>
       <header className={classes.header}>
         <h3 className={classes.title}>
           {meta.title} <span className={classes.unit}>{meta.unit}</span>
@@ -52,6 +53,6 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, scene, seri
         <Surface plotly={plotly} figure={figure} live={scene.shown.source === "live"} />
         <Overlay range={scene.range} onZoom={onZoom} />
       </div>
-    </section>
+    </Card>
   );
 });

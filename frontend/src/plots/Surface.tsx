@@ -20,11 +20,11 @@ export function Surface({ plotly, figure, live }: Props) {
 
   useEffect(() => {
     if (!plotly || !host.current || !canvas.current) return undefined;
-    const made = new PanelPainter(plotly, host.current, canvas.current);
-    painter.current = made;
+    const panelPainter = new PanelPainter(plotly, host.current, canvas.current);
+    painter.current = panelPainter;
     return () => {
       painter.current = null;
-      made.dispose();
+      panelPainter.dispose();
     };
   }, [plotly]);
 

@@ -12,17 +12,17 @@ const CONFIG = { staticPlot: true, displayModeBar: false, responsive: false } as
 /** A range already shown is kept while live curves fit in and fill at least this part of it: axes must not flicker. */
 const LEAST_FILLED = 0.55;
 
-export function keepsRange(held: Range | null, wanted: Range): boolean {
-  if (held === null) return false;
-  const fits = wanted[0] >= held[0] && wanted[1] <= held[1];
-  return fits && wanted[1] - wanted[0] >= LEAST_FILLED * (held[1] - held[0]);
+export function keepsRange(drawn: Range | null, needed: Range): boolean {
+  if (drawn === null) return false;
+  const fits = needed[0] >= drawn[0] && needed[1] <= drawn[1];
+  return fits && needed[1] - needed[0] >= LEAST_FILLED * (drawn[1] - drawn[0]);
 }
 
 export class PanelPainter {
   readonly #plotly: Plotly;
   readonly #host: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
-  #held: Range | null = null;
+  #drawn: Range | null = null;
   #axes = "";
 
   constructor(plotly: Plotly, host: HTMLElement, canvas: HTMLCanvasElement) {
@@ -41,22 +41,22 @@ export class PanelPainter {
   }
 
   #paintExact(figure: PanelFigure, size: Size): void {
-    this.#held = figure.layout.yaxis.range;
-    this.#axes = axesOf(figure, size, this.#held);
+    this.#drawn = figure.layout.yaxis.range;
+    this.#axes = axesOf(figure, size, this.#drawn);
     void this.#plotly.react(this.#host, figure.data, { ...figure.layout, ...size }, CONFIG);
     delete this.#host.dataset.live;
     clearCanvas(this.#canvas);
   }
 
   #paintLive(figure: PanelFigure, size: Size): void {
-    const wanted = figure.layout.yaxis.range;
-    const range = this.#held !== null && keepsRange(this.#held, wanted) ? this.#held : wanted;
+    const needed = figure.layout.yaxis.range;
+    const range = this.#drawn !== null && keepsRange(this.#drawn, needed) ? this.#drawn : needed;
     const axes = axesOf(figure, size, range);
     if (axes !== this.#axes) {
       const yaxis = { ...figure.layout.yaxis, range };
       void this.#plotly.react(this.#host, [], { ...figure.layout, ...size, yaxis, shapes: [] }, CONFIG);
       this.#axes = axes;
-      this.#held = range;
+      this.#drawn = range;
     }
     this.#host.dataset.live = "";
     drawOnCanvas(this.#canvas, figure, size, figure.layout.xaxis.range, range);

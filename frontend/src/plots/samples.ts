@@ -43,17 +43,17 @@ export function extent(values: Numbers): readonly [number, number] | null {
 
 /** Stretches of x where `values` lies below `limit`. */
 export function stretchesBelow(samples: Numbers, values: Numbers, limit: number): readonly (readonly [number, number])[] {
-  const found: (readonly [number, number])[] = [];
+  const spans: (readonly [number, number])[] = [];
   let start: number | null = null;
   for (let i = 0; i < samples.length; i++) {
     const below = (values[i] ?? 0) < limit;
     const x = samples[i] ?? 0;
     if (below && start === null) start = x;
     if (!below && start !== null) {
-      found.push([start, x]);
+      spans.push([start, x]);
       start = null;
     }
   }
-  if (start !== null) found.push([start, samples.at(-1) ?? start]);
-  return found;
+  if (start !== null) spans.push([start, samples.at(-1) ?? start]);
+  return spans;
 }

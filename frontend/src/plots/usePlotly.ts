@@ -5,12 +5,12 @@ import { loadPlotly, type Plotly } from "./plotly";
 export function usePlotly(): Plotly | null {
   const [plotly, setPlotly] = useState<{ readonly current: Plotly } | null>(null);
   useEffect(() => {
-    let wanted = true;
+    let mounted = true;
     void loadPlotly().then((current) => {
-      if (wanted) setPlotly({ current });
+      if (mounted) setPlotly({ current });
     });
     return () => {
-      wanted = false;
+      mounted = false;
     };
   }, []);
   return plotly?.current ?? null;

@@ -7,6 +7,9 @@ import { formatPercent } from "../tables/change";
 import { StrategyKey } from "../tables/StrategyKey";
 import classes from "./robustness.module.css";
 import { quantile, type Margin } from "./summary";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly summary: BatchSummary;
@@ -21,64 +24,64 @@ export function Leads({ summary, strategies, figures, onBaseline }: Props) {
   const groups = [...new Set(figures.map(({ group }) => group))];
   if (!baseline || others.length === 0) return null;
   return (
-    <section className={classes.card} aria-label="Who keeps the lead">
-      <div className={classes.cardHead}>
-        <h2 className={classes.heading}>Where {baseline.label} is better</h2>
+    <Card
+      aria-label="Who keeps the lead"
+      title={`Where ${baseline.label} is better`}
+      tools={
         <NativeSelect
           size="xs"
-          aria-label="Compare with"
+          aria-label="Baseline"
           value={summary.baseline}
-          data={strategies.map(({ id, label }) => ({ value: id, label: `against ${label}` }))}
+          data={strategies.map(({ id, label }) => ({ value: id, label }))}
           onChange={(event) => onBaseline(event.currentTarget.value)}
         />
-      </div>
-      <Text size="xs" c="dimmed" className={classes.cardText ?? ""}>
+      }
+    >
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is: in the scenario itself, then the median and the range of 90 % of the points.
       </Text>
-      <div className={classes.scroll} tabIndex={0} role="region" aria-label="Leads">
-        <table className={classes.table}>
-          <thead>
-            <tr>
-              <td />
-              {groups.map((group) => (
-                <th key={group} colSpan={figures.filter((each) => each.group === group).length} className={classes.group}>
-                  {group}
-                </th>
-              ))}
-            </tr>
-            <tr>
-              <th scope="col" className={classes.left}>
-                Against
+      <ScrollTable label="Leads" className={classes.table}>
+        <thead>
+          <tr>
+            <td />
+            {groups.map((group) => (
+              <th key={group} colSpan={figures.filter((each) => each.group === group).length} className={classes.group}>
+                {group}
               </th>
-              {figures.map(({ key, label }) => (
-                <th key={key} scope="col" className={classes.leadColumn}>
-                  {label}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {others.map((strategy) => (
-              <tr key={strategy.id} data-strategy={strategy.id}>
-                <th scope="row" className={classes.left}>
-                  <span className={classes.strategy}>
-                    <StrategyKey strategy={strategy} /> {strategy.label}
-                  </span>
-                </th>
-                {figures.map(({ key }) => {
-                  const margin = summary.strategies[strategy.id]?.figures[key]?.margin;
-                  return (
-                    <td key={key} className={classes.lead} data-cell={key}>
-                      {margin ? <Lead summary={summary} margin={margin} /> : "–"}
-                    </td>
-                  );
-                })}
-              </tr>
             ))}
-          </tbody>
-        </table>
-      </div>
-    </section>
+          </tr>
+          <tr>
+            <th scope="col" className={classes.left}>
+              Against
+            </th>
+            {figures.map(({ key, label }) => (
+              <th key={key} scope="col" className={classes.leadColumn}>
+                {label}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {others.map((strategy) => (
+            <tr key={strategy.id} data-strategy={strategy.id}>
+              <th scope="row" className={classes.left}>
+                <span className={classes.strategy}>
+                  <StrategyKey strategy={strategy} /> {strategy.label}
+                </span>
+              </th>
+              {figures.map(({ key }) => {
+                const margin = summary.strategies[strategy.id]?.figures[key]?.margin;
+                return (
+                  <td key={key} className={classes.lead} data-cell={key}>
+                    {margin ? <Lead summary={summary} margin={margin} /> : "–"}
+                  </td>
+                );
+              })}
+            </tr>
+          ))}
+        </tbody>
+      </ScrollTable>
+    </Card>
   );
 }
 

@@ -14,10 +14,12 @@ import { formatPercent } from "../tables/change";
 import { formatResult, prettyUnit } from "../units/format";
 import { nameOf } from "./names";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
-import classes from "./robustness.module.css";
 import { TRAVEL } from "./summary";
 import { useOpenRun, type Opening } from "./useOpenRun";
 import styles from "./bars.module.css";
+import { Fault } from "../ui/Fault";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly id: string;
@@ -29,26 +31,23 @@ interface Props {
 
 export function OneByOne({ id, ...rest }: Props) {
   const { job: batch, error } = useJob(BATCH, id);
-  if (error) return <Said text={`Each field alone could not be read: ${error.message}`} />;
+  if (error) return <Message text={`Each field alone could not be read: ${error.message}`} />;
   if (!batch) return null;
-  if (!isOneByOne(batch)) return <Said text="What this address names as the study of each field alone is another kind of sweep." />;
-  return <Chosen batch={batch} {...rest} />;
+  if (!isOneByOne(batch)) return <Message text="What this address names as the study of each field alone is another kind of sweep." />;
+  return <FieldAlone batch={batch} {...rest} />;
 }
 
-function Said({ text }: { readonly text: string }) {
+function Message({ text }: { readonly text: string }) {
   return (
-    <section className={classes.card} aria-label="Each field alone">
-      <h2 className={classes.heading} data-alone>
-        Each field alone
-      </h2>
-      <Text size="sm" c="dimmed" className={classes.cardText ?? ""} role="status">
+    <Card aria-label="Each field alone" title="Each field alone">
+      <Text size="sm" c="dimmed" className={ui.note ?? ""} role="status">
         {text}
       </Text>
-    </section>
+    </Card>
   );
 }
 
-function Chosen({ batch, figures, paper, strategies }: Omit<Props, "id"> & { readonly batch: Batch }) {
+function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & { readonly batch: Batch }) {
   const offered = [...paper, ...figures.filter(({ key }) => key === TRAVEL)];
   const [figureKey, setFigure] = useState(OPENING_FIGURE);
   const [strategyId, setStrategy] = useState(strategies.find(({ id }) => id === "lv")?.id ?? strategies[0]?.id ?? "");
@@ -63,36 +62,38 @@ function Chosen({ batch, figures, paper, strategies }: Omit<Props, "id"> & { rea
   const opening = useOpenRun(batch);
   if (!figure) return null;
   const tornado = table.data ? tornadoOf(batch, table.data.columns, strategyId, figure.key) : null;
-  const missing = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This figure has no value for the scenario itself." : "These runs are on their way.";
+  const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This figure has no value for the scenario itself." : "These runs are on their way.";
   return (
-    <section className={classes.card} aria-label="Each field alone">
-      <div className={classes.cardHead}>
-        <h2 className={classes.heading}>Each field alone</h2>
-        <NativeSelect size="xs" aria-label="Strategy alone" value={strategyId} data={strategies.map(({ id, label }) => ({ value: id, label }))} onChange={(event) => setStrategy(event.currentTarget.value)} />
-        <NativeSelect
-          size="xs"
-          aria-label="Figure alone"
-          value={figure.key}
-          data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
-          onChange={(event) => setFigure(event.currentTarget.value)}
-        />
-      </div>
-      <Text size="xs" c="dimmed" className={classes.cardText ?? ""}>
+    <Card
+      aria-label="Each field alone"
+      title="Each field alone"
+      tools={
+        <>
+          <NativeSelect size="xs" aria-label="Strategy alone" value={strategyId} data={strategies.map(({ id, label }) => ({ value: id, label }))} onChange={(event) => setStrategy(event.currentTarget.value)} />
+          <NativeSelect
+            size="xs"
+            aria-label="Figure alone"
+            value={figure.key}
+            data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
+            onChange={(event) => setFigure(event.currentTarget.value)}
+          />
+        </>
+      }
+    >
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         Everything as the scenario has it but one field, at its low and at its high end. A bar to the right is worse. A click opens the run.
       </Text>
       {opening.error !== null && (
-        <Text size="sm" role="alert" className={`${classes.error ?? ""} ${classes.cardText ?? ""}`}>
-          This run could not be opened: {opening.error}
-        </Text>
+        <Fault size="sm" className={ui.note ?? ""}>This run could not be opened: {opening.error}</Fault>
       )}
       {tornado ? (
         <Bars {...{ tornado, figure, opening, batch }} />
       ) : (
-        <Text size="sm" c="dimmed" className={classes.cardText ?? ""} role="status">
-          {missing}
+        <Text size="sm" c="dimmed" className={ui.note ?? ""} role="status">
+          {explanation}
         </Text>
       )}
-    </section>
+    </Card>
   );
 }
 

@@ -2,43 +2,41 @@
 
 import { Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQuery } from "@tanstack/react-query";
 import { isNotFound, isTransient } from "../api/problem";
-import { BatchFault, BatchLoading } from "../batch/BatchBlank";
 import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { Page } from "../shell/Page";
 import { schemaQuery, strategiesQuery } from "../state/queries";
 import { defaultsQuery } from "./defaults";
-import classes from "./robustness.module.css";
 import { StudyForm } from "./StudyForm";
 import { StudyPage } from "./StudyPage";
+import ui from "../ui/ui.module.css";
+import { Loading } from "../ui/Loading";
+import { CouldNotLoad } from "../shell/Blank";
 
 export function RobustnessPage({ id }: { readonly id: string | null }) {
   return id === null ? <NewStudy /> : <StudyPage key={id} id={id} />;
 }
 
 function NewStudy() {
-  const queries = useQueryClient();
   const source = usePageScenario();
   const defaults = useQuery(defaultsQuery);
   const strategies = useQuery(strategiesQuery);
   const form = useQuery(schemaQuery);
   useDocumentTitle("Robustness · Ridelab");
   const fault = [defaults.error, strategies.error, form.error].find((error) => error !== null && !isTransient(error));
-  const lost = source.error !== null && !isNotFound(source.error) && !isTransient(source.error) ? source.error : fault;
+  const failure = source.error !== null && !isNotFound(source.error) && !isTransient(source.error) ? source.error : fault;
   return (
     <Page run={source.origin.run}>
-      <main className={classes.main}>
-        <header className={classes.intro}>
-          <h1 className={classes.title}>Robustness</h1>
-          <Text size="sm" c="dimmed" maw={820}>
-            The controllers believe one car, exact sensors and ideal actuators. Here every strategy meets the same random cars,
-            sensors and actuators that are a little different, and none of them knows. What is left of each one’s lead?
-          </Text>
-        </header>
-        {lost ? (
-          <BatchFault message={lost.message} onRetry={() => void queries.refetchQueries()} />
+      <main className={ui.main}>
+        <h1 className={ui.title}>Robustness</h1>
+        <Text className={ui.lead ?? ""}>
+          The controllers believe one car, exact sensors and ideal actuators. Here every strategy meets the same random cars,
+          sensors and actuators that are a little different, and none of them knows. What is left of each one’s lead?
+        </Text>
+        {failure ? (
+          <CouldNotLoad message={failure.message} />
         ) : defaults.data && strategies.data && form.data ? (
           <StudyForm
             defaults={defaults.data}
@@ -48,7 +46,7 @@ function NewStudy() {
             head={<ScenarioChoice source={source} form={form.data} />}
           />
         ) : (
-          <BatchLoading />
+          <Loading label="Loading the form" heights={[28, 96, 440, 320]} />
         )}
       </main>
     </Page>

@@ -13,6 +13,9 @@ import classes from "./robustness.module.css";
 import { quantile, type FigureSummary } from "./summary";
 import type { Opening } from "./useOpenRun";
 import styles from "./bars.module.css";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly summary: BatchSummary;
@@ -23,60 +26,60 @@ interface Props {
 
 export function Spread({ summary, strategies, figures, opening }: Props) {
   const groups = [...new Set(figures.map(({ group }) => group))];
-  const [chosen, setChosen] = useState(groups[0] ?? "");
-  const shown = figures.filter(({ group }) => group === chosen);
+  const [shownGroup, setShownGroup] = useState(groups[0] ?? "");
+  const shown = figures.filter(({ group }) => group === shownGroup);
   const against = strategies.find(({ id }) => id === summary.baseline)?.label ?? summary.baseline;
   return (
-    <section className={classes.card} aria-label="Spread">
-      <div className={classes.cardHead}>
-        <h2 className={classes.heading}>How far the figures spread</h2>
-        <SegmentedControl size="xs" aria-label="Figures" value={chosen} data={groups} onChange={setChosen} />
-      </div>
+    <Card
+      aria-label="Spread"
+      title="How far the figures spread"
+      tools={
+        <SegmentedControl size="xs" aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />
+      }
+    >
       <Key />
       <div className={styles.panels}>
         {shown.map((figure) => (
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
       </div>
-      <div className={classes.scroll} tabIndex={0} role="region" aria-label="Values of the spread">
-        <table className={classes.table}>
-          <thead>
-            <tr>
-              <td />
-              <th colSpan={5} className={classes.group}>
-                {chosen}
+      <ScrollTable label="Values of the spread" className={classes.table}>
+        <thead>
+          <tr>
+            <td />
+            <th colSpan={5} className={classes.group}>
+              {shownGroup}
+            </th>
+            <th colSpan={3} className={classes.group}>
+              Change against {against} at the same point
+            </th>
+          </tr>
+          <tr>
+            <th scope="col" className={classes.left}>
+              Strategy
+            </th>
+            {["Nominal", "Median", "5 %", "95 %", "Worst case", "Median", "5 %", "95 %"].map((head, index) => (
+              <th key={index} scope="col">
+                {head}
               </th>
-              <th colSpan={3} className={classes.group}>
-                Change against {against} at the same point
+            ))}
+          </tr>
+        </thead>
+        {shown.map((figure) => (
+          <tbody key={figure.key}>
+            <tr>
+              <th colSpan={9} scope="rowgroup" className={classes.rowGroup}>
+                {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
               </th>
             </tr>
-            <tr>
-              <th scope="col" className={classes.left}>
-                Strategy
-              </th>
-              {["Nominal", "Median", "5 %", "95 %", "Worst case", "Median", "5 %", "95 %"].map((head, index) => (
-                <th key={index} scope="col">
-                  {head}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          {shown.map((figure) => (
-            <tbody key={figure.key}>
-              <tr>
-                <th colSpan={9} scope="rowgroup" className={classes.rowGroup}>
-                  {figure.label} <span className={classes.dim}>{prettyUnit(figure.unit)}</span>
-                </th>
-              </tr>
-              {strategies.map((strategy) => {
-                const found = summary.strategies[strategy.id]?.figures[figure.key];
-                return found && <Row key={strategy.id} {...{ summary, strategy, figure, found, opening }} />;
-              })}
-            </tbody>
-          ))}
-        </table>
-      </div>
-    </section>
+            {strategies.map((strategy) => {
+              const figureSummary = summary.strategies[strategy.id]?.figures[figure.key];
+              return figureSummary && <Row key={strategy.id} {...{ summary, strategy, figure, figureSummary, opening }} />;
+            })}
+          </tbody>
+        ))}
+      </ScrollTable>
+    </Card>
   );
 }
 
@@ -84,13 +87,13 @@ interface RowProps {
   readonly summary: BatchSummary;
   readonly strategy: Strategy;
   readonly figure: Figure;
-  readonly found: FigureSummary;
+  readonly figureSummary: FigureSummary;
   readonly opening: Opening;
 }
 
-function Row({ summary, strategy, figure, found, opening }: RowProps) {
+function Row({ summary, strategy, figure, figureSummary, opening }: RowProps) {
   const value = (number: number | null) => (number === null ? "–" : formatResult(number * figure.scale));
-  const { margin } = found;
+  const { margin } = figureSummary;
   const change = (percent: number) => {
     const at = margin && quantile(summary, margin, percent);
     return <td key={percent}>{typeof at === "number" ? formatPercent(at) : margin ? "–" : ""}</td>;
@@ -102,12 +105,12 @@ function Row({ summary, strategy, figure, found, opening }: RowProps) {
           <StrategyKey strategy={strategy} /> {strategy.label}
         </span>
       </th>
-      <td>{value(found.nominal)}</td>
-      <td className={classes.strong}>{value(quantile(summary, found, 50))}</td>
-      <td>{value(quantile(summary, found, 5))}</td>
-      <td>{value(quantile(summary, found, 95))}</td>
+      <td>{value(figureSummary.nominal)}</td>
+      <td className={classes.strong}>{value(quantile(summary, figureSummary, 50))}</td>
+      <td>{value(quantile(summary, figureSummary, 5))}</td>
+      <td>{value(quantile(summary, figureSummary, 95))}</td>
       <td>
-        <PlaceButton place={found.highest} text={value(found.highest?.value ?? null)} what={`${strategy.label}, ${figure.label}: worst case`} opening={opening} />
+        <PlaceButton place={figureSummary.highest} text={value(figureSummary.highest?.value ?? null)} what={`${strategy.label}, ${figure.label}: worst case`} opening={opening} />
       </td>
       {[50, 5, 95].map(change)}
     </tr>

@@ -1,16 +1,17 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
-import { Alert, Button, Checkbox, Switch, Text, TextInput } from "@mantine/core";
+import { Button, Checkbox, Switch, Text, TextInput } from "@mantine/core";
 import { useId, useState, type ReactNode } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
 import { EstimateLine } from "../sweep/EstimateLine";
 import { StrategyChoice } from "../sweep/StrategyChoice";
 import { prettyUnit } from "../units/format";
-import classes from "./robustness.module.css";
 import { draftStudy, exactText, type RangeDraft, type StudyDraft } from "./study";
 import { useStudy } from "./useStudy";
 import rows from "./form.module.css";
+import ui from "../ui/ui.module.css";
+import { Fault, Problems } from "../ui/Fault";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -20,25 +21,25 @@ interface Props {
   /** Says which scenario it is. */
   readonly head: ReactNode;
   /** A study to begin from. */
-  readonly made?: Batch;
+  readonly existing?: Batch;
 }
 
-export function StudyForm({ defaults, strategies, form, scenario, head, made }: Props) {
-  const [draft, setDraft] = useState<StudyDraft>(() => draftStudy(defaults, form, made));
+export function StudyForm({ defaults, strategies, form, scenario, head, existing }: Props) {
+  const [draft, setDraft] = useState<StudyDraft>(() => draftStudy(defaults, form, existing));
   const patch = (change: Partial<StudyDraft>) => setDraft({ ...draft, ...change });
   const { errors, general, estimate, pending, starting, start } = useStudy(draft, scenario);
   return (
     <form
-      className={classes.card}
+      className={ui.card}
       aria-label="Study"
       onSubmit={(event) => {
         event.preventDefault();
         if (estimate && !starting) start();
       }}
     >
-      <div className={rows.part}>{head}</div>
-      <div className={rows.part}>
-        <h2 className={classes.heading}>What is uncertain</h2>
+      <div className={ui.part}>{head}</div>
+      <div className={ui.part}>
+        <h2 className={ui.heading}>What is uncertain</h2>
         <Text size="xs" c="dimmed">
           Anything between the two ends is equally likely. What is switched off stays as the scenario has it.
         </Text>
@@ -54,13 +55,11 @@ export function StudyForm({ defaults, strategies, form, scenario, head, made }: 
           ))}
         </div>
         {errors.fields !== undefined && (
-          <Text size="xs" className={classes.error} role="alert">
-            {errors.fields}
-          </Text>
+          <Fault>{errors.fields}</Fault>
         )}
       </div>
-      <div className={rows.part}>
-        <StrategyChoice strategies={strategies} chosen={draft.strategies} error={errors.strategies} onChange={(ids) => patch({ strategies: ids })} />
+      <div className={ui.part}>
+        <StrategyChoice strategies={strategies} selected={draft.strategies} error={errors.strategies} onChange={(ids) => patch({ strategies: ids })} />
         <div className={rows.numbers}>
           <TextInput
             size="xs"
@@ -88,12 +87,8 @@ export function StudyForm({ defaults, strategies, form, scenario, head, made }: 
           onChange={(event) => patch({ oneByOne: event.currentTarget.checked })}
         />
       </div>
-      {general.map((message) => (
-        <Alert key={message} color="red" variant="light" p="xs" mx="md" mb="xs" role="alert">
-          {message}
-        </Alert>
-      ))}
-      <div className={rows.footer}>
+      <Problems messages={general} mx="md" mb="xs" />
+      <div className={ui.foot}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
         <Button type="submit" disabled={estimate === undefined} loading={starting}>
           Start
@@ -151,9 +146,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
         )}
       </div>
       {error !== undefined && (
-        <Text id={`${id}-error`} size="xs" className={rows.error} role="alert">
-          {error}
-        </Text>
+        <Fault id={`${id}-error`}>{error}</Fault>
       )}
     </div>
   );

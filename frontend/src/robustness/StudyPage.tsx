@@ -3,35 +3,32 @@
 import { Button, Collapse, Text } from "@mantine/core";
 import { useDisclosure, useDocumentTitle } from "@mantine/hooks";
 import { IconAdjustments, IconPlus } from "../icons";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
-import { BatchFault, BatchLoading } from "../batch/BatchBlank";
 import { BatchState } from "../batch/BatchState";
 import { otherThanPaper } from "../origin/otherThanPaper";
 import { BATCH, useJob } from "../jobs/useJob";
-import { Blank } from "../shell/Blank";
+import { Blank, CouldNotLoad } from "../shell/Blank";
 import { Page } from "../shell/Page";
-import shell from "../shell/shell.module.css";
 import { useCatalogues } from "../state/useCatalogues";
 import { defaultsQuery } from "./defaults";
-import classes from "./robustness.module.css";
 import { StudyForm } from "./StudyForm";
 import { StudyResults } from "./StudyResults";
-
-const compact = { root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" };
+import ui from "../ui/ui.module.css";
+import { compact } from "../ui/compact";
+import { Loading } from "../ui/Loading";
 
 export function StudyPage({ id }: { readonly id: string }) {
-  const queries = useQueryClient();
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const { catalogues, fault: missing } = useCatalogues();
+  const { catalogues, fault: catalogueFault } = useCatalogues();
   const defaults = useQuery(defaultsQuery);
   const [changing, { toggle }] = useDisclosure(false);
   useDocumentTitle("Robustness study · Ridelab");
 
   const strategies = catalogues?.strategies;
   const studied = useMemo(() => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [], [strategies, batch?.strategies]);
-  const fault = [error, defaults.error].find((each) => each !== null && !isTransient(each)) ?? missing;
+  const fault = [error, defaults.error].find((each) => each !== null && !isTransient(each)) ?? catalogueFault;
 
   return (
     <Page
@@ -48,7 +45,7 @@ export function StudyPage({ id }: { readonly id: string }) {
         </>
       }
     >
-      <main className={classes.main}>
+      <main className={ui.main}>
         {fault ? (
           isNotFound(error) ? (
             <Blank title="There is no study at this address" text="The address may be cut short, or the study was made on another server.">
@@ -57,18 +54,18 @@ export function StudyPage({ id }: { readonly id: string }) {
               </Button>
             </Blank>
           ) : (
-            <BatchFault message={fault.message} onRetry={() => void queries.refetchQueries()} />
+            <CouldNotLoad what="study" message={fault.message} />
           )
         ) : batch && catalogues && defaults.data ? (
           <>
-            <h1 className={classes.title}>Robustness</h1>
+            <h1 className={ui.title}>Robustness</h1>
             <Collapse expanded={changing}>
               <StudyForm
                 defaults={defaults.data}
                 strategies={catalogues.strategies}
                 form={catalogues.form}
                 scenario={batch.scenario}
-                made={batch}
+                existing={batch}
                 head={
                   <Text size="sm">
                     The scenario of this study. <Text span c="dimmed">{otherThanPaper(batch.scenario, catalogues.form)}</Text>
@@ -80,7 +77,7 @@ export function StudyPage({ id }: { readonly id: string }) {
             <StudyResults batch={batch} {...catalogues} strategies={studied} />
           </>
         ) : (
-          <BatchLoading />
+          <Loading label="Loading the study" heights={[28, 96, 440, 320]} />
         )}
       </main>
     </Page>

@@ -1,6 +1,6 @@
 /** What a study says: who keeps the lead, how far every figure spreads, what is stable, what it depends on. */
 
-import { Skeleton, Text } from "@mantine/core";
+import { Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import { isFinal } from "../jobs/follow";
@@ -11,11 +11,13 @@ import { Leads } from "./Leads";
 import { Limits } from "./Limits";
 import { Matters } from "./Matters";
 import { OneByOne } from "./OneByOne";
-import classes from "./robustness.module.css";
 import { Spread } from "./Spread";
 import { AIRBORNE, summaryQuery, TRAVEL } from "./summary";
 import { Unstable } from "./Unstable";
 import { useOpenRun } from "./useOpenRun";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
+import { Loading } from "../ui/Loading";
 
 /** Fewer finished points are no spread to look at. */
 const LEAST_POINTS = 10;
@@ -31,46 +33,41 @@ interface Props {
 export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
   const [view, setView] = useStudyView();
   const paper = useMemo(() => paperFigures(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []), [catalogue, figures]);
-  const asked = useMemo(() => [...paper.map(({ key }) => key), TRAVEL, AIRBORNE], [paper]);
-  const query = useQuery(summaryQuery(batch, asked, view.baseline));
+  const columns = useMemo(() => [...paper.map(({ key }) => key), TRAVEL, AIRBORNE], [paper]);
+  const query = useQuery(summaryQuery(batch, columns, view.baseline));
   const opening = useOpenRun(batch);
   const summary = query.data;
   const ended = isFinal(batch);
 
   if (query.isError && !summary) {
     return (
-      <Text size="sm" role="alert" className={classes.error}>
-        The study could not be read: {query.error.message}
-      </Text>
+      <Fault size="sm">The study could not be read: {query.error.message}</Fault>
     );
   }
   const finished = summary ? Math.min(...Object.values(summary.strategies).map(({ ok }) => ok)) : 0;
   if (!summary || (!ended && finished < LEAST_POINTS)) {
     if (ended && batch.done === 0 && batch.failed === 0) return <Text c="dimmed">No run has finished: there is nothing to read.</Text>;
     return (
-      <div className={classes.results} aria-busy aria-label="Reading the study">
+      <div className={ui.stack}>
         {!ended && (
           <Text size="sm" c="dimmed">
             The first figures stand here as soon as {LEAST_POINTS} points have run under each strategy.
           </Text>
         )}
-        <Skeleton height={220} radius={8} />
-        <Skeleton height={420} radius={8} />
+        <Loading label="Reading the study" heights={[220, 420]} />
       </div>
     );
   }
   const shared = { summary, strategies, opening };
   return (
-    <div className={classes.results} data-testid="study-results" data-final={(ended && !query.isPlaceholderData) || undefined} aria-busy={query.isPlaceholderData}>
+    <div className={ui.stack} data-testid="study-results" data-final={(ended && !query.isPlaceholderData) || undefined} aria-busy={query.isPlaceholderData}>
       {finished < summary.points && (
-        <Text size="sm" className={classes.warning} role="status">
+        <Text size="sm" className={ui.warning} role="status">
           {ended ? "At" : "So far at"} least {formatWhole(finished)} of {formatWhole(summary.points)} points have run under each strategy; the figures below are of those.
         </Text>
       )}
       {opening.error !== null && (
-        <Text size="sm" role="alert" className={classes.error}>
-          This run could not be opened: {opening.error}
-        </Text>
+        <Fault size="sm">This run could not be opened: {opening.error}</Fault>
       )}
       <Unstable {...shared} />
       <Leads {...shared} figures={paper} onBaseline={(baseline) => setView({ baseline })} />

@@ -12,8 +12,8 @@ interface Props {
 
 export function Unstable({ summary, strategies }: Props) {
   const sentences = strategies.flatMap(({ id, label }) => {
-    const found = summary.strategies[id]?.stability;
-    return found && found.unstable > 0 ? [`${label} is unstable at ${formatWhole(found.unstable)} of ${formatWhole(found.known)} points`] : [];
+    const stability = summary.strategies[id]?.stability;
+    return stability && stability.unstable > 0 ? [`${label} is unstable at ${formatWhole(stability.unstable)} of ${formatWhole(stability.known)} points`] : [];
   });
   if (sentences.length === 0) return null;
   return (

@@ -4,7 +4,7 @@ import { FORM } from "../editor/form.fixture";
 import { isOneByOne, tornadoOf } from "./tornado";
 import { scaleTo } from "./scale";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
-import { matters, quantile, ranked, type Followed } from "./summary";
+import { matters, quantile, ranked, type Sensitivity } from "./summary";
 import { scenarioAt } from "./useOpenRun";
 
 const range = (field: string, low: number, high: number) => ({ field, title: field, unit: "1", low, high, why: "" });
@@ -15,7 +15,7 @@ const DEFAULTS: RobustnessDefaults = {
   baseline: "lv",
   figures: [],
 };
-const made = (sweep: object) => ({ strategies: ["lqr"], sweep, fields: [] }) as unknown as Batch;
+const batchOf = (sweep: object) => ({ strategies: ["lqr"], sweep, fields: [] }) as unknown as Batch;
 
 describe("a study", () => {
   it("is what the server proposes, without fields this form has not", () => {
@@ -35,7 +35,7 @@ describe("a study", () => {
   });
 
   it("begins from one that was made, with fields nobody proposed", () => {
-    const draft = draftStudy(DEFAULTS, FORM, made({ latin_hypercube: { ranges: { "road.seed": [3, 9], "mpc.lag": [2, 9] }, samples: 50, seed: 4 } }));
+    const draft = draftStudy(DEFAULTS, FORM, batchOf({ latin_hypercube: { ranges: { "road.seed": [3, 9], "mpc.lag": [2, 9] }, samples: 50, seed: 4 } }));
     expect(draft.ranges.map(({ field, from, on }) => [field.name, from, on])).toEqual([
       ["road.bump.height", "0.05", false],
       ["road.seed", "3", true],
@@ -65,7 +65,7 @@ describe("each field alone", () => {
     { name: "a", title: "A", unit: "1" },
     { name: "b", title: "B", unit: "1" },
   ];
-  const batch = { ...made({ list: [{}, { a: 1 }, { a: 2 }, { b: 1 }, { b: 2 }] }), fields } as Batch;
+  const batch = { ...batchOf({ list: [{}, { a: 1 }, { a: 2 }, { b: 1 }, { b: 2 }] }), fields } as Batch;
   const columns = {
     run: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9],
     strategy: ["lv", "lqr", "lv", "lqr", "lv", "lqr", "lv", "lqr", "lv", "lqr"],
@@ -86,13 +86,13 @@ describe("each field alone", () => {
 
   it("is nothing without the scenario's own value", () => {
     expect(tornadoOf(batch, columns, "passive", "peak")).toBeNull();
-    expect(isOneByOne({ ...batch, ...made({ list: [{ a: 1 }] }) })).toBe(false);
-    expect(isOneByOne({ ...batch, ...made({ grid: { a: [1] } }) })).toBe(false);
+    expect(isOneByOne({ ...batch, ...batchOf({ list: [{ a: 1 }] }) })).toBe(false);
+    expect(isOneByOne({ ...batch, ...batchOf({ grid: { a: [1] } }) })).toBe(false);
   });
 });
 
 describe("the summary", () => {
-  const followed = (field: string, effect: number, chance = 0): Followed => ({ field, effect, p_value: chance, spearman: -0.5 });
+  const sensitivities = (field: string, effect: number, chance = 0): Sensitivity => ({ field, effect, p_value: chance, spearman: -0.5 });
 
   it("has its quantiles by percentage", () => {
     expect(quantile({ quantiles: [0, 50, 100] }, { quantiles: [1, 2, 3] }, 50)).toBe(2);
@@ -101,15 +101,15 @@ describe("the summary", () => {
   });
 
   it("ranks fields by the figure that follows them most", () => {
-    const found = ranked({ x: [followed("a", 0.3), followed("b", 0.1)], y: [followed("b", 0.6)] });
-    expect(found.map(({ field, most, found: cells }) => [field, most, Object.keys(cells)])).toEqual([
+    const cells = ranked({ x: [sensitivities("a", 0.3), sensitivities("b", 0.1)], y: [sensitivities("b", 0.6)] });
+    expect(cells.map(({ field, most, cells: cells }) => [field, most, Object.keys(cells)])).toEqual([
       ["b", 0.6, ["x", "y"]],
       ["a", 0.3, ["x"]],
     ]);
   });
 
   it("tells what chance does not make", () => {
-    expect([followed("a", 0.2, 1e-4), followed("a", 0.2, 0.002)].map(matters)).toEqual([true, false]);
+    expect([sensitivities("a", 0.2, 1e-4), sensitivities("a", 0.2, 0.002)].map(matters)).toEqual([true, false]);
   });
 });
 

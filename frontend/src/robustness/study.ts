@@ -3,7 +3,7 @@
 import type { Batch, RobustnessDefaults, Scenario, StrategyId, Sweep } from "../api/types";
 import { getAt } from "../editor/path";
 import type { Group } from "../editor/schema";
-import type { DraftErrors } from "../order/problems";
+import type { DraftErrors } from "../submission/problems";
 import { draftField, readDraft } from "../sweep/draft";
 import { sweepFields, type SweepField } from "../sweep/fields";
 import { formatExact, formatInput } from "../units/format";
@@ -38,9 +38,9 @@ export type Reading = { readonly ok: true; readonly sweeps: Sweeps } | { readonl
 export const sweepOf = ({ sweep }: Pick<Batch, "sweep">) => sweep as Sweep;
 
 /** The study as the server proposes it; `made` is one that exists and is to be changed. */
-export function draftStudy(defaults: RobustnessDefaults, form: Group, made?: Batch): StudyDraft {
+export function draftStudy(defaults: RobustnessDefaults, form: Group, existing?: Batch): StudyDraft {
   const fields = sweepFields(form);
-  const cube = made && sweepOf(made).latin_hypercube;
+  const cube = existing && sweepOf(existing).latin_hypercube;
   const proposed = defaults.ranges.map(({ field, low, high, why }) => ({ name: field, why, ends: cube ? cube.ranges[field] : [low, high], usual: [low, high] }));
   const others = Object.entries(cube?.ranges ?? {})
     .filter(([name]) => !proposed.some((each) => each.name === name))
@@ -54,7 +54,7 @@ export function draftStudy(defaults: RobustnessDefaults, form: Group, made?: Bat
     }),
     samples: String(cube?.samples ?? defaults.samples),
     seed: String(cube?.seed ?? 0),
-    strategies: made?.strategies ?? defaults.strategies,
+    strategies: existing?.strategies ?? defaults.strategies,
     oneByOne: true,
   };
 }

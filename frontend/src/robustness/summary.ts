@@ -9,7 +9,7 @@ export type StrategySummary = BatchSummary["strategies"][string];
 export type FigureSummary = StrategySummary["figures"][string];
 export type Margin = NonNullable<FigureSummary["margin"]>;
 export type Place = NonNullable<FigureSummary["highest"]>;
-export type Followed = FigureSummary["sensitivity"][number];
+export type Sensitivity = FigureSummary["sensitivity"][number];
 
 export const TRAVEL = "events.travel_exceeded_mm";
 export const AIRBORNE = "events.airborne_ms";
@@ -36,24 +36,24 @@ export function quantile(summary: Pick<BatchSummary, "quantiles">, { quantiles }
 /** What chance makes more often than this is not shown: a table has about a hundred of them. */
 const CHANCE = 0.001;
 
-export const matters = ({ p_value: chance }: Followed) => chance < CHANCE;
+export const matters = ({ p_value: chance }: Sensitivity) => chance < CHANCE;
 
 export interface Ranked {
   readonly field: string;
   /** By figure. */
-  readonly found: Readonly<Record<string, Followed>>;
+  readonly cells: Readonly<Record<string, Sensitivity>>;
   readonly most: number;
 }
 
 /** Fields by what they explain of whichever figure follows them most. */
-export function ranked(followed: Readonly<Record<string, readonly Followed[]>>): readonly Ranked[] {
-  const names = [...new Set(Object.values(followed).flatMap((list) => list.map(({ field }) => field)))];
+export function ranked(sensitivities: Readonly<Record<string, readonly Sensitivity[]>>): readonly Ranked[] {
+  const names = [...new Set(Object.values(sensitivities).flatMap((list) => list.map(({ field }) => field)))];
   return names
     .map((field): Ranked => {
-      const found = Object.fromEntries(
-        Object.entries(followed).flatMap(([figure, list]) => list.filter((each) => each.field === field).map((each) => [figure, each] as const)),
+      const cells = Object.fromEntries(
+        Object.entries(sensitivities).flatMap(([figure, list]) => list.filter((each) => each.field === field).map((each) => [figure, each] as const)),
       );
-      return { field, found, most: Math.max(...Object.values(found).map(({ effect }) => effect)) };
+      return { field, cells, most: Math.max(...Object.values(cells).map(({ effect }) => effect)) };
     })
     .sort((a, b) => b.most - a.most);
 }

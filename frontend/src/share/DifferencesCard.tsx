@@ -8,6 +8,8 @@ import tables from "../tables/tables.module.css";
 import { formatNumber, prettyUnit } from "../units/format";
 import { compareRuns, type Difference, type Figure } from "./differences";
 import classes from "./share.module.css";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly then: Run;
@@ -39,7 +41,7 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
   const { differences, compared, failed } = compareRuns(then, now, catalogue, figures);
   const same = then.core_version === now.core_version;
   return (
-    <section className={classes.differences} aria-label="Differences">
+    <Card className={classes.differences ?? ""} aria-label="Differences">
       <header className={classes.differencesHeader}>
         <div role="status">
           <Text component="h2" fw={650} size="sm">
@@ -59,14 +61,14 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
         </Text>
       ))}
       {differences.length > 0 && <DifferencesTable differences={differences} strategies={strategies} />}
-    </section>
+    </Card>
   );
 }
 
 function DifferencesTable({ differences, strategies }: { readonly differences: readonly Difference[]; readonly strategies: readonly Strategy[] }) {
   return (
     <div className={classes.differencesScroll} tabIndex={0} role="region" aria-label="Differences by figure">
-      <table className={`${tables.table} ${classes.differencesTable}`}>
+      <table className={`${ui.table} ${classes.differencesTable}`}>
         <thead>
           <tr>
             {["Strategy", "Figure", "Then", "Now", "Change"].map((title) => (

@@ -6,13 +6,13 @@ import { useRef, useState } from "react";
 import { ApiProblem } from "../api/problem";
 import type { NewLink } from "../api/types";
 import { copyWhenThere } from "../export/clipboard";
-import shell from "../shell/shell.module.css";
+import { compact } from "../ui/compact";
 import { LinkField } from "./LinkField";
 import classes from "./share.module.css";
 
 type Outcome =
   | { readonly kind: "making" }
-  | { readonly kind: "made"; readonly url: string; readonly copied: boolean }
+  | { readonly kind: "created"; readonly url: string; readonly copied: boolean }
   | { readonly kind: "failed"; readonly message: string };
 
 interface Props {
@@ -38,7 +38,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
     const address = make().then(({ url }) => new URL(url, window.location.origin).href);
     const copied = copyWhenThere(address);
     address
-      .then(async (url) => land({ kind: "made", url, copied: await copied }))
+      .then(async (url) => land({ kind: "created", url, copied: await copied }))
       .catch((error: unknown) => land({ kind: "failed", message: reasonOf(error) }));
   };
 
@@ -59,7 +59,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
             size="xs"
             variant="light"
             aria-label="Share"
-            classNames={{ root: `${shell.compact} ${classes.button}`, label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+            classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
             leftSection={<IconLink size={15} />}
             loading={outcome?.kind === "making"}
             {...(obstacle === null ? {} : { "data-disabled": true })}
@@ -74,7 +74,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
         </Tooltip>
       </Popover.Target>
       <Popover.Dropdown role="dialog" aria-label="Share" className={classes.dropdown ?? ""}>
-        {outcome?.kind === "made" && (
+        {outcome?.kind === "created" && (
           <>
             <Text size="sm" fw={600} role="status">
               {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
@@ -88,7 +88,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
         {outcome?.kind === "failed" && (
           <>
             <Text size="sm" fw={600} role="alert">
-              No link could be made: {outcome.message}
+              No link could be created: {outcome.message}
             </Text>
             <Button size="xs" variant="default" onClick={share}>
               Try again

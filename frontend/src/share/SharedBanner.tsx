@@ -11,6 +11,7 @@ import { useStore } from "../state/store";
 import { formatDay } from "../units/dates";
 import { DifferencesCard } from "./DifferencesCard";
 import classes from "./share.module.css";
+import { Fault } from "../ui/Fault";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -54,9 +55,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
         </div>
       </section>
       {again.isError && (
-        <Text size="sm" role="alert" className={classes.problem ?? ""}>
-          It could not be run again: {again.error.message}
-        </Text>
+        <Fault size="sm" className={classes.problem ?? ""}>It could not be run again: {again.error.message}</Fault>
       )}
       {again.data && catalogue && figures && (
         <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />

@@ -1,6 +1,7 @@
 /** What the page shows in place of results: nothing chosen, nothing found, nothing yet. */
 
 import { Button, Skeleton, Text } from "@mantine/core";
+import { useQueryClient } from "@tanstack/react-query";
 import type { ReactNode } from "react";
 import { useDesk } from "../state/context";
 import classes from "./shell.module.css";
@@ -57,10 +58,17 @@ export function NoHistories({ reason }: { readonly reason: string }) {
   );
 }
 
-export function CouldNotLoad({ message, onRetry }: { readonly message: string; readonly onRetry: () => void }) {
+interface Failure {
+  readonly what?: string;
+  readonly message: string;
+  readonly onRetry?: () => void;
+}
+
+export function CouldNotLoad({ what = "page", message, onRetry }: Failure) {
+  const queries = useQueryClient();
   return (
-    <Blank title="This could not be shown" text={message}>
-      <Button onClick={onRetry}>Try again</Button>
+    <Blank title={`This ${what} could not be shown`} text={message}>
+      <Button onClick={onRetry ?? (() => void queries.refetchQueries())}>Try again</Button>
     </Blank>
   );
 }

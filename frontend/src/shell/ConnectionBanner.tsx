@@ -21,20 +21,20 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
 /** `onBack` asks again for what queries do not hold. */
 export function ConnectionBanner({ onBack }: { readonly onBack?: () => void }) {
   const { trouble, wait } = useStore(connection);
-  return trouble === null ? null : <Reconnecting trouble={trouble} asked={wait} onBack={onBack} />;
+  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} onBack={onBack} />;
 }
 
 interface Props {
   readonly trouble: Trouble;
   /** Seconds the server asked to wait. */
-  readonly asked: number;
+  readonly requestedWait: number;
   readonly onBack: (() => void) | undefined;
 }
 
-function Reconnecting({ trouble, asked, onBack }: Props) {
+function Reconnecting({ trouble, requestedWait, onBack }: Props) {
   const queries = useQueryClient();
   const [attempt, setAttempt] = useState(0);
-  const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, asked));
+  const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, requestedWait));
   const [readiness, setReadiness] = useState<Readiness>(trouble === "busy" ? "ready" : "down");
 
   const tryNow = useCallback(

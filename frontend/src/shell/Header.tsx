@@ -14,6 +14,7 @@ import { Logo } from "./Logo";
 import { Nav } from "./Nav";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
+import { compact } from "../ui/compact";
 
 export function Header({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useDesk();
@@ -48,9 +49,9 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
 /** The run to carry to other pages: the address's, which is there before its curves are, or a shared result's. */
 function useRunId(): string | null {
   const named = useSelect(useDesk().router, (address) => address.runId);
-  const found = useLab((state) => state.failure?.kind !== "notFound");
+  const exists = useLab((state) => state.failure?.kind !== "notFound");
   const shown = useLab((state) => state.shown?.runId ?? null);
-  return (found ? named : null) ?? shown;
+  return (exists ? named : null) ?? shown;
 }
 
 function PresetMenu({ presets, disabled }: { readonly presets: readonly Preset[]; readonly disabled: boolean }) {
@@ -63,7 +64,7 @@ function PresetMenu({ presets, disabled }: { readonly presets: readonly Preset[]
           variant="default"
           aria-label="Presets"
           leftSection={<IconTemplate size={16} stroke={1.7} />}
-          classNames={{ root: classes.compact ?? "", label: classes.compactLabel ?? "", section: classes.compactSection ?? "" }}
+          classNames={compact}
           disabled={disabled || presets.length === 0}
         >
           Presets

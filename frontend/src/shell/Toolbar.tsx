@@ -20,11 +20,11 @@ interface Props {
 
 const StrategyChips = memo(function StrategyChips({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const { lab } = useDesk();
-  const chosen = useLab((state) => state.strategies);
+  const selected = useLab((state) => state.strategies);
   // A shared result has what it has: other strategies would be a new run.
   const summaries = useLab((state) => (state.shared ? state.shown?.summaries : undefined));
   const toggle = (id: string) =>
-    lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => chosen.includes(other) !== (other === id)));
+    lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => selected.includes(other) !== (other === id)));
   return (
     <div className={bar.chips} role="group" aria-label="Strategies">
       {strategies.map((strategy) => (
@@ -33,7 +33,7 @@ const StrategyChips = memo(function StrategyChips({ strategies }: { readonly str
             type="button"
             className={bar.chip}
             disabled={summaries !== undefined && !(strategy.id in summaries)}
-            aria-pressed={chosen.includes(strategy.id)}
+            aria-pressed={selected.includes(strategy.id)}
             onClick={() => toggle(strategy.id)}
           >
             <StrategyKey strategy={strategy} />

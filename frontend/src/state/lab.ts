@@ -109,17 +109,17 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
     exclusively({
       work: async (signal, isCurrent) => {
-        const asked = performance.now();
+        const startedAt = performance.now();
         const run = await api.createRun(history?.present ?? {}, strategies, signal, over);
         if (!isCurrent()) return;
         queries.setQueryData(runKey(run.id), run);
         if (history === null) patch({ history: begin(run.scenario) });
         const histories = await historiesOf(run, queries);
         if (!isCurrent()) return;
-        const chosen = store.get().strategies;
-        const hidden = Object.keys(run.strategies).filter((strategy) => !chosen.includes(strategy));
+        const selected = store.get().strategies;
+        const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
         router.showRun(run.id, { hidden }, mode);
-        patch({ shown: fromRun(run, histories, performance.now() - asked, false), drag: null, shared: null });
+        patch({ shown: fromRun(run, histories, performance.now() - startedAt, false), drag: null, shared: null });
       },
       again: () => submit(mode),
     });
@@ -128,9 +128,9 @@ export function createLab(router: Router, queries: QueryClient): Lab {
   const load = (id: string, hidden: readonly StrategyId[]) => {
     exclusively({
       work: async (signal, isCurrent) => {
-        const asked = performance.now();
-        const known = queries.getQueryData<Run>(runKey(id));
-        const run = known ?? (await api.run(id, signal));
+        const startedAt = performance.now();
+        const cached = queries.getQueryData<Run>(runKey(id));
+        const run = cached ?? (await api.run(id, signal));
         if (!isCurrent()) return;
         queries.setQueryData(runKey(id), run);
         const histories = await historiesOf(run, queries);
@@ -145,7 +145,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
           rejected: {},
           drag: null,
           shared: null,
-          shown: fromRun(run, histories, performance.now() - asked, true),
+          shown: fromRun(run, histories, performance.now() - startedAt, true),
         });
       },
       again: () => load(id, hidden),
@@ -156,7 +156,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
   const openLink = (slug: string) => {
     exclusively({
       work: async (signal, isCurrent) => {
-        const asked = performance.now();
+        const startedAt = performance.now();
         const link = await queries.query(linkQuery(slug));
         if (signal.aborted || !isCurrent()) return;
         if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
@@ -166,7 +166,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
         router.arrive();
         router.setView(view);
         cursor.set(at);
-        const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - asked, true) : null;
+        const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
         patch({ shared: link, history: begin(link.scenario), strategies, roads: link.run?.over?.roads ?? 1, rejected: {}, drag: null, shown });
       },
       again: () => openLink(slug),
@@ -190,7 +190,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
 
   interface Wish {
     readonly scenario: Scenario;
-    readonly asked: number;
+    readonly startedAt: number;
   }
 
   const live = createLatest<Wish, LiveAnswer>({
@@ -198,10 +198,10 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       grace.start();
       return api.live({ scenario, strategies: store.get().strategies, signals, points: livePoints() }, signal);
     },
-    onAnswer: (answer, { scenario, asked }) => {
+    onAnswer: (answer, { scenario, startedAt }) => {
       grace.stop();
       const settled = store.get().drag === scenario;
-      const shown = fromLive(answer, performance.now() - asked);
+      const shown = fromLive(answer, performance.now() - startedAt);
       patch({ shown, refused: NO_ERRORS, failure: null, ...(settled ? { busy: false, stale: false } : {}) });
     },
     onError: (error) => {
@@ -253,7 +253,7 @@ export function createLab(router: Router, queries: QueryClient): Lab {
       current = null;
       const { strategies } = store.get();
       patch({ drag: scenario, busy: strategies.length > 0 });
-      if (strategies.length > 0) live.request({ scenario, asked: performance.now() });
+      if (strategies.length > 0) live.request({ scenario, startedAt: performance.now() });
     },
     commit: (scenario) => {
       const { history, shared } = store.get();
@@ -265,18 +265,18 @@ export function createLab(router: Router, queries: QueryClient): Lab {
     },
     reject: (pointer, rejected) => patch({ rejected: { ...store.get().rejected, [pointer]: rejected } }),
     accept: (pointer) => {
-      const { [pointer]: gone, ...rejected } = store.get().rejected;
-      if (gone) patch({ rejected });
+      const { [pointer]: removed, ...rejected } = store.get().rejected;
+      if (removed) patch({ rejected });
     },
     undo: () => move(undo),
     redo: () => move(redo),
-    setStrategies: (wanted) => {
+    setStrategies: (ids) => {
       const { shown, history, shared } = store.get();
       const computed = shown?.source === "exact" ? Object.keys(shown.summaries) : [];
-      const strategies = shared ? wanted.filter((strategy) => computed.includes(strategy)) : wanted;
+      const strategies = shared ? ids.filter((strategy) => computed.includes(strategy)) : ids;
       patch({ strategies });
-      const known = strategies.every((strategy) => computed.includes(strategy));
-      if (shared || (known && history && shown && sameValue(shown.scenario, history.present))) {
+      const cached = strategies.every((strategy) => computed.includes(strategy));
+      if (shared || (cached && history && shown && sameValue(shown.scenario, history.present))) {
         router.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
       } else submit("push");
     },

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { createLatest } from "./latest";
 
 interface Call {
-  readonly wish: number;
+  readonly body: number;
   readonly signal: AbortSignal;
   readonly answer: (value: string) => void;
   readonly fail: (error: Error) => void;
@@ -13,9 +13,9 @@ function harness() {
   const answers: string[] = [];
   const errors: string[] = [];
   const latest = createLatest<number, string>({
-    run: (wish, signal) =>
+    run: (body, signal) =>
       new Promise((resolve, reject) => {
-        calls.push({ wish, signal, answer: resolve, fail: reject });
+        calls.push({ body, signal, answer: resolve, fail: reject });
       }),
     onAnswer: (answer) => answers.push(answer),
     onError: (error) => errors.push(error instanceof Error ? error.message : ""),
@@ -27,11 +27,11 @@ function harness() {
 describe("one request at a time, the newest next", () => {
   it("skips what was overtaken", async () => {
     const { calls, answers, latest, settle } = harness();
-    for (const wish of [1, 2, 3, 4]) latest.request(wish);
-    expect(calls.map(({ wish }) => wish)).toEqual([1]);
+    for (const body of [1, 2, 3, 4]) latest.request(body);
+    expect(calls.map(({ body }) => body)).toEqual([1]);
     calls[0]?.answer("one");
     await settle();
-    expect(calls.map(({ wish }) => wish)).toEqual([1, 4]);
+    expect(calls.map(({ body }) => body)).toEqual([1, 4]);
     calls[1]?.answer("four");
     await settle();
     expect(answers).toEqual(["one", "four"]);

@@ -20,37 +20,37 @@ export function createRouter(): Router {
   const store = createStore<Address>(read());
 
   /** Where back or forward led, until it is shown. */
-  let ahead: Address | null = null;
+  let pending: Address | null = null;
 
   const write = (address: Address, mode: "push" | "replace") => {
-    ahead = null;
+    pending = null;
     store.set(address);
     const url = formatAddress(address);
     if (mode === "push") window.history.pushState(null, "", url);
     else window.history.replaceState(null, "", url);
   };
   const arrive = () => {
-    if (ahead) store.set(ahead);
-    ahead = null;
+    if (pending) store.set(pending);
+    pending = null;
   };
 
   return {
     get: store.get,
     subscribe: store.subscribe,
     showRun: (runId, view, mode) => {
-      const current = ahead ?? store.get();
+      const current = pending ?? store.get();
       write({ runId, slug: null, view: { ...store.get().view, ...view } }, runId === current.runId ? "replace" : mode);
     },
     setView: (change) => {
       const look = (address: Address): Address => ({ ...address, view: { ...address.view, ...change } });
       store.set(look);
-      ahead = ahead && look(ahead);
-      window.history.replaceState(null, "", formatAddress(ahead ?? store.get()));
+      pending = pending && look(pending);
+      window.history.replaceState(null, "", formatAddress(pending ?? store.get()));
     },
     onTravel: (listener) => {
       const handle = () => {
-        ahead = read();
-        listener(ahead);
+        pending = read();
+        listener(pending);
       };
       window.addEventListener("popstate", handle);
       return () => window.removeEventListener("popstate", handle);

@@ -24,8 +24,8 @@ function wholeRange(series: SeriesByStrategy, ids: readonly StrategyId[], axis: 
   return [0, Math.max(1e-3, ...ends)];
 }
 
-export function makeScene(shown: Shown, catalogue: readonly Strategy[], chosen: readonly StrategyId[], view: View): Scene {
-  const strategies = catalogue.filter(({ id }) => chosen.includes(id) && id in shown.summaries);
+export function makeScene(shown: Shown, catalogue: readonly Strategy[], selected: readonly StrategyId[], view: View): Scene {
+  const strategies = catalogue.filter(({ id }) => selected.includes(id) && id in shown.summaries);
   const ids = strategies.map(({ id }) => id);
   const whole = wholeRange(shown.series, ids, view.axis);
   const zoom = view.zoom && view.zoom[0] < whole[1] ? view.zoom : null;

@@ -16,8 +16,8 @@ export interface ReadView {
 /** A link made by a script may say nothing of the view: then everything of the run is shown. */
 export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadView {
   const computed = Object.keys(run?.strategies ?? {});
-  const wanted = view.strategies ?? computed;
-  const strategies = computed.filter((id) => wanted.includes(id) && !(view.hidden ?? []).includes(id));
+  const shown = view.strategies ?? computed;
+  const strategies = computed.filter((id) => shown.includes(id) && !(view.hidden ?? []).includes(id));
   const [low, high] = view.zoom ?? [];
   return {
     view: {

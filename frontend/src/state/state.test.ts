@@ -4,10 +4,10 @@ import { begin, record, redo, undo } from "./history";
 
 describe("undo and redo", () => {
   it("walk the same way back and forth", () => {
-    const made = record(record(begin("a"), "b"), "c");
-    expect(undo(made).present).toBe("b");
-    expect(redo(undo(made))).toEqual(made);
-    expect(undo(undo(undo(made))).present).toBe("a");
+    const history = record(record(begin("a"), "b"), "c");
+    expect(undo(history).present).toBe("b");
+    expect(redo(undo(history))).toEqual(history);
+    expect(undo(undo(undo(history))).present).toBe("a");
   });
 
   it("forget the future once something new is done", () => {

@@ -5,6 +5,7 @@ import { useState } from "react";
 import { prettyUnit } from "../units/format";
 import type { SweepField } from "./fields";
 import classes from "./sweep.module.css";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly fields: readonly SweepField[];
@@ -53,7 +54,7 @@ function Option({ field: { title, name, leaf } }: { readonly field: SweepField }
   return (
     <span className={classes.option}>
       <span>
-        {title} {unit !== "" && <span className={classes.dim}>{unit}</span>}
+        {title} {unit !== "" && <span className={ui.dim}>{unit}</span>}
       </span>
       <code className={classes.name}>{name}</code>
     </span>

@@ -7,15 +7,15 @@ import classes from "./sweep.module.css";
 
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly chosen: readonly StrategyId[];
+  readonly selected: readonly StrategyId[];
   readonly error: string | undefined;
-  readonly onChange: (chosen: readonly StrategyId[]) => void;
+  readonly onChange: (selected: readonly StrategyId[]) => void;
 }
 
-export function StrategyChoice({ strategies, chosen, error, onChange }: Props) {
+export function StrategyChoice({ strategies, selected, error, onChange }: Props) {
   const inOrder = (ids: readonly StrategyId[]) => strategies.map(({ id }) => id).filter((id) => ids.includes(id));
   return (
-    <Checkbox.Group label="Strategies" size="xs" value={[...chosen]} error={error} onChange={(ids) => onChange(inOrder(ids))}>
+    <Checkbox.Group label="Strategies" size="xs" value={[...selected]} error={error} onChange={(ids) => onChange(inOrder(ids))}>
       <div className={classes.strategies}>
         {strategies.map((strategy) => (
           <Checkbox

@@ -5,9 +5,9 @@ import { useDisclosure } from "@mantine/hooks";
 import { IconGridDots } from "../icons";
 import { useQuery } from "@tanstack/react-query";
 import { lazy, Suspense } from "react";
-import shell from "../shell/shell.module.css";
 import { useLab, useScenario } from "../state/context";
 import { schemaQuery, strategiesQuery } from "../state/queries";
+import { compact } from "../ui/compact";
 
 const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
 
@@ -15,7 +15,7 @@ export function SweepButton() {
   const [opened, { open, close }] = useDisclosure(false);
   const form = useQuery(schemaQuery).data;
   const strategies = useQuery(strategiesQuery).data;
-  const chosen = useLab((state) => state.strategies);
+  const selected = useLab((state) => state.strategies);
   const scenario = useScenario();
   return (
     <>
@@ -25,7 +25,7 @@ export function SweepButton() {
           variant="default"
           aria-label="Sweep…"
           leftSection={<IconGridDots size={15} />}
-          classNames={{ root: shell.compact ?? "", label: shell.compactLabel ?? "", section: shell.compactSection ?? "" }}
+          classNames={compact}
           disabled={!form || !strategies}
           onClick={open}
         >
@@ -34,7 +34,7 @@ export function SweepButton() {
       </Tooltip>
       {opened && form && strategies && (
         <Suspense>
-          <SweepDialog form={form} scenario={scenario} strategies={strategies} chosen={chosen} onClose={close} />
+          <SweepDialog form={form} scenario={scenario} strategies={strategies} selected={selected} onClose={close} />
         </Suspense>
       )}
     </>

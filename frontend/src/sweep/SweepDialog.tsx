@@ -1,6 +1,6 @@
 /** Puts a sweep together: which fields, from where to where, under which strategies; says what it costs before it starts. */
 
-import { Alert, Button, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Button, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo, useState } from "react";
 import type { Scenario, Strategy } from "../api/types";
@@ -14,19 +14,20 @@ import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
 import { useSweep } from "./useSweep";
+import { Problems } from "../ui/Fault";
 
 interface Props {
   readonly form: Form;
   readonly scenario: Scenario;
   readonly strategies: readonly Strategy[];
   /** Switched on in the dashboard. */
-  readonly chosen: readonly string[];
+  readonly selected: readonly string[];
   readonly onClose: () => void;
 }
 
 const FIRST_FIELD = "road.bump.height";
 
-export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Props) {
+export function SweepDialog({ form, scenario, strategies, selected, onClose }: Props) {
   const fields = useMemo(() => sweepFields(form), [form]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const [draft, setDraft] = useState<SweepDraft>(() => ({
@@ -34,7 +35,7 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
     fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
     samples: "200",
     seed: "0",
-    strategies: chosen,
+    strategies: selected,
   }));
   const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
   const patchField = (name: string, change: Partial<FieldDraft>) =>
@@ -44,7 +45,7 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
   return (
     <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}>
       <Text size="sm" c="dimmed">
-        Runs many variants of the scenario in the form, each under every strategy chosen here. What is not swept stays as it is.
+        Runs many variants of the scenario in the form, each under every strategy selected here. What is not swept stays as it is.
       </Text>
       <Group gap="sm">
         <SegmentedControl
@@ -87,15 +88,11 @@ export function SweepDialog({ form, scenario, strategies, chosen, onClose }: Pro
       )}
       <StrategyChoice
         strategies={strategies}
-        chosen={draft.strategies}
+        selected={draft.strategies}
         error={errors.strategies}
         onChange={(ids) => patch({ strategies: ids })}
       />
-      {general.map((message) => (
-        <Alert key={message} color="red" variant="light" p="xs" role="alert">
-          {message}
-        </Alert>
-      ))}
+      <Problems messages={general} />
       <details className={classes.earlier}>
         <summary>Earlier sweeps</summary>
         <SweepList strategies={strategies} />

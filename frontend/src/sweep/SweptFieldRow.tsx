@@ -7,6 +7,8 @@ import { humanise, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";
 import { byRatio, type FieldDraft, type Method } from "./draft";
 import classes from "./sweep.module.css";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly draft: FieldDraft;
@@ -36,9 +38,7 @@ export function SweptFieldRow({ draft, method, error, onChange, onRemove }: Prop
         method === "grid" && <ChoiceValues field={leaf} {...{ draft, onChange }} />
       )}
       {error !== undefined && (
-        <Text id={`${id}-error`} className={classes.error} role="alert">
-          {error}
-        </Text>
+        <Fault id={`${id}-error`}>{error}</Fault>
       )}
     </div>
   );
@@ -57,7 +57,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
       label={label}
       aria-label={`${name}, ${label.toLowerCase()}`}
       value={draft[key]}
-      {...(unit === "" ? {} : { rightSection: <span className={classes.unit}>{unit}</span>, rightSectionWidth: 48 })}
+      {...(unit === "" ? {} : { rightSection: <span className={ui.dim}>{unit}</span>, rightSectionWidth: 48 })}
       rightSectionPointerEvents="none"
       onChange={(event) => onChange({ [key]: event.currentTarget.value })}
     />

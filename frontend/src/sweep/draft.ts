@@ -3,7 +3,7 @@
 import type { StrategyId, Sweep } from "../api/types";
 import { readTyped } from "../editor/limits";
 import type { NumberField } from "../editor/schema";
-import type { DraftErrors } from "../order/problems";
+import type { DraftErrors } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
 import type { SweepField } from "./fields";
 

@@ -1,6 +1,6 @@
 /** Where the server's errors about a sweep belong. */
 
-import type { PlaceOf } from "../order/problems";
+import type { PlaceOf } from "../submission/problems";
 
 export const sweepPlaces =
   (names: readonly string[]): PlaceOf =>

@@ -1,15 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { FORM } from "../editor/form.fixture";
-import { placeProblems } from "../order/problems";
+import { placeProblems } from "../submission/problems";
 import { draftField, readDraft, spread, type FieldDraft, type SweepDraft } from "./draft";
 import { sweepFields } from "./fields";
 import { sweepPlaces } from "./problems";
 
 const FIELDS = sweepFields(FORM);
 const field = (name: string) => {
-  const found = FIELDS.find((candidate) => candidate.name === name);
-  if (!found) throw new Error(name);
-  return found;
+  const field = FIELDS.find((candidate) => candidate.name === name);
+  if (!field) throw new Error(name);
+  return field;
 };
 const number = (name: string) => {
   const { leaf } = field(name);

@@ -4,18 +4,18 @@ import { useMemo } from "react";
 import { batches } from "../api/jobs";
 import type { Scenario } from "../api/types";
 import { BATCH } from "../jobs/useJob";
-import { useOrder } from "../order/useOrder";
+import { useSubmission } from "../submission/useSubmission";
 import { readDraft, type SweepDraft } from "./draft";
 import { sweepPlaces } from "./problems";
 
 export function useSweep(draft: SweepDraft, scenario: Scenario) {
   const reading = useMemo(() => readDraft(draft), [draft]);
-  return useOrder({
+  return useSubmission({
     kind: "batch",
-    wish: reading.ok ? { scenario, strategies: draft.strategies, sweep: reading.sweep } : null,
+    body: reading.ok ? { scenario, strategies: draft.strategies, sweep: reading.sweep } : null,
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.fields.map(({ field }) => field.name)),
     estimate: batches.estimate,
-    begin: async (wish, keyOf) => BATCH.address((await batches.create(wish, keyOf(wish))).id),
+    submit: async (body, keyOf) => BATCH.address((await batches.create(body, keyOf(body))).id),
   });
 }

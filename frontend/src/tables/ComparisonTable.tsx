@@ -11,6 +11,7 @@ import { Estimated } from "./Estimated";
 import { statisticsOf, type RoadsStatistics } from "./overRoads";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
+import { ScrollTable } from "../ui/ScrollTable";
 
 export interface ComparisonProps {
   readonly scene: Scene;
@@ -42,58 +43,56 @@ export function headingOf({ window, statistic }: WindowView, catalogue: Catalogu
 export function ComparisonTable({ scene, catalogue, figures, signals, caption }: Props) {
   const labels = Object.fromEntries(catalogue.signals.map(({ key, label }) => [key, label]));
   return (
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label={caption}>
-      <table className={classes.table}>
-        <caption className="visually-hidden">{caption}</caption>
-        <thead>
-          <tr>
-            <td />
-            {VIEWS.map((view) => (
-              <th key={view.window} scope="colgroup" colSpan={signals.length} className={classes.group}>
-                {headingOf(view, catalogue)}
-              </th>
-            ))}
-          </tr>
-          <tr>
-            <th scope="col" className={classes.corner}>
-              Strategy
+    <ScrollTable label={caption} className={classes.table}>
+      <caption className="visually-hidden">{caption}</caption>
+      <thead>
+        <tr>
+          <td />
+          {VIEWS.map((view) => (
+            <th key={view.window} scope="colgroup" colSpan={signals.length} className={classes.group}>
+              {headingOf(view, catalogue)}
             </th>
-            {VIEWS.map(({ window }) =>
+          ))}
+        </tr>
+        <tr>
+          <th scope="col" className={classes.corner}>
+            Strategy
+          </th>
+          {VIEWS.map(({ window }) =>
+            signals.map((signal, index) => (
+              <th key={`${window} ${signal}`} scope="col" className={classes.column} data-first={index === 0 || undefined}>
+                <span className={classes.columnName}>{labels[signal] ?? signal}</span>
+                <span className={classes.columnUnit}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
+              </th>
+            )),
+          )}
+        </tr>
+      </thead>
+      <tbody>
+        {scene.strategies.map((strategy) => (
+          <tr key={strategy.id} data-baseline={strategy.id === scene.baseline || undefined} data-strategy={strategy.id}>
+            <th scope="row" className={classes.rowHeader}>
+              <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} />
+              <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} />
+            </th>
+            {VIEWS.map(({ window, statistic }) =>
               signals.map((signal, index) => (
-                <th key={`${window} ${signal}`} scope="col" className={classes.column} data-first={index === 0 || undefined}>
-                  <span className={classes.columnName}>{labels[signal] ?? signal}</span>
-                  <span className={classes.columnUnit}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
-                </th>
+                <Cell
+                  key={`${window} ${signal}`}
+                  first={index === 0}
+                  name={`${window}.${signal}.${statistic}`}
+                  value={scene.summaries[strategy.id]?.metrics[window]?.[signal]?.[statistic]}
+                  baseline={scene.baseline === null ? null : scene.summaries[scene.baseline]?.metrics[window]?.[signal]?.[statistic]}
+                  overRoads={statisticsOf(scene, strategy.id, { window, signal, statistic })}
+                  isBaseline={strategy.id === scene.baseline}
+                  scale={shownUnit(signal, figures, catalogue).scale}
+                />
               )),
             )}
           </tr>
-        </thead>
-        <tbody>
-          {scene.strategies.map((strategy) => (
-            <tr key={strategy.id} data-baseline={strategy.id === scene.baseline || undefined} data-strategy={strategy.id}>
-              <th scope="row" className={classes.rowHeader}>
-                <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} />
-                <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} />
-              </th>
-              {VIEWS.map(({ window, statistic }) =>
-                signals.map((signal, index) => (
-                  <Cell
-                    key={`${window} ${signal}`}
-                    first={index === 0}
-                    name={`${window}.${signal}.${statistic}`}
-                    value={scene.summaries[strategy.id]?.metrics[window]?.[signal]?.[statistic]}
-                    baseline={scene.baseline === null ? null : scene.summaries[scene.baseline]?.metrics[window]?.[signal]?.[statistic]}
-                    overRoads={statisticsOf(scene, strategy.id, { window, signal, statistic })}
-                    isBaseline={strategy.id === scene.baseline}
-                    scale={shownUnit(signal, figures, catalogue).scale}
-                  />
-                )),
-              )}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
 

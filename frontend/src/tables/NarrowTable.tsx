@@ -11,6 +11,7 @@ import { Estimated } from "./Estimated";
 import { statisticsOf } from "./overRoads";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
+import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props extends ComparisonProps {
   readonly view: WindowView;
@@ -21,47 +22,45 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
   const quantity = (signal: SignalKey): Quantity | undefined => catalogue.signals.find(({ key }) => key === signal);
   const valueOf = (strategy: string, signal: SignalKey) => scene.summaries[strategy]?.metrics[window]?.[signal]?.[statistic];
   return (
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label={heading}>
-      <table className={classes.table}>
-        <caption className={classes.narrowCaption}>{heading}</caption>
-        <thead>
-          <tr>
-            <td />
-            {scene.strategies.map((strategy) => (
-              <th key={strategy.id} scope="col" className={classes.narrowColumn}>
-                <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} upright />
-                <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} upright />
+    <ScrollTable label={heading} className={classes.table}>
+      <caption className={classes.narrowCaption}>{heading}</caption>
+      <thead>
+        <tr>
+          <td />
+          {scene.strategies.map((strategy) => (
+            <th key={strategy.id} scope="col" className={classes.narrowColumn}>
+              <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} upright />
+              <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} upright />
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {signals.map((signal) => {
+          const { unit, scale } = shownUnit(signal, figures, catalogue);
+          return (
+            <tr key={signal}>
+              <th scope="row" className={classes.quantity}>
+                {quantity(signal)?.label ?? signal} <span className={classes.columnUnit}>{prettyUnit(unit)}</span>
               </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {signals.map((signal) => {
-            const { unit, scale } = shownUnit(signal, figures, catalogue);
-            return (
-              <tr key={signal}>
-                <th scope="row" className={classes.quantity}>
-                  {quantity(signal)?.label ?? signal} <span className={classes.columnUnit}>{prettyUnit(unit)}</span>
-                </th>
-                {scene.strategies.map(({ id }) => {
-                  const value = valueOf(id, signal);
-                  const overRoads = statisticsOf(scene, id, { window, signal, statistic });
-                  return (
-                    <td key={id} className={classes.cell} data-baseline={id === scene.baseline || undefined} data-value={value ?? ""}>
-                      <Estimated value={value} interval={overRoads.interval} scale={scale} />
-                      {id === scene.baseline ? (
-                        <span className={classes.change}>&nbsp;</span>
-                      ) : (
-                        <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={overRoads.change} />
-                      )}
-                    </td>
-                  );
-                })}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-    </div>
+              {scene.strategies.map(({ id }) => {
+                const value = valueOf(id, signal);
+                const overRoads = statisticsOf(scene, id, { window, signal, statistic });
+                return (
+                  <td key={id} className={classes.cell} data-baseline={id === scene.baseline || undefined} data-value={value ?? ""}>
+                    <Estimated value={value} interval={overRoads.interval} scale={scale} />
+                    {id === scene.baseline ? (
+                      <span className={classes.change}>&nbsp;</span>
+                    ) : (
+                      <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={overRoads.change} />
+                    )}
+                  </td>
+                );
+              })}
+            </tr>
+          );
+        })}
+      </tbody>
+    </ScrollTable>
   );
 }

@@ -8,6 +8,7 @@ import { Estimated } from "./Estimated";
 import { statisticsOf } from "./overRoads";
 import { StrategyKey } from "./StrategyKey";
 import classes from "./tables.module.css";
+import { ScrollTable } from "../ui/ScrollTable";
 
 type Value = number | boolean | null | undefined;
 
@@ -36,51 +37,49 @@ function show(value: Value): string {
 export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
   const reference = scene.baseline === null ? undefined : scene.summaries[scene.baseline];
   return (
-    <div className={classes.scroll} tabIndex={0} role="region" aria-label="Comfort, time and events">
-      <table className={`${classes.table} ${classes.runTable}`}>
-        <caption className="visually-hidden">Comfort, time and events</caption>
-        <thead>
-          <tr>
-            <th scope="col" className={classes.corner}>
-              Comfort, time and events
+    <ScrollTable label="Comfort, time and events" className={classes.runTable}>
+      <caption className="visually-hidden">Comfort, time and events</caption>
+      <thead>
+        <tr>
+          <th scope="col" className={classes.corner}>
+            Comfort, time and events
+          </th>
+          {scene.strategies.map((strategy) => (
+            <th key={strategy.id} scope="col" className={classes.column}>
+              <span className={classes.columnName}>
+                <StrategyKey strategy={strategy} /> {strategy.label}
+              </span>
             </th>
-            {scene.strategies.map((strategy) => (
-              <th key={strategy.id} scope="col" className={classes.column}>
-                <span className={classes.columnName}>
-                  <StrategyKey strategy={strategy} /> {strategy.label}
-                </span>
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {rows(catalogue).map(({ quantity, read, judged }) => (
-            <tr key={quantity.key}>
-              <th scope="row" className={classes.quantity} title={quantity.description}>
-                {quantity.label} <span className={classes.columnUnit}>{prettyUnit(quantity.unit)}</span>
-              </th>
-              {scene.strategies.map(({ id }) => {
-                const summary = scene.summaries[id];
-                const value = summary && read(summary);
-                const base = reference && read(reference);
-                const overRoads = statisticsOf(scene, id, { comfort: quantity.key });
-                return (
-                  <td key={id} className={classes.cell} data-cell={`${id}.${quantity.key}`}>
-                    {overRoads.interval ? (
-                      <Estimated value={overRoads.interval.mean} interval={overRoads.interval} scale={1} />
-                    ) : (
-                      <span className={classes.value}>{show(value)}</span>
-                    )}
-                    {judged && id !== scene.baseline && typeof value === "number" && typeof base === "number" && (
-                      <ChangeMark value={value} baseline={base} paired={overRoads.change} />
-                    )}
-                  </td>
-                );
-              })}
-            </tr>
           ))}
-        </tbody>
-      </table>
-    </div>
+        </tr>
+      </thead>
+      <tbody>
+        {rows(catalogue).map(({ quantity, read, judged }) => (
+          <tr key={quantity.key}>
+            <th scope="row" className={classes.quantity} title={quantity.description}>
+              {quantity.label} <span className={classes.columnUnit}>{prettyUnit(quantity.unit)}</span>
+            </th>
+            {scene.strategies.map(({ id }) => {
+              const summary = scene.summaries[id];
+              const value = summary && read(summary);
+              const base = reference && read(reference);
+              const overRoads = statisticsOf(scene, id, { comfort: quantity.key });
+              return (
+                <td key={id} className={classes.cell} data-cell={`${id}.${quantity.key}`}>
+                  {overRoads.interval ? (
+                    <Estimated value={overRoads.interval.mean} interval={overRoads.interval} scale={1} />
+                  ) : (
+                    <span className={classes.value}>{show(value)}</span>
+                  )}
+                  {judged && id !== scene.baseline && typeof value === "number" && typeof base === "number" && (
+                    <ChangeMark value={value} baseline={base} paired={overRoads.change} />
+                  )}
+                </td>
+              );
+            })}
+          </tr>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }

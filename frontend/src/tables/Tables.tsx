@@ -10,6 +10,7 @@ import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
 import { NarrowTable } from "./NarrowTable";
 import { RunTable } from "./RunTable";
 import classes from "./tables.module.css";
+import { Card } from "../ui/Card";
 
 interface Props {
   readonly scene: Scene;
@@ -34,10 +35,10 @@ export function Tables({ scene, catalogue, figures }: Props) {
       <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />
     );
   return (
-    <section className={classes.card} aria-label="Comparison">
+    <Card aria-label="Comparison">
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
-        <div id={id} className={classes.more}>
+        <div id={id}>
           {compare(others, "Suspension travel and actuator forces")}
           <RunTable scene={scene} catalogue={catalogue} />
         </div>
@@ -53,6 +54,6 @@ export function Tables({ scene, catalogue, figures }: Props) {
       >
         {more ? "Less" : "Travel, forces, comfort, time and events"}
       </Button>
-    </section>
+    </Card>
   );
 }

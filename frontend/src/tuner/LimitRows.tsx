@@ -1,13 +1,15 @@
 /** What may not be exceeded on any training road. */
 
-import { ActionIcon, Text, TextInput } from "@mantine/core";
+import { ActionIcon, TextInput } from "@mantine/core";
 import { IconX } from "../icons";
 import { fullName, type Figure } from "../batch/figures";
-import type { DraftErrors } from "../order/problems";
+import type { DraftErrors } from "../submission/problems";
 import { prettyUnit } from "../units/format";
 import { limitOf, MOST_LIMITS, type LimitDraft } from "./draft";
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly limits: readonly LimitDraft[];
@@ -28,7 +30,7 @@ export function LimitRows({ limits, figures, errors, onChange }: Props) {
           <div key={name} className={classes.row} role="group" aria-label={`Limit: ${title}`} data-error={error !== undefined || undefined}>
             <div className={classes.rowHead}>
               <span className={classes.rowTitle}>{title}</span>
-              <span className={classes.dim}>at most</span>
+              <span className={ui.dim}>at most</span>
               <TextInput
                 size="xs"
                 className={classes.short ?? ""}
@@ -36,7 +38,7 @@ export function LimitRows({ limits, figures, errors, onChange }: Props) {
                 inputMode="decimal"
                 value={atMost}
                 error={error !== undefined}
-                {...(unit === "" ? {} : { rightSection: <span className={classes.unit}>{unit}</span>, rightSectionWidth: 44 })}
+                {...(unit === "" ? {} : { rightSection: <span className={ui.dim}>{unit}</span>, rightSectionWidth: 44 })}
                 rightSectionPointerEvents="none"
                 onChange={(event) => {
                   const typed = event.currentTarget.value;
@@ -48,9 +50,7 @@ export function LimitRows({ limits, figures, errors, onChange }: Props) {
               </ActionIcon>
             </div>
             {error !== undefined && (
-              <Text className={classes.error ?? ""} role="alert">
-                {error}
-              </Text>
+              <Fault>{error}</Fault>
             )}
           </div>
         );

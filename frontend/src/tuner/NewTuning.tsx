@@ -1,6 +1,6 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
-import { Alert, Button, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Button, Input, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
@@ -16,6 +16,8 @@ import { RangesTable } from "./RangesTable";
 import { TUNABLE, tunableOf } from "./space";
 import classes from "./tuner.module.css";
 import { useNewTuning } from "./useNewTuning";
+import ui from "../ui/ui.module.css";
+import { Problems } from "../ui/Fault";
 
 interface Props {
   readonly form: Group;
@@ -42,7 +44,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
   );
   return (
     <form
-      className={classes.card}
+      className={ui.card}
       aria-label="New tuning"
       onSubmit={(event) => {
         event.preventDefault();
@@ -51,8 +53,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
     >
       <Part title="What is tuned">
         <ScenarioChoice source={source} form={form} />
-        <div className={classes.field}>
-          <span className={classes.label}>Strategy</span>
+        <Input.Wrapper size="xs" label="Strategy" labelElement="div" labelProps={{ mr: "xs" }}>
           <SegmentedControl
             size="xs"
             className={classes.segments ?? ""}
@@ -61,7 +62,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
             data={TUNABLE.map((id) => ({ value: id, label: strategies.find((each) => each.id === id)?.label ?? id }))}
             onChange={(strategy) => patch({ strategy, ranges: rangesFor(form, strategy) })}
           />
-        </div>
+        </Input.Wrapper>
       </Part>
       <Part title="Minimise">
         <ObjectiveRows objectives={draft.objectives} windows={catalogue.windows} {...{ figures, errors }} onChange={(objectives) => patch({ objectives })} />
@@ -90,12 +91,8 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
           {entry("seed", "Search seed", "Same seed, same trials")}
         </div>
       </Part>
-      {[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])].map((message) => (
-        <Alert key={message} color="red" variant="light" p="xs" m="0 0.9rem 0.6rem" role="alert">
-          {message}
-        </Alert>
-      ))}
-      <footer className={classes.foot}>
+      <Problems messages={[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])]} m="0 0.9rem 0.6rem" />
+      <footer className={ui.foot}>
         <Text size="sm" role="status" data-testid="tuning-estimate" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
           {estimate
             ? describe(estimate)
@@ -120,10 +117,10 @@ function describe({ runs, generations, estimated_cost: cost, estimated_seconds: 
 
 function Part({ title, detail, children }: { readonly title: string; readonly detail?: string; readonly children: React.ReactNode }) {
   return (
-    <section className={classes.formPart} aria-label={title}>
-      <h3 className={classes.partTitle}>
+    <section className={ui.part} aria-label={title}>
+      <h3 className={ui.heading}>
         {title}
-        {detail !== undefined && <span className={classes.dim}> {detail}</span>}
+        {detail !== undefined && <span className={ui.dim}> {detail}</span>}
       </h3>
       {children}
     </section>

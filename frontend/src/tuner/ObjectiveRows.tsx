@@ -1,14 +1,16 @@
 /** What is minimised: up to three objectives. */
 
-import { ActionIcon, NativeSelect, Text, TextInput } from "@mantine/core";
+import { ActionIcon, NativeSelect, TextInput } from "@mantine/core";
 import { IconX } from "../icons";
 import type { Catalogue } from "../api/types";
 import { fullName, type Figure } from "../batch/figures";
-import type { DraftErrors } from "../order/problems";
+import type { DraftErrors } from "../submission/problems";
 import { prettyUnit } from "../units/format";
 import { MOST_OBJECTIVES, objectiveOf, type Kind, type ObjectiveDraft } from "./draft";
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly objectives: readonly ObjectiveDraft[];
@@ -31,7 +33,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
     const kind = SUMS.find((sum) => sum.value === value)?.value;
     onChange([...objectives, kind ? objectiveOf(key, kind) : objectiveOf(key, "figure", value)]);
   };
-  const taken = objectives.map(({ figure }) => figure);
+  const usedFigures = objectives.map(({ figure }) => figure);
   return (
     <div className={classes.rows}>
       {objectives.map((objective, index) => {
@@ -43,7 +45,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
           <div key={key} className={classes.row} role="group" aria-label={title} data-error={error !== undefined || undefined}>
             <div className={classes.rowHead}>
               <span className={classes.rowTitle}>{title}</span>
-              <span className={classes.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>
+              <span className={ui.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>
               <ActionIcon className={classes.remove ?? ""} size={24} variant="subtle" color="gray" aria-label={`Remove ${title}`} onClick={() => onChange(objectives.filter((each) => each.key !== key))}>
                 <IconX size={15} />
               </ActionIcon>
@@ -75,9 +77,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
               </div>
             )}
             {error !== undefined && (
-              <Text className={classes.error ?? ""} role="alert">
-                {error}
-              </Text>
+              <Fault>{error}</Fault>
             )}
           </div>
         );
@@ -85,7 +85,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
       {objectives.length < MOST_OBJECTIVES && (
         <FigureSelect
           label={objectives.length === 0 ? "Add an objective" : "Add another objective: the answer is then a Pareto front"}
-          figures={figures.filter(({ key }) => !taken.includes(key))}
+          figures={figures.filter(({ key }) => !usedFigures.includes(key))}
           first={SUMS}
           error={errors.objectives}
           onPick={add}

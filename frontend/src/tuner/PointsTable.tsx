@@ -9,9 +9,11 @@ import { formatInput, formatResult, prettyUnit } from "../units/format";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { weightAt, type Tunable } from "./space";
-import classes from "./tuner.module.css";
 import results from "./results.module.css";
 import type { Load } from "./useLoad";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tuning: Tuning;
@@ -26,75 +28,72 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
   const { triples, travel } = tunable;
   const single = travel && points.some(({ trial }) => weightAt(trial.weights, dotted(travel.pointer)) !== undefined) ? travel : null;
   return (
-    <section className={classes.card} aria-label="Best points">
-      <h2 className={classes.cardTitle}>Best points, on the training roads</h2>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="Best points and their weights">
-        <table className={`${tables.table ?? ""} ${results.points ?? ""}`}>
-          <thead>
-            <tr>
-              <td />
-              {points.map(({ trial, names }) => (
-                <th key={trial.number} scope="col" data-trial={trial.number}>
-                  <span className={results.pointName}>{names.join(", ")}</span>
-                  <span className={classes.dim}>trial {trial.number}</span>
-                  <Button size="compact-xs" variant="default" loading={load.loading === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.load(trial)}>
-                    Load in lab
-                  </Button>
-                </th>
+    <Card aria-label="Best points" title="Best points, on the training roads">
+      <ScrollTable label="Best points and their weights" className={results.points}>
+        <thead>
+          <tr>
+            <td />
+            {points.map(({ trial, names }) => (
+              <th key={trial.number} scope="col" data-trial={trial.number}>
+                <span className={results.pointName}>{names.join(", ")}</span>
+                <span className={ui.dim}>trial {trial.number}</span>
+                <Button size="compact-xs" variant="default" loading={load.loading === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.load(trial)}>
+                  Load in lab
+                </Button>
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {objectives.map(({ label, unit, scale }, index) => (
+            <tr key={label}>
+              <Name label={label} unit={unit} />
+              {points.map(({ trial, isPaper }) => (
+                <td key={trial.number} className={tables.cell} data-cell={`objectives.${index}`} data-value={trial.values?.[index] ?? ""}>
+                  <span className={tables.value}>{trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}</span>
+                  {isPaper ? <span className={tables.change}>&nbsp;</span> : <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
+                </td>
               ))}
             </tr>
-          </thead>
-          <tbody>
-            {objectives.map(({ label, unit, scale }, index) => (
-              <tr key={label}>
-                <Name label={label} unit={unit} />
-                {points.map(({ trial, isPaper }) => (
-                  <td key={trial.number} className={tables.cell} data-cell={`objectives.${index}`} data-value={trial.values?.[index] ?? ""}>
-                    <span className={tables.value}>{trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}</span>
-                    {isPaper ? <span className={tables.change}>&nbsp;</span> : <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
+          ))}
+          {limits.map(({ label, unit, scale }, index) => (
+            <tr key={`limit ${label}`}>
+              <Name label={`${label}, largest`} unit={unit} />
+              {points.map(({ trial }) => {
+                const value = trial.limits?.[index];
+                const over = value !== undefined && value > (tuning.limits[index]?.at_most ?? Infinity);
+                return (
+                  <td key={trial.number} className={`${tables.cell ?? ""} ${over ? (ui.error ?? "") : ""}`}>
+                    <span className={tables.value}>{value === undefined ? "–" : formatResult(value * scale)}</span>
+                    <span className={tables.change}>{over ? "over the limit" : "\u00a0"}</span>
                   </td>
-                ))}
-              </tr>
-            ))}
-            {limits.map(({ label, unit, scale }, index) => (
-              <tr key={`limit ${label}`}>
-                <Name label={`${label}, largest`} unit={unit} />
-                {points.map(({ trial }) => {
-                  const value = trial.limits?.[index];
-                  const over = value !== undefined && value > (tuning.limits[index]?.at_most ?? Infinity);
-                  return (
-                    <td key={trial.number} className={`${tables.cell ?? ""} ${over ? (classes.failed ?? "") : ""}`}>
-                      <span className={tables.value}>{value === undefined ? "–" : formatResult(value * scale)}</span>
-                      <span className={tables.change}>{over ? "over the limit" : "\u00a0"}</span>
-                    </td>
-                  );
-                })}
-              </tr>
-            ))}
-            {triples.map(({ pointer, title, items }) => (
-              <tr key={pointer} className={results.weightsRow}>
-                <Name label={title} unit={items.map((item) => item.title.toLowerCase()).join(" · ")} />
-                {points.map(({ trial }) => (
-                  <td key={trial.number} className={tables.cell} data-weights={dotted(pointer)}>
-                    {items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)))).join(" · ")}
-                  </td>
-                ))}
-              </tr>
-            ))}
-            {single && (
-              <tr className={results.weightsRow}>
-                <Name label={single.title} unit="1" />
-                {points.map(({ trial }) => (
-                  <td key={trial.number} className={tables.cell}>
-                    {shownWeight(weightAt(trial.weights, dotted(single.pointer)))}
-                  </td>
-                ))}
-              </tr>
-            )}
-          </tbody>
-        </table>
-      </div>
-    </section>
+                );
+              })}
+            </tr>
+          ))}
+          {triples.map(({ pointer, title, items }) => (
+            <tr key={pointer} className={results.weightsRow}>
+              <Name label={title} unit={items.map((item) => item.title.toLowerCase()).join(" · ")} />
+              {points.map(({ trial }) => (
+                <td key={trial.number} className={tables.cell} data-weights={dotted(pointer)}>
+                  {items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)))).join(" · ")}
+                </td>
+              ))}
+            </tr>
+          ))}
+          {single && (
+            <tr className={results.weightsRow}>
+              <Name label={single.title} unit="1" />
+              {points.map(({ trial }) => (
+                <td key={trial.number} className={tables.cell}>
+                  {shownWeight(weightAt(trial.weights, dotted(single.pointer)))}
+                </td>
+              ))}
+            </tr>
+          )}
+        </tbody>
+      </ScrollTable>
+    </Card>
   );
 }
 
@@ -103,7 +102,7 @@ const shownWeight = (value: number | undefined) => (value === undefined ? "–" 
 function Name({ label, unit }: { readonly label: string; readonly unit: string }) {
   return (
     <th scope="row" className={tables.quantity}>
-      {label} <span className={classes.dim}>{prettyUnit(unit)}</span>
+      {label} <span className={ui.dim}>{prettyUnit(unit)}</span>
     </th>
   );
 }

@@ -1,12 +1,14 @@
 /** Which weights are searched, and from where to where; the others stay as the scenario has them. */
 
-import { Checkbox, Text, TextInput } from "@mantine/core";
+import { Checkbox, TextInput } from "@mantine/core";
 import type { Scenario } from "../api/types";
-import type { DraftErrors } from "../order/problems";
+import type { DraftErrors } from "../submission/problems";
 import { formatInput } from "../units/format";
 import type { RangeDraft } from "./draft";
 import { ownWeight, weightFields, type Tunable } from "./space";
 import classes from "./tuner.module.css";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tunable: Tunable;
@@ -51,9 +53,7 @@ export function RangesTable({ tunable, scenario, ranges, errors, onChange }: Pro
         ))}
       </div>
       {message !== undefined && (
-        <Text className={classes.error ?? ""} role="alert">
-          {message}
-        </Text>
+        <Fault>{message}</Fault>
       )}
     </>
   );
@@ -92,13 +92,13 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
         {range.on ? (
           <>
             {end("from")}
-            <span className={classes.dim} aria-hidden>
+            <span className={ui.dim} aria-hidden>
               –
             </span>
             {end("to")}
           </>
         ) : (
-          <span className={classes.dim}>stays {own === undefined ? "as it is" : formatInput(own)}</span>
+          <span className={ui.dim}>stays {own === undefined ? "as it is" : formatInput(own)}</span>
         )}
       </span>
     </div>

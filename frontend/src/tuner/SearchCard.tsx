@@ -10,6 +10,9 @@ import { frontFigure, historyFigure, volumeFigure } from "./charts";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import classes from "./tuner.module.css";
+import { Fault } from "../ui/Fault";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tuning: Tuning;
@@ -53,16 +56,22 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
     />
   );
   return (
-    <section className={classes.card} aria-label={several ? "Pareto front" : "History"} data-trials={trials.length} data-front={tuning.front.length}>
-      <header className={classes.cardHead}>
-        <h2 className={classes.cardTitle}>{several ? "Pareto front" : "The best so far"}</h2>
-        {objectives.length > 2 && (
-          <div className={classes.axes}>
-            {axis("x")}
-            {axis("y")}
-          </div>
-        )}
-      </header>
+    <Card
+      aria-label={several ? "Pareto front" : "History"}
+      data-trials={trials.length}
+      data-front={tuning.front.length}
+      title={several ? "Pareto front" : "The best so far"}
+      tools={
+        <>
+          {objectives.length > 2 && (
+            <div className={classes.axes}>
+              {axis("x")}
+              {axis("y")}
+            </div>
+          )}
+        </>
+      }
+    >
       {tuning.paper === null ? (
         <Text size="sm" c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
           The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
@@ -71,11 +80,9 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
         <Chart figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
       )}
       {fault && (
-        <Text className={`${classes.error ?? ""} ${classes.note ?? ""}`} role="alert">
-          The single trials could not be read: {fault.message}
-        </Text>
+        <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>
       )}
-      <Text size="xs" c="dimmed" className={classes.note ?? ""}>
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         {several ? "Large: the front, which no other trial betters. Small: the other trials. " : "Points: the trials. Line: the best so far. "}
         {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
         {figure.beyond > 0 && ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
@@ -84,12 +91,12 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
         <details className={classes.more}>
           <summary>How the front grew</summary>
           <Chart figure={volume} height={180} label="Share of the box under the paper’s weights that the front dominates, over the trials" />
-          <Text size="xs" c="dimmed" className={classes.note ?? ""}>
+          <Text size="xs" c="dimmed" className={ui.note ?? ""}>
             The part of the box between zero and the paper’s weights that the front dominates: it flattens when more trials find little more.
           </Text>
         </details>
       )}
-    </section>
+    </Card>
   );
 }
 

@@ -1,42 +1,39 @@
 /** The weight tuner: puts a tuning together, or shows one. */
 
-import { Anchor, Button, Skeleton, Text } from "@mantine/core";
+import { Anchor, Skeleton, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { usePageScenario } from "../origin/origin";
 import type { PageProps } from "../pages";
-import { Blank } from "../shell/Blank";
+import { CouldNotLoad } from "../shell/Blank";
 import { Page } from "../shell/Page";
 import { useCatalogues } from "../state/useCatalogues";
 import { NewTuning } from "./NewTuning";
 import { TuningList } from "./TuningList";
 import { TuningPage } from "./TuningPage";
 import classes from "./tuner.module.css";
+import ui from "../ui/ui.module.css";
 
 export function TunerPage({ id }: PageProps) {
-  const ground = useGround();
-  return id === null ? <Tuner ground={ground} /> : <OneTuning id={id} ground={ground} />;
+  const catalogues = useNumericCatalogues();
+  return id === null ? <Tuner catalogues={catalogues} /> : <OneTuning id={id} catalogues={catalogues} />;
 }
 
-type Ground = ReturnType<typeof useGround>;
+type NumericCatalogues = ReturnType<typeof useNumericCatalogues>;
 
 /** What both views need of the server: as figures only those that are numbers. */
-function useGround() {
+function useNumericCatalogues() {
   const { catalogues, fault } = useCatalogues();
   const data = useMemo(() => catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") }, [catalogues]);
   return { data, fault };
 }
 
 function Frame({ run = null, fault, children }: { readonly run?: string | null; readonly fault: Error | null; readonly children: React.ReactNode }) {
-  const queries = useQueryClient();
   return (
     <Page run={run}>
-      <main className={classes.main}>
+      <main className={ui.main}>
         {fault ? (
-          <Blank title="This page could not be shown" text={fault.message}>
-            <Button onClick={() => void queries.refetchQueries()}>Try again</Button>
-          </Blank>
+          <CouldNotLoad message={fault.message} />
         ) : (
           children
         )}
@@ -45,24 +42,24 @@ function Frame({ run = null, fault, children }: { readonly run?: string | null; 
   );
 }
 
-function OneTuning({ id, ground: { data, fault } }: { readonly id: string; readonly ground: Ground }) {
+function OneTuning({ id, catalogues: { data, fault } }: { readonly id: string; readonly catalogues: NumericCatalogues }) {
   return (
     <Frame fault={fault}>
       <Anchor href="/tuner" size="sm">
         New tuning, earlier tunings
       </Anchor>
-      <TuningPage id={id} ground={data} />
+      <TuningPage id={id} catalogues={data} />
     </Frame>
   );
 }
 
-function Tuner({ ground: { data, fault } }: { readonly ground: Ground }) {
+function Tuner({ catalogues: { data, fault } }: { readonly catalogues: NumericCatalogues }) {
   const source = usePageScenario();
   useDocumentTitle("Weight tuner · Ridelab");
   return (
     <Frame run={source.origin.run} fault={fault}>
-      <h1 className={classes.heading}>Weight tuner</h1>
-      <Text className={classes.lead ?? ""}>
+      <h1 className={ui.title}>Weight tuner</h1>
+      <Text className={ui.lead ?? ""}>
         Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several
         objectives give a Pareto front. The paper’s weights are always the first trial, and at the end it is compared with the best ones on validation roads, which shows weights that fit single roads only.
       </Text>

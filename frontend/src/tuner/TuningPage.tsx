@@ -1,15 +1,14 @@
 /** One tuning: how far it is, what it found, and whether that holds on other roads. */
 
-import { Anchor, Button, Skeleton, Text } from "@mantine/core";
+import { Anchor, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import { useQueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { ApiProblem, isNotFound, isTransient } from "../api/problem";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";
 import { TUNING, useJob } from "../jobs/useJob";
-import { Blank } from "../shell/Blank";
+import { Blank, CouldNotLoad } from "../shell/Blank";
 import { ofLimit, ofObjective } from "./figures";
 import { ValidationTable } from "./ValidationTable";
 import { pointsOf } from "./points";
@@ -17,19 +16,20 @@ import { PointsTable } from "./PointsTable";
 import { tunableOf } from "./space";
 import { TuningPlot } from "./TuningPlot";
 import { TuningState } from "./TuningState";
-import classes from "./tuner.module.css";
 import { useLoad } from "./useLoad";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
+import { Loading } from "../ui/Loading";
 
 interface Props {
   readonly id: string;
   /** All there is to know first; `null` until it is there. */
-  readonly ground: { readonly form: Group; readonly strategies: readonly Strategy[]; readonly figures: readonly Figure[] } | null;
+  readonly catalogues: { readonly form: Group; readonly strategies: readonly Strategy[]; readonly figures: readonly Figure[] } | null;
 }
 
-export function TuningPage({ id, ground }: Props) {
-  const queries = useQueryClient();
+export function TuningPage({ id, catalogues }: Props) {
   const { job: tuning, error, connected, left } = useJob(TUNING, id);
-  const strategy = ground?.strategies.find((each) => each.id === tuning?.strategy)?.label;
+  const strategy = catalogues?.strategies.find((each) => each.id === tuning?.strategy)?.label;
   useDocumentTitle(`${strategy === undefined ? "Tuning" : `Weights of ${strategy}`} · Ridelab`);
   if (error && !tuning && !isTransient(error)) {
     return isNotFound(error) ? (
@@ -37,22 +37,20 @@ export function TuningPage({ id, ground }: Props) {
         <Anchor href="/tuner">Start a tuning</Anchor>
       </Blank>
     ) : (
-      <Blank title="This tuning could not be shown" text={error.message}>
-        <Button onClick={() => void queries.refetchQueries()}>Try again</Button>
-      </Blank>
+      <CouldNotLoad what="tuning" message={error.message} />
     );
   }
-  if (!tuning || !ground) return <TuningLoading />;
+  if (!tuning || !catalogues) return <Loading label="Loading the tuning" heights={[28, 150, 420]} />;
   return (
     <>
-      <h1 className={classes.heading}>Weights of {strategy ?? tuning.strategy}, tuned</h1>
-      <TuningState {...{ tuning, connected, left }} {...ground} />
-      <Found tuning={tuning} {...ground} />
+      <h1 className={ui.title}>Weights of {strategy ?? tuning.strategy}, tuned</h1>
+      <TuningState {...{ tuning, connected, left }} {...catalogues} />
+      <TuningResults tuning={tuning} {...catalogues} />
     </>
   );
 }
 
-function Found({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & NonNullable<Props["ground"]>) {
+function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & NonNullable<Props["catalogues"]>) {
   const objectives = useMemo(() => tuning.objectives.map((each) => ofObjective(each, figures)), [tuning.objectives, figures]);
   const limits = useMemo(() => tuning.limits.map((each) => ofLimit(each, figures)), [tuning.limits, figures]);
   const tunable = useMemo(() => tunableOf(form, tuning.strategy), [form, tuning.strategy]);
@@ -63,14 +61,12 @@ function Found({ tuning, form, strategies, figures }: { readonly tuning: Tuning 
   return (
     <>
       {warning !== null && (
-        <Text size="sm" role="status" className={classes.warning ?? ""}>
+        <Text size="sm" role="status" className={ui.warning ?? ""}>
           {warning}
         </Text>
       )}
       {load.error && (
-        <Text size="sm" role="alert" className={classes.failed ?? ""}>
-          These weights could not be loaded: {load.error instanceof ApiProblem && load.error.errors[0] ? load.error.errors[0].message : load.error.message}
-        </Text>
+        <Fault size="sm">These weights could not be loaded: {load.error instanceof ApiProblem && load.error.errors[0] ? load.error.errors[0].message : load.error.message}</Fault>
       )}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
@@ -84,14 +80,4 @@ function warningOf({ paper, trials }: Tuning): string | null {
   if (trials.feasible === 0) return "No trial so far is within the limits on every training road.";
   if (paper.status === "failed") return "The paper’s weights could not be driven: there is nothing to compare with.";
   return paper.feasible ? null : "The paper’s own weights are over a limit on the training roads: weights within the limits may give larger objectives.";
-}
-
-function TuningLoading() {
-  return (
-    <div className={classes.loading} aria-busy aria-label="Loading the tuning">
-      <Skeleton height={28} width="40%" />
-      <Skeleton height={150} radius={8} />
-      <Skeleton height={420} radius={8} />
-    </div>
-  );
 }

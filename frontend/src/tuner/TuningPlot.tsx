@@ -10,11 +10,12 @@ import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { SearchCard } from "./SearchCard";
 import type { Tunable } from "./space";
-import classes from "./tuner.module.css";
 import results from "./results.module.css";
 import type { Load } from "./useLoad";
 import { trialsQuery } from "./queries";
 import { WeightsOf } from "./WeightsOf";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tuning: Tuning;
@@ -30,23 +31,23 @@ interface Props {
 const NO_TRIALS: readonly Trial[] = [];
 
 export function TuningPlot({ tuning, objectives, limits, tunable, points, colour, load }: Props) {
-  const [chosen, setChosen] = useState<number | null>(null);
+  const [selectedNumber, setSelectedNumber] = useState<number | null>(null);
   const trials = useQuery({ ...trialsQuery(tuning), enabled: tuning.paper !== null });
   const all = trials.data?.trials ?? NO_TRIALS;
   const opening = points.find(({ names }) => names.includes("Balanced")) ?? points.at(-1);
-  const picked = all.find(({ number }) => number === chosen) ?? points.find(({ trial }) => trial.number === chosen)?.trial ?? opening?.trial ?? null;
+  const picked = all.find(({ number }) => number === selectedNumber) ?? points.find(({ trial }) => trial.number === selectedNumber)?.trial ?? opening?.trial ?? null;
   return (
     <div className={results.plotRow}>
-      <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setChosen} />
+      <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setSelectedNumber} />
       {picked && (
-        <section className={classes.card} aria-label="Selected point" data-trial={picked.number}>
+        <Card aria-label="Selected point" data-trial={picked.number}>
           <div className={results.picked}>
             <NativeSelect
               size="xs"
               label="Weights of trial"
               value={String(picked.number)}
               data={options(points, tuning.front, picked)}
-              onChange={(event) => setChosen(Number(event.currentTarget.value))}
+              onChange={(event) => setSelectedNumber(Number(event.currentTarget.value))}
             />
             <Values {...{ tuning, objectives, limits }} trial={picked} />
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
@@ -59,7 +60,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
               Load in lab
             </Button>
           </div>
-        </section>
+        </Card>
       )}
     </div>
   );
@@ -88,7 +89,7 @@ function Values({ tuning, objectives, limits, trial }: Pick<Props, "tuning" | "o
         return (
           <div key={label}>
             <dt>{label}, largest</dt>
-            <dd className={value !== undefined && value > most ? classes.failed : undefined}>
+            <dd className={value !== undefined && value > most ? ui.error : undefined}>
               {value === undefined ? "–" : `${formatResult(value * scale)} ${prettyUnit(unit)}`}
               {value !== undefined && value > most && ` (limit ${formatInput(Number((most * scale).toPrecision(6)))})`}
             </dd>
@@ -97,7 +98,7 @@ function Values({ tuning, objectives, limits, trial }: Pick<Props, "tuning" | "o
       })}
       {trial.status === "failed" && (
         <div>
-          <dt className={classes.failed}>Failed</dt>
+          <dt className={ui.error}>Failed</dt>
           <dd>{trial.reason}</dd>
         </div>
       )}

@@ -17,6 +17,7 @@ import { ofLimit, ofObjective } from "./figures";
 import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
 import results from "./results.module.css";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tuning: Tuning;
@@ -35,7 +36,7 @@ export function TuningState({ tuning, form, strategies, figures, connected, left
   const counts = (
     <>
       {formatWhole(done + failed)} of {count(total, "trial")}
-      {failed > 0 && <span className={classes.failed}>, {formatWhole(failed)} failed</span>}
+      {failed > 0 && <span className={ui.error}>, {formatWhole(failed)} failed</span>}
       {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
       {left !== null && !comparing && ` · about ${formatDuration(left)} left`}
     </>
@@ -71,15 +72,15 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
   const { total } = tuning.trials;
   const least = tuning.state === "done" ? total + 1 : total;
   const [trials, setTrials] = useState(String(tuning.state === "done" ? 2 * total : total));
-  const wanted = parseInput(trials);
-  const wrong = wanted === null || !Number.isInteger(wanted) || wanted < least;
+  const requested = parseInput(trials);
+  const wrong = requested === null || !Number.isInteger(requested) || requested < least;
   const resume = useJobCall(TUNING, tuning.id, (number: number) => tunings.resume(tuning.id, { trials: String(number) }));
   return (
     <form
       className={results.resume}
       onSubmit={(event) => {
         event.preventDefault();
-        if (!wrong) resume.mutate(wanted);
+        if (!wrong) resume.mutate(requested);
       }}
     >
       <TextInput
@@ -89,7 +90,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
         inputMode="numeric"
         value={trials}
         error={wrong}
-        rightSection={<span className={classes.unit}>trials</span>}
+        rightSection={<span className={ui.dim}>trials</span>}
         rightSectionWidth={42}
         rightSectionPointerEvents="none"
         onChange={(event) => setTrials(event.currentTarget.value)}
@@ -97,9 +98,9 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
       <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
         {tuning.state === "done" ? "Continue search" : "Resume"}
       </Button>
-      {wrong && <span className={classes.error}>{formatWhole(least)} or more</span>}
+      {wrong && <span className={ui.error}>{formatWhole(least)} or more</span>}
       {resume.isError && (
-        <span className={classes.error} role="alert">
+        <span className={ui.error} role="alert">
           {resume.error.message}
         </span>
       )}

@@ -11,8 +11,10 @@ import { formatResult, prettyUnit } from "../units/format";
 import { ofKey, type Shown } from "./figures";
 import { gainsOf, type Gain, type Keeps } from "./gain";
 import { roleName } from "./points";
-import classes from "./tuner.module.css";
 import results from "./results.module.css";
+import { ScrollTable } from "../ui/ScrollTable";
+import { Card } from "../ui/Card";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tuning: Tuning;
@@ -26,9 +28,8 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
   const { comparison } = tuning;
   if (!comparison) {
     return (
-      <section className={classes.card} aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined}>
-        <h2 className={classes.cardTitle}>Validation roads</h2>
-        <div className={classes.note}>
+      <Card aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined} title="Validation roads">
+        <div className={ui.note}>
           <Text size="sm" c="dimmed">
             {isFinal(tuning)
               ? "The comparison is made once the search is complete: resume it for that."
@@ -36,15 +37,14 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           </Text>
           {tuning.step === "comparison" && !isFinal(tuning) && <Skeleton height={120} radius={6} mt={10} />}
         </div>
-      </section>
+      </Card>
     );
   }
   const labels = objectives.map(({ label }) => label);
   const gains = gainsOf(comparison, objectives.length);
   const [paper, ...tuned] = comparison.points;
   return (
-    <section className={classes.card} aria-label="Validation roads">
-      <h2 className={classes.cardTitle}>Validation: {tuning.seeds.length} training and {tuning.fresh_seeds.length} validation roads</h2>
+    <Card aria-label="Validation roads" title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}>
       <ul className={results.gains}>
         {gains.map((gain) => (
           <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
@@ -60,53 +60,51 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           )),
         )}
       </ul>
-      <div className={tables.scroll} tabIndex={0} role="region" aria-label="The paper’s and the tuned weights over training and validation roads">
-        <table className={`${tables.table ?? ""} ${results.validation ?? ""}`}>
-          <thead>
-            <tr>
-              <td />
-              {comparison.points.map((point) => (
-                <th key={point.trial} scope="colgroup" colSpan={2} data-trial={point.trial}>
-                  {point.roles.map((role) => roleName(role, labels)).join(", ")} <span className={classes.dim}>trial {point.trial}</span>
+      <ScrollTable label="The paper’s and the tuned weights over training and validation roads" className={results.validation}>
+        <thead>
+          <tr>
+            <td />
+            {comparison.points.map((point) => (
+              <th key={point.trial} scope="colgroup" colSpan={2} data-trial={point.trial}>
+                {point.roles.map((role) => roleName(role, labels)).join(", ")} <span className={ui.dim}>trial {point.trial}</span>
+              </th>
+            ))}
+          </tr>
+          <tr>
+            <td />
+            {comparison.points.flatMap(({ trial }) => [
+              <th key={`${trial} training`} scope="col" data-first>
+                training
+              </th>,
+              <th key={`${trial} fresh`} scope="col">
+                validation
+              </th>,
+            ])}
+          </tr>
+        </thead>
+        <tbody>
+          {comparison.figures.map(({ key }) => {
+            const { label, unit, scale } = ofKey(key, tuning, figures);
+            const isLimit = key.startsWith("limits.");
+            const most = isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined;
+            return (
+              <tr key={key} data-figure={key}>
+                <th scope="row" className={tables.quantity}>
+                  {label}
+                  {isLimit && ", largest"} <span className={ui.dim}>{prettyUnit(unit)}</span>
                 </th>
-              ))}
-            </tr>
-            <tr>
-              <td />
-              {comparison.points.flatMap(({ trial }) => [
-                <th key={`${trial} training`} scope="col" data-first>
-                  training
-                </th>,
-                <th key={`${trial} fresh`} scope="col">
-                  validation
-                </th>,
-              ])}
-            </tr>
-          </thead>
-          <tbody>
-            {comparison.figures.map(({ key }) => {
-              const { label, unit, scale } = ofKey(key, tuning, figures);
-              const isLimit = key.startsWith("limits.");
-              const most = isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined;
-              return (
-                <tr key={key} data-figure={key}>
-                  <th scope="row" className={tables.quantity}>
-                    {label}
-                    {isLimit && ", largest"} <span className={classes.dim}>{prettyUnit(unit)}</span>
-                  </th>
-                  {[paper, ...tuned].flatMap((point) =>
-                    point ? [<Cell key={`${point.trial} t`} figure={point.training[key]} first {...{ scale, most, point }} />, <Cell key={`${point.trial} f`} figure={point.fresh[key]} {...{ scale, most, point }} />] : [],
-                  )}
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </div>
-      <Text size="xs" c="dimmed" className={classes.note ?? ""}>
+                {[paper, ...tuned].flatMap((point) =>
+                  point ? [<Cell key={`${point.trial} t`} figure={point.training[key]} first {...{ scale, most, point }} />, <Cell key={`${point.trial} f`} figure={point.fresh[key]} {...{ scale, most, point }} />] : [],
+                )}
+              </tr>
+            );
+          })}
+        </tbody>
+      </ScrollTable>
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         Means over the roads; the change against the paper’s weights with its 95 % interval, paired road by road. An arrow stands only where the interval does not hold zero.
       </Text>
-    </section>
+    </Card>
   );
 }
 
@@ -136,7 +134,7 @@ function Cell({ figure, scale, most, point, first = false }: CellProps) {
   if (!figure) return <td className={tables.cell}>–</td>;
   const over = most !== undefined && figure.worst > most;
   return (
-    <td className={`${tables.cell ?? ""} ${over ? (classes.failed ?? "") : ""}`} data-first={first || undefined} data-trial={point.trial} data-value={figure.mean}>
+    <td className={`${tables.cell ?? ""} ${over ? (ui.error ?? "") : ""}`} data-first={first || undefined} data-trial={point.trial} data-value={figure.mean}>
       <span className={tables.value}>{formatResult((most === undefined ? figure.mean : figure.worst) * scale, 3)}</span>
       {most === undefined ? <ChangeOf figure={figure} /> : <span className={tables.change}>{over ? "over the limit" : "\u00a0"}</span>}
     </td>

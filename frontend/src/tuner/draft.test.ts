@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Figure } from "../batch/figures";
-import { placeProblems } from "../order/problems";
+import { placeProblems } from "../submission/problems";
 import { readDraft, objectiveOf, tuningPlace, type TuningDraft } from "./draft";
 import { weightAt, withWeights } from "./space";
 
@@ -28,7 +28,7 @@ describe("a draft of a tuning", () => {
   it("is sent in SI, without the weights that are held", () => {
     expect(read()).toEqual({
       ok: true,
-      wish: {
+      body: {
         strategy: "lqr",
         objectives: [
           { kind: "paper", q: [1, 1, 1], window: "whole" },

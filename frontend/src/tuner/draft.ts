@@ -4,7 +4,7 @@ import type { TuningChoice } from "../api/jobs";
 import type { StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";
-import type { DraftErrors, PlaceOf } from "../order/problems";
+import type { DraftErrors, PlaceOf } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
 import { readSeeds } from "./seeds";
 import { tunableOf, weightFields } from "./space";
@@ -46,7 +46,7 @@ export interface TuningDraft {
 }
 
 /** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
-export type Reading = { readonly ok: true; readonly wish: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
+export type Reading = { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
 
 const PLAIN = ["seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
 
@@ -119,10 +119,10 @@ function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put
 }
 
 function search({ ranges }: TuningDraft, put: Put): TuningChoice["search"] {
-  const chosen = Object.entries(ranges).filter(([, { on }]) => on);
-  if (chosen.length === 0) put("search", "Choose at least one weight");
+  const searched = Object.entries(ranges).filter(([, { on }]) => on);
+  if (searched.length === 0) put("search", "Choose at least one weight");
   return Object.fromEntries(
-    chosen.map(([name, { from, to }]) => {
+    searched.map(([name, { from, to }]) => {
       const refuse = () => put(`search.${name}`, "From above 0 to at most 1000");
       const ends = [number(from, Number.MIN_VALUE, 1000, refuse), number(to, Number.MIN_VALUE, 1000, refuse)] as const;
       if (ends[0] >= ends[1]) put(`search.${name}`, "From has to be less than to");
@@ -145,7 +145,7 @@ export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Readi
   const seeds = roads(draft.seeds, "seeds", 1, put);
   const validation = roads(draft.validationSeeds, "fresh_seeds", 2, put);
   if (validation.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A validation road must not be a training road");
-  const wish: TuningChoice = {
+  const body: TuningChoice = {
     strategy: draft.strategy,
     objectives: objectives(draft, put),
     limits: limits(draft, figures, put),
@@ -156,7 +156,7 @@ export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Readi
     population: whole(draft.population, 1, MOST_POPULATION, "population", put),
     seed: whole(draft.seed, 0, 2 ** 32 - 1, "seed", put),
   };
-  return Object.keys(errors).length > 0 ? { ok: false, errors } : { ok: true, wish };
+  return Object.keys(errors).length > 0 ? { ok: false, errors } : { ok: true, body };
 }
 
 /** A limit starts at what the figure may not exceed by its own sense: nothing. */

@@ -8,19 +8,19 @@ import { placeProblems, type DraftErrors, type PlaceOf } from "./problems";
 
 const REST_MS = 350;
 
-interface Order<Wish, Estimate> {
+interface Submission<Body, Estimate> {
   readonly kind: string;
   /** What the form asks for; null while there is nothing to ask for yet. */
-  readonly wish: Wish | null;
+  readonly body: Body | null;
   /** What the form itself finds wrong; null when nothing is. */
   readonly errors: DraftErrors | null;
   readonly placeOf: PlaceOf;
-  readonly estimate: (wish: Wish, signal: AbortSignal) => Promise<Estimate>;
+  readonly estimate: (body: Body, signal: AbortSignal) => Promise<Estimate>;
   /** Begins it and says where it can be seen. What is sent carries its `keyOf`. */
-  readonly begin: (wish: Wish, keyOf: (sent: unknown) => string) => Promise<string>;
+  readonly submit: (body: Body, keyOf: (sent: unknown) => string) => Promise<string>;
 }
 
-interface OrderState<Estimate> {
+interface SubmissionState<Estimate> {
   readonly errors: DraftErrors;
   readonly general: readonly string[];
   readonly estimate: Estimate | undefined;
@@ -34,14 +34,14 @@ function randomKey(): string {
   return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-export function useOrder<Wish, Estimate>(order: Order<Wish, Estimate>): OrderState<Estimate> {
-  const text = order.wish === null ? "" : JSON.stringify(order.wish);
-  const [rested] = useDebouncedValue(text, REST_MS);
-  const settled = rested === text;
+export function useSubmission<Body, Estimate>(submission: Submission<Body, Estimate>): SubmissionState<Estimate> {
+  const text = submission.body === null ? "" : JSON.stringify(submission.body);
+  const [settledText] = useDebouncedValue(text, REST_MS);
+  const settled = settledText === text;
   const estimate = useQuery({
-    queryKey: ["estimate", order.kind, rested],
-    queryFn: ({ signal }) => order.estimate(JSON.parse(rested) as Wish, signal),
-    enabled: rested !== "" && settled,
+    queryKey: ["estimate", submission.kind, settledText],
+    queryFn: ({ signal }) => submission.estimate(JSON.parse(settledText) as Body, signal),
+    enabled: settledText !== "" && settled,
     gcTime: 60_000,
   });
 
@@ -54,7 +54,7 @@ export function useOrder<Wish, Estimate>(order: Order<Wish, Estimate>): OrderSta
     return key;
   };
   const started = useMutation({
-    mutationFn: (wish: Wish) => order.begin(wish, keyOf),
+    mutationFn: (body: Body) => submission.submit(body, keyOf),
     networkMode: "always",
     onSuccess: (address) => window.location.assign(address),
   });
@@ -62,16 +62,16 @@ export function useOrder<Wish, Estimate>(order: Order<Wish, Estimate>): OrderSta
   const problem = started.error ?? (settled ? estimate.error : null);
   const placed =
     problem instanceof ApiProblem
-      ? placeProblems(problem.errors, order.placeOf, problem.message)
+      ? placeProblems(problem.errors, submission.placeOf, problem.message)
       : { fields: {}, general: problem ? [problem.message] : [] };
 
   return {
-    errors: order.errors ?? placed.fields,
-    general: order.errors ? [] : placed.general,
+    errors: submission.errors ?? placed.fields,
+    general: submission.errors ? [] : placed.general,
     estimate: text && settled && !estimate.isError ? estimate.data : undefined,
     pending: text !== "" && (!settled || estimate.isFetching),
     // The page is left once it has started.
     starting: started.isPending || started.isSuccess,
-    start: () => order.wish !== null && started.mutate(order.wish),
+    start: () => submission.body !== null && started.mutate(submission.body),
   };
 }

@@ -8,10 +8,10 @@ import { useStore } from "../state/store";
 /** What is this near to the window is as good as in it. */
 const NEAR = "300px 0px";
 
-export function useSeen() {
+export function useVisible() {
   const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
   const printed = useStore(printing);
-  const [seen, setSeen] = useState(false);
-  if (!seen && (printed || entry?.isIntersecting === true)) setSeen(true);
-  return { ref, seen, printed };
+  const [visible, setVisible] = useState(false);
+  if (!visible && (printed || entry?.isIntersecting === true)) setVisible(true);
+  return { ref, visible, printed };
 }

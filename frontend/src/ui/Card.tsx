@@ -1,0 +1,25 @@
+/** A part of a page on a surface of its own. */
+
+import type { ComponentProps, ReactNode } from "react";
+import ui from "./ui.module.css";
+
+interface Props extends Omit<ComponentProps<"section">, "title"> {
+  readonly "aria-label": string;
+  readonly title?: ReactNode;
+  /** What stands beside the title. */
+  readonly tools?: ReactNode;
+}
+
+export function Card({ title, tools, className = "", children, ...rest }: Props) {
+  return (
+    <section className={`${ui.card} ${className}`} {...rest}>
+      {title !== undefined && (
+        <header className={ui.head}>
+          <h2 className={ui.heading}>{title}</h2>
+          {tools}
+        </header>
+      )}
+      {children}
+    </section>
+  );
+}

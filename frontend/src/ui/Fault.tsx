@@ -1,0 +1,17 @@
+/** What went wrong, in a line, and the problems of a form. */
+
+import { Alert, Text, type AlertProps, type TextProps } from "@mantine/core";
+import type { ReactNode } from "react";
+import ui from "./ui.module.css";
+
+export function Fault({ className = "", ...props }: TextProps & { readonly className?: string; readonly id?: string; readonly children: ReactNode }) {
+  return <Text size="xs" className={`${ui.error} ${className}`} role="alert" {...props} />;
+}
+
+export function Problems({ messages, ...props }: AlertProps & { readonly messages: readonly string[] }) {
+  return messages.map((message) => (
+    <Alert key={message} color="red" variant="light" p="xs" role="alert" {...props}>
+      {message}
+    </Alert>
+  ));
+}
