@@ -118,7 +118,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.sweeps = sweeps
         app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)
         steps = TuningSteps(store, sweeps)
-        scheduler = Scheduler(store=store, settings=settings, steppers={"tuning": steps})
+        scheduler = Scheduler(store=store, settings=settings, background=background, steppers={"tuning": steps})
         scheduler.start()
         yield
         await warming

@@ -9,12 +9,13 @@ import contextlib
 import itertools
 import logging
 import time
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Protocol, get_args
+from collections.abc import Coroutine, Mapping
+from typing import TYPE_CHECKING, Any, Protocol, get_args
 
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import metrics
+from backend.compute.workers import Workers
 from backend.errors import TemporaryError
 from backend.jobs.chunk import ClusterLostError
 from backend.jobs.chunks import Chunks
@@ -67,18 +68,23 @@ class Scheduler:
     Args:
         store: The database.
         settings: Of the service.
+        background: Processes for what would hold up the event loop.
         steppers: By kind, of the kinds that are not computed run by run.
     """
 
-    def __init__(self, *, store: Store, settings: Settings, steppers: Mapping[Kind, Stepper]) -> None:
+    def __init__(
+        self, *, store: Store, settings: Settings, background: Workers, steppers: Mapping[Kind, Stepper]
+    ) -> None:
         self._store = store
         self._settings = settings
+        self._background = background
         self._steppers = steppers
         self._retention = Retention(store, settings)
         self._task: asyncio.Task[None] | None = None
         self._cluster: Cluster | None = None
         self._handed_out: dict[str, HandOut] = {}
         self._stepped: dict[str, asyncio.Task[None]] = {}
+        self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
         self._chunks = Chunks(store, settings.run_timeout)
         self._turns = itertools.count(1)
         self._reported = -REPORT
@@ -150,12 +156,14 @@ class Scheduler:
         if self._cluster is not None and not self._cluster.connected:
             logger.warning("The Dask scheduler is gone; its chunks are handed out again")
             await self._end_cluster()
+        self._rekeyed &= unfinished.keys()
         for job_id in self._handed_out.keys() - unfinished.keys():
             await self._end_sweep(job_id)
         for job in unfinished.values():
             if job.kind in self._steppers:
                 if len(self._stepped) < MAX_STEPPED and job.id not in self._stepped:
-                    self._stepped[job.id] = asyncio.create_task(self._drive(job))
+                    driving = self._drive(job.id, self._steppers[job.kind])
+                    self._stepped[job.id] = asyncio.create_task(self._beside(job, driving))
             elif job.kind == "reproduction" and rows.is_abandoned(job):
                 await self._store.write(self._store.jobs.cancel, job.id)
                 await self._store.write(self._store.jobs.delete, job.id)
@@ -166,18 +174,21 @@ class Scheduler:
                 await self._begin(job)
 
     async def _end_sweep(self, job_id: str) -> None:
+        self._rekeyed.discard(job_id)  # what was cancelled meanwhile has its old keys
         stopped = self._handed_out.pop(job_id)
         if stopped.on_their_way and self._cluster is not None:
             await self._cluster.stop(stopped.group)
 
     async def _begin(self, job: StoredJob) -> None:
+        if job.core_version != CORE_VERSION and job.id not in self._rekeyed:
+            if job.id not in self._stepped:
+                self._stepped[job.id] = asyncio.create_task(self._beside(job, self._rekey(job)))
+            return
         if self._cluster is None:
             from backend.jobs.cluster import Cluster  # Dask takes half a second to import: not before there is a job
 
             self._cluster = Cluster(self._settings)
             await self._cluster.start()
-        if job.core_version != CORE_VERSION:
-            await self._rekey(job)
         await self._store.write(self._store.jobs.start, job.id)
         self._handed_out[job.id] = HandOut(job=job)
 
@@ -220,19 +231,18 @@ class Scheduler:
     async def _rekey(self, job: StoredJob) -> None:
         """Another core version accepted the job: what it left uncomputed is computed by this one, under new keys."""
         logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
-        position = -1
-        while True:
-            last, runs = await self._store.write(self._store.job_runs.waiting, job.id, position, PAGE)
-            if last is None:
-                return
-            position = last
-            keys = await asyncio.to_thread(rekeyed, job.request["scenario"], job.schema_version, runs)
-            await self._store.write(self._store.job_runs.rekey, job.id, keys)
+        last: int | None = -1
+        while last is not None:
+            last, runs = await self._store.write(self._store.job_runs.waiting, job.id, last, PAGE)
+            if runs:
+                keys = await self._background.call(rekeyed, job.request["scenario"], job.schema_version, runs)
+                await self._store.write(self._store.job_runs.rekey, job.id, keys)
+        self._rekeyed.add(job.id)
 
-    async def _drive(self, job: StoredJob) -> None:
-        """Step by step to its end, or until something transient is in the way: a later look begins again."""
+    async def _beside(self, job: StoredJob, work: Coroutine[Any, Any, None]) -> None:
+        """Do that beside everything else, until something transient is in the way: a later look begins again."""
         try:
-            await self._drive_to_end(job.id, self._steppers[job.kind])
+            await work
         except TRANSIENT as error:
             logger.warning("Job %s rests: %s", job.id, type(error).__name__)
             await asyncio.sleep(PAUSE)
@@ -243,7 +253,8 @@ class Scheduler:
             del self._stepped[job.id]
             self._chunks.returned.set()
 
-    async def _drive_to_end(self, job_id: str, stepper: Stepper) -> None:
+    async def _drive(self, job_id: str, stepper: Stepper) -> None:
+        """Step by step to its end."""
         while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
             try:
                 await stepper.step(job)
@@ -269,8 +280,12 @@ class Scheduler:
                 metrics.BATCH_QUEUE.labels(state=state).set(runs)
 
     async def _leave(self) -> None:
-        """End everything but what waits to be stored."""
+        """End everything but what waits to be stored; what another service drives it also tells the metrics."""
         self._retention.cancel()
+        self._rekeyed.clear()
+        metrics.BATCHES.clear()
+        metrics.BATCH_QUEUE.clear()
+        self._reported = -REPORT
         for task in self._stepped.values():
             task.cancel()
         await self._end_cluster()

@@ -87,19 +87,19 @@ class Jobs:
         return shown, _cursor(shown[-1]) if more else None
 
     async def position(self, job: StoredJob) -> int:
-        """How many runs of jobs that were accepted before it wait; 0 for one that has ended."""
+        """How many runs of jobs that were accepted before it wait; 0 for one that runs or has ended."""
         return (await self.positions([job]))[job.id]
 
     async def positions(self, jobs: Sequence[StoredJob]) -> dict[str, int]:
         """The same of several, by id."""
         unfinished = []
-        if any(job.state in UNFINISHED for job in jobs):
+        if any(job.state == "queued" for job in jobs):
             unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
         return {
             job.id: sum(
                 other.open_runs
                 for other in unfinished
-                if job.state in UNFINISHED and (other.created_at, other.id) < (job.created_at, job.id)
+                if job.state == "queued" and (other.created_at, other.id) < (job.created_at, job.id)
             )
             for job in jobs
         }

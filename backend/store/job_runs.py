@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any
 
-from sqlalchemy import Connection, Select, Update, select, update
+from sqlalchemy import Connection, Select, Update, bindparam, select, update
 
 from backend.db.database import Database
 from backend.db.tables import job_runs, jobs, results
@@ -72,11 +72,7 @@ class JobRunStore:
         with self._database.writing() as connection:
             lock(connection, job_id)
             insert_results(connection, rows)
-            failed = 0
-            for position, reason in (failures or {}).items():
-                at = _update_waiting(job_id).where(job_runs.c.position == position)
-                failed += connection.execute(at.values(status="failed", reason=reason)).rowcount
-            _count(connection, job_id, done=0, failed=failed)
+            _fail(connection, job_id, failures or {})
             _settle(connection, job_id, [item.key for item in computed])
         self._database.changed()
 
@@ -84,13 +80,12 @@ class JobRunStore:
         """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
         with self._database.writing() as connection:
             lock(connection, job_id)
-            failed = 0
-            for position, (key, reason) in keys.items():
-                change = {"result_key": key} if key is not None else {"status": "failed", "reason": reason}
-                at = _update_waiting(job_id).where(job_runs.c.position == position)
-                changed = connection.execute(at.values(**change)).rowcount
-                failed += changed if key is None else 0
-            _count(connection, job_id, done=0, failed=failed)
+            at = _update_waiting(job_id).where(job_runs.c.position == bindparam("at"))
+            new = [{"at": position, "key": key} for position, (key, _) in keys.items() if key is not None]
+            if new:
+                connection.execute(at.values(result_key=bindparam("key")), new)
+            reasons = {position: str(reason) for position, (key, reason) in keys.items() if key is None}
+            _fail(connection, job_id, reasons)
         self._database.changed()
 
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
@@ -128,6 +123,15 @@ def _settle(connection: Connection, job_id: str, keys: Sequence[str]) -> None:
         matching = _update_waiting(job_id).where(job_runs.c.result_key.in_(of_status))
         counts[status] = connection.execute(matching.values(status=status)).rowcount
     _count(connection, job_id, done=counts["ok"], failed=counts["failed"])
+
+
+def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> None:
+    """Waiting runs (by position) fail with the reason why."""
+    failed = 0
+    for position, reason in reasons.items():
+        at = _update_waiting(job_id).where(job_runs.c.position == position)
+        failed += connection.execute(at.values(status="failed", reason=reason)).rowcount
+    _count(connection, job_id, done=0, failed=failed)
 
 
 def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> None:

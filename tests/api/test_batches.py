@@ -330,7 +330,11 @@ def test_a_small_batch_does_not_wait_for_a_large_one(client: httpx.Client) -> No
     few = [{"road.seed": 20_000 + seed} for seed in range(4)]
     small = client.post("/api/v1/batches", json={"strategies": ["lv"], "sweep": {"list": few}}).json()
     assert 2400 < small["position"] <= 2500
+    behind = client.post("/api/v1/batches", json={"strategies": ["passive"], "sweep": {"list": many}}).json()
     assert wait_for(client, small["id"])["done"] == 4
+    taking_turns = client.get(f"/api/v1/batches/{behind['id']}").json()
+    assert (taking_turns["state"], taking_turns["position"]) == ("running", 0)
+    client.post(f"/api/v1/batches/{behind['id']}/cancel").raise_for_status()
     now = client.post(f"/api/v1/batches/{large['id']}/cancel").json()
     assert now["state"] == "cancelled", "it was far from its end"
     assert now["done"] < 1250

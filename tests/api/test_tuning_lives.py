@@ -1,5 +1,6 @@
 """What can happen to a tuning: refused, repeated, cancelled, resumed, in trouble of every kind, another core."""
 
+import asyncio
 import math
 import time
 from typing import Any
@@ -10,9 +11,11 @@ from pydantic import TypeAdapter
 from sqlalchemy.exc import OperationalError
 
 from backend.analysis.measure import Failure
-from backend.errors import BusyError, CostLimitError, WorkersBusyError
+from backend.errors import BusyError, ConflictError, CostLimitError, WorkersBusyError
 from backend.jobs import scheduler
 from backend.jobs.tuning import answers, steps
+from backend.store import StoredJob
+from tests.api.conftest import Service
 from tests.api.tuning import REQUEST, SCENARIO, begin, get, trials, wait_for
 
 HARD = {
@@ -66,6 +69,20 @@ def test_cancel_takes_two_seconds_and_resume_loses_nothing(client: httpx.Client)
     assert trials(client, tuning_id) == trials(client, whole["id"])
     assert resumed["history"] == whole["history"]
     assert (resumed["knee"], len(resumed["front"]), len(resumed["best"])) == (None, 1, 1)
+
+
+def test_of_two_that_resume_it_with_other_trials_one_is_refused(client: httpx.Client, service: Service) -> None:
+    job_id = wait_for(client, begin(client, trials=8)["id"])["id"]
+
+    async def together() -> list[StoredJob | BaseException]:
+        both = (service.app.state.tunings.resume(job_id, trials) for trials in (500, 600))
+        return await asyncio.gather(*both, return_exceptions=True)
+
+    refused, accepted = sorted(service.inside(together()), key=lambda each: isinstance(each, StoredJob))
+    assert isinstance(refused, ConflictError)
+    assert isinstance(accepted, StoredJob)
+    assert get(client, job_id)["trials"]["total"] == accepted.total
+    client.post(f"/api/v1/tunings/{job_id}/cancel").raise_for_status()
 
 
 def test_a_batch_cancelled_from_outside_is_a_reason_and_resume_goes_on(client: httpx.Client) -> None:

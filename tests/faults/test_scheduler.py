@@ -19,6 +19,7 @@ from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.plan import plan
 from backend.jobs.sweep.sweeps import Sweep
+from backend.metrics import REGISTRY
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job_runs import JobRow
@@ -84,25 +85,45 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(scheduler, "LOOK", 0.02)
 
 
-def drive(folder: Path, behaviour: Behaviour, *, core_version: str = CORE_VERSION, **patches: Any) -> list[JobRow]:
+class Here:
+    """Stands for `backend.compute.workers.Workers`, without processes."""
+
+    async def call(self, function: Callable[..., Any], *args: Any) -> Any:
+        return function(*args)
+
+
+def submitted(store: Store, *, core_version: str = CORE_VERSION, first_seed: int = 0) -> StoredJob:
+    """A batch, accepted by that core version, with that version's keys."""
+    base = Scenario().model_dump(mode="json")
+    seeds = list(range(first_seed, first_seed + RUNS))
+    runs = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs
+    request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
+    batch = StoredJob(
+        kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version
+    )
+    if core_version != CORE_VERSION:
+        runs = [each._replace(key=f"old-{each.position}") for each in runs]
+    return store.jobs.create(batch, runs)[0]
+
+
+def drive(
+    folder: Path,
+    behaviour: Behaviour,
+    *,
+    core_version: str = CORE_VERSION,
+    background: Any = Here(),  # noqa: B008  # it has no state
+    **patches: Any,
+) -> list[JobRow]:
     """The rows of a batch after a driver with that cluster has finished it."""
 
     async def run() -> list[JobRow]:
         store = Store(f"sqlite:///{folder}/ridelab.sqlite")
         store.migrate()
-        base = Scenario().model_dump(mode="json")
-        planned = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": list(range(RUNS))}}))
-        request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
-        batch = StoredJob(
-            kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version
-        )
-        if core_version != CORE_VERSION:
-            planned.runs[:] = [each._replace(key=f"old-{each.position}") for each in planned.runs]
-        store.jobs.create(batch, planned.runs)
+        batch = submitted(store, core_version=core_version)
         for name, value in patches.items():
             setattr(store.job_runs, name, value(getattr(store.job_runs, name)))
         Misbehaving.behaviour = staticmethod(behaviour)
-        driving = Scheduler(store=store, settings=Settings(data_dir=folder), steppers={})
+        driving = Scheduler(store=store, settings=Settings(data_dir=folder), background=background, steppers={})
         driving.start()
         try:
             async with asyncio.timeout(60):
@@ -270,3 +291,32 @@ def test_what_another_core_version_left_is_computed_under_this_ones_keys(tmp_pat
     rows = drive(tmp_path, answered, core_version="0.0.9")
     assert {row.status for row in rows} == {"ok"}
     assert not any(run.key.startswith("old") for chunk in Misbehaving.chunks for run in chunk.runs)
+
+
+def test_new_keys_for_one_job_hold_up_no_other(tmp_path: Path) -> None:
+    """Of 100,000 runs they take seconds: these never come before the other job is done."""
+    store = Store(f"sqlite:///{tmp_path}/ridelab.sqlite")
+    store.migrate()
+    old = submitted(store, core_version="0.0.9", first_seed=1000)
+
+    class Slow(Here):
+        async def call(self, function: Callable[..., Any], *args: Any) -> Any:
+            while (other := store.jobs.page("sweep", 1)[0]).state != "done":
+                assert other.id != old.id
+                await asyncio.sleep(0.02)
+            return function(*args)
+
+    assert {row.status for row in drive(tmp_path, answered, background=Slow())} == {"ok"}
+    assert store.job_runs.waiting(old.id, -1, 1)[1], "it is still to come"
+    store.close()
+
+
+def test_a_service_that_drives_no_more_tells_no_number_of_batches(tmp_path: Path) -> None:
+    def running() -> float | None:
+        return REGISTRY.get_sample_value("ridelab_batches", {"state": "running"})
+
+    def once_it_is_counted(chunk: Chunk) -> ChunkOutcome:
+        return answered(chunk) if running() == 1 else ChunkOutcome(trouble="busy")
+
+    drive(tmp_path, once_it_is_counted)
+    assert running() is None, "its last number would stay beside that of the service which drives now"

@@ -53,7 +53,7 @@ class BatchItem(Answer):
     state: State
     reason: str | None = Field(description="Why the batch as a whole failed")
     label: str | None
-    position: int = Field(description="Runs of batches accepted earlier that wait; they take turns with this one's")
+    position: int = Field(description="Runs of batches accepted earlier that wait, until it runs: then they take turns")
     total: int
     done: int
     failed: int

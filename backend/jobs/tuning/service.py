@@ -117,14 +117,17 @@ class TuningService:
         if job.state in UNFINISHED and total == job.total:
             return job
         if job.state in UNFINISHED:
-            raise ConflictError("It has not ended: cancel it to change its number of trials.", kind="not-ended")
+            raise _not_ended()
         if total < job.done + job.failed:
             raise InvalidError(f"It has {job.done + job.failed} trials already", parameter="trials")
         if job.state == "done" and total == job.total:
             raise ConflictError("It is done: name a greater number of trials to go on.", kind="done")
         _, cost = self._workload(job.request, total)
         progress = job.progress | {"step": "search", "attempt": job.progress["attempt"] + 1}
-        return await self.jobs.resume(job_id, total=total, estimated_cost=cost, answer=None, progress=progress)
+        resumed = await self.jobs.resume(job_id, total=total, estimated_cost=cost, answer=None, progress=progress)
+        if resumed.total != total:  # somebody else resumed it meanwhile, with another number of trials
+            raise _not_ended()
+        return resumed
 
     def _workload(self, request: JsonObject, trials: int) -> tuple[int, float]:
         """Runs at most, and their estimated cost [s of one core].
@@ -153,6 +156,10 @@ class TuningService:
                 pointer="/scenario",
             )
         return runs, cost
+
+
+def _not_ended() -> ConflictError:
+    return ConflictError("It has not ended: cancel it to change its number of trials.", kind="not-ended")
 
 
 def _too_big(message: str) -> CostLimitError:

@@ -952,7 +952,7 @@ export interface components {
             label: string | null;
             /**
              * Position
-             * @description Runs of batches accepted earlier that wait; they take turns with this one's
+             * @description Runs of batches accepted earlier that wait, until it runs: then they take turns
              */
             position: number;
             /**
@@ -1039,7 +1039,7 @@ export interface components {
             label: string | null;
             /**
              * Position
-             * @description Runs of batches accepted earlier that wait; they take turns with this one's
+             * @description Runs of batches accepted earlier that wait, until it runs: then they take turns
              */
             position: number;
             /**
