@@ -40,6 +40,7 @@ ROUTERS = (
     runs.drawing,
     batches.submitting,
     batches.batches,
+    batches.naming,
     tunings.beginning,
     tunings.naming,
     tunings.tunings,

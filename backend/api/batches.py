@@ -3,13 +3,13 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from fastapi import Depends, Query, Request, Response
+from fastapi import Query, Request, Response
 from fastapi.responses import StreamingResponse
 
 from backend.analysis import robustness
 from backend.analysis.models import RobustnessDefaults
 from backend.api import jobs, router
-from backend.api.deps import Client
+from backend.api.deps import Client, part_of_application
 from backend.api.runs import MEDIA_TYPES
 from backend.errors import InvalidError
 from backend.http.answers import IMMUTABLE, cancel_on_disconnect, json_answer
@@ -27,21 +27,10 @@ from backend.jobs.sweep.models import (
 from backend.jobs.sweep.service import Sweeps
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
-submitting = router("batches", 400, 409, 413, 415, 422, 429, 503)
-batches = router("batches", 404, 422, 503)
+BatchService = Annotated[Sweeps, part_of_application("sweeps")]
 
-
-async def _sweeps(request: Request) -> Sweeps:
-    service: Sweeps = request.app.state.sweeps
-    return service
-
-
-BatchService = Annotated[Sweeps, Depends(_sweeps)]
-
-jobs.add_routes(
-    batches,
-    submitting,
-    _sweeps,
+api = jobs.JobApi(
+    service=part_of_application("sweeps"),
     name="batch",
     plural="batches",
     model=Batch,
@@ -49,6 +38,8 @@ jobs.add_routes(
     events=["state", "progress"],
     event_data="state, done, failed, total",
 )
+submitting = router(api.plural, 400, 409, 413, 415, 422, 429, 503)
+batches, naming = api.routers()
 
 
 @submitting.post(
@@ -74,7 +65,7 @@ async def create_batch(
         *asked, client=client, key=jobs.key_of(owner, idempotency_key), label=body.label, owner=owner
     )
     job = await cancel_on_disconnect(request, creating)
-    return jobs.accepted(await service.answer(job), "batches", job)
+    return api.accepted(await service.answer(job), job)
 
 
 @batches.post(

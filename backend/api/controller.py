@@ -2,10 +2,10 @@
 
 from typing import Annotated
 
-from fastapi import Depends, Request, Response
+from fastapi import Request, Response
 
 from backend.api import router
-from backend.api.deps import Client
+from backend.api.deps import Client, part_of_application
 from backend.ecu import models
 from backend.ecu.export import FOLDER
 from backend.ecu.service import Controllers
@@ -15,12 +15,7 @@ from backend.http.routing import ScenarioRoute
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 
 
-async def _controllers(request: Request) -> Controllers:
-    service: Controllers = request.app.state.controllers
-    return service
-
-
-ControllersService = Annotated[Controllers, Depends(_controllers)]
+ControllersService = Annotated[Controllers, part_of_application("controllers")]
 
 
 @controller.post(

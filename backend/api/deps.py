@@ -1,6 +1,6 @@
 """What routes need from the application, and how they answer."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import Depends, Request, Response
 from fastapi.responses import HTMLResponse
@@ -11,24 +11,21 @@ from backend.runs.reports.page import Report
 from backend.runs.service import Runs
 
 
-async def _runs(request: Request) -> Runs:
-    service: Runs = request.app.state.runs
-    return service
+def part_of_application(name: str) -> Any:
+    """The dependency that gives that part of the application."""
 
+    async def part(request: Request) -> Any:
+        return getattr(request.app.state, name)
 
-async def _links(request: Request) -> Links:
-    service: Links = request.app.state.links
-    return service
+    return Depends(part)
 
 
 async def _client(request: Request) -> str:
     return client_address(request)
 
 
-RunsService = Annotated[Runs, Depends(_runs)]
-LinksService = Annotated[Links, Depends(_links)]
-
-
+RunsService = Annotated[Runs, part_of_application("runs")]
+LinksService = Annotated[Links, part_of_application("links")]
 Client = Annotated[str, Depends(_client)]
 
 

@@ -1,16 +1,32 @@
 """Liveness and readiness, for those who operate the service."""
 
+from typing import Literal
+
 from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
 
-from backend import models
 from backend.api.deps import RunsService
 from backend.http.answers import json_answer
+from backend.models import Answer
 
 health = APIRouter(tags=["health"])
 
 
-@health.get("/healthz", operation_id="getHealth", response_model=models.Health)
+class Health(Answer):
+    """Liveness."""
+
+    status: Literal["ok"]
+
+
+class Readiness(Answer):
+    """Readiness, part by part."""
+
+    status: Literal["ready", "starting"]
+    store: bool
+    workers: bool
+
+
+@health.get("/healthz", operation_id="getHealth", response_model=Health)
 async def healthz() -> Response:
     """The process answers."""
     return json_answer({"status": "ok"})
@@ -19,8 +35,8 @@ async def healthz() -> Response:
 @health.get(
     "/readyz",
     operation_id="getReadiness",
-    response_model=models.Readiness,
-    responses={503: {"model": models.Readiness, "description": "Not yet, or not now"}},
+    response_model=Readiness,
+    responses={503: {"model": Readiness, "description": "Not yet, or not now"}},
 )
 async def readyz(request: Request, service: RunsService) -> Response:
     """The store answers and a warm worker is there."""

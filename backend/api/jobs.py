@@ -1,12 +1,14 @@
 """What batches and tunings have in common: list, read, follow, name, cancel, delete."""
 
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator, Sequence
+from dataclasses import dataclass
 from typing import Annotated, Any, Protocol
 
-from fastapi import APIRouter, Depends, Header, Path, Query, Request, Response
+from fastapi import APIRouter, Header, Path, Query, Response
 from fastapi.responses import StreamingResponse
 from pydantic import BaseModel
 
+from backend.api import API, router
 from backend.api.deps import Client
 from backend.http.answers import json_answer
 from backend.http.problems import Problem
@@ -41,24 +43,12 @@ class JobService(Protocol):
         """The newest jobs."""
 
 
-def add_routes(
-    router: APIRouter,
-    naming: APIRouter,
-    service_of: Callable[[Request], Awaitable[Any]],
-    *,
-    name: str,
-    plural: str,
-    model: type[BaseModel],
-    page_model: type[BaseModel],
-    events: list[str],
-    event_data: str,
-) -> None:
-    """Add the routes of one kind of job.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobApi:
+    """One kind of job over HTTP.
 
-    Args:
-        router: Of those that read no body.
-        naming: Of the one that reads a body.
-        service_of: Gives its `JobService`.
+    Attributes:
+        service: The dependency that gives its `JobService`.
         name: What users call one, such as `batch`.
         plural: What they call several.
         model: Of one.
@@ -66,83 +56,105 @@ def add_routes(
         events: Kinds of events.
         event_data: What each event's data has.
     """
-    Service = Annotated[Any, Depends(service_of)]  # a type, made here because it differs by kind
-    title = name.title()
-    event = {  # each one of the stream
-        "type": "object",
-        "properties": {
-            "id": {"type": "string"},
-            "event": {"enum": events},
-            "data": {"type": "string", "description": f"JSON: {event_data}"},
-        },
-        "required": ["id", "event", "data"],
-    }
 
-    @router.get(f"/{plural}", operation_id=f"list{plural.title()}", response_model=page_model)
-    async def page(
-        service: Service,
-        limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
-        cursor: Annotated[str | None, Query(pattern=CURSOR, description="`next` of the page before")] = None,
-        state: Annotated[State | None, Query(description="Only those in that state")] = None,
-        label: Annotated[str | None, Query(max_length=200, description="Only those with that label")] = None,
-    ) -> Response:
-        """The newest first, page by page."""
-        return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
+    service: Any
+    name: str
+    plural: str
+    model: type[BaseModel]
+    page_model: type[BaseModel]
+    events: Sequence[str]
+    event_data: str
 
-    @router.get(f"/{plural}/{{id}}", operation_id=f"get{title}", response_model=model)
-    async def get(job_id: JobId, service: Service) -> Response:
-        """As it stands; the events tell of changes."""
-        return json_answer(await service.answer(await service.jobs.get(job_id)))
+    def routers(self) -> tuple[APIRouter, APIRouter]:
+        """Of what every kind has: of requests without a body, and of those with one."""
+        reading = router(self.plural, 404, 422, 503)
+        naming = router(self.plural, 400, 404, 413, 415, 422, 503)
+        self._add_reading(reading)
+        self._add_changing(reading, naming)
+        self._add_events(reading)
+        return reading, naming
 
-    @naming.patch(
-        f"/{plural}/{{id}}", operation_id=f"label{title}", response_model=model, responses={404: {"model": Problem}}
-    )
-    async def set_label(job_id: JobId, body: LabelRequest, service: Service) -> Response:
-        """Name it, or take its name away."""
-        return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label)))
+    def _add_reading(self, reading: APIRouter) -> None:
+        Service = Annotated[JobService, self.service]  # a type, made here because it differs by kind
 
-    @router.delete(
-        f"/{plural}/{{id}}",
-        operation_id=f"delete{title}",
-        status_code=204,
-        responses={403: {"model": Problem}, 409: {"model": Problem}},
-    )
-    async def delete(job_id: JobId, service: Service, owner: Caller) -> Response:
-        """Remove one that has ended and that no link shows; with tokens only its owner may."""
-        await service.jobs.delete(job_id, owner)
-        return Response(status_code=204)
+        @reading.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
+        async def page(
+            service: Service,
+            limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
+            cursor: Annotated[str | None, Query(pattern=CURSOR, description="`next` of the page before")] = None,
+            state: Annotated[State | None, Query(description="Only those in that state")] = None,
+            label: Annotated[str | None, Query(max_length=200, description="Only those with that label")] = None,
+        ) -> Response:
+            """The newest first, page by page."""
+            return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
 
-    @router.post(f"/{plural}/{{id}}/cancel", operation_id=f"cancel{title}", response_model=model)
-    async def cancel(job_id: JobId, service: Service) -> Response:
-        """It stops; what is finished stays. One that has ended is answered as it is."""
-        return json_answer(await service.answer(await service.jobs.cancel(job_id)))
+        @reading.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
+        async def get(job_id: JobId, service: Service) -> Response:
+            """As it stands; the events tell of changes."""
+            return json_answer(await service.answer(await service.jobs.get(job_id)))
 
-    @router.get(
-        f"/{plural}/{{id}}/events",
-        operation_id=f"get{title}Events",
-        response_class=StreamingResponse,
-        responses={200: {"content": {"text/event-stream": {"schema": event}}}, 429: {"model": Problem}},
-    )
-    async def get_events(
-        job_id: JobId,
-        service: Service,
-        client: Client,
-        last_event_id: Annotated[str | None, Header(description="The last number seen: a browser sends it")] = None,
-        after: Annotated[int, Query(ge=0, le=2**31 - 1, description="The same, in the address")] = 0,
-    ) -> Response:
-        """Server-sent events; the last one is the final state."""
-        if last_event_id is not None and last_event_id.isdecimal() and len(last_event_id) < 10:
-            after = int(last_event_id)
-        stream: AsyncIterator[bytes] = await service.jobs.events(job_id, after, client)
-        headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
-        return StreamingResponse(stream, headers=headers, media_type="text/event-stream")
+    def _add_changing(self, reading: APIRouter, naming: APIRouter) -> None:
+        Service = Annotated[JobService, self.service]
+        path, title = f"/{self.plural}/{{id}}", self.name.title()
+
+        @naming.patch(path, operation_id=f"label{title}", response_model=self.model)
+        async def set_label(job_id: JobId, body: LabelRequest, service: Service) -> Response:
+            """Name it, or take its name away."""
+            return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label)))
+
+        @reading.delete(
+            path,
+            operation_id=f"delete{title}",
+            status_code=204,
+            responses={403: {"model": Problem}, 409: {"model": Problem}},
+        )
+        async def delete(job_id: JobId, service: Service, owner: Caller) -> Response:
+            """Remove one that has ended and that no link shows; with tokens only its owner may."""
+            await service.jobs.delete(job_id, owner)
+            return Response(status_code=204)
+
+        @reading.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model)
+        async def cancel(job_id: JobId, service: Service) -> Response:
+            """It stops; what is finished stays. One that has ended is answered as it is."""
+            return json_answer(await service.answer(await service.jobs.cancel(job_id)))
+
+    def _add_events(self, reading: APIRouter) -> None:
+        Service = Annotated[JobService, self.service]
+        event = {  # each one of the stream
+            "type": "object",
+            "properties": {
+                "id": {"type": "string"},
+                "event": {"enum": self.events},
+                "data": {"type": "string", "description": f"JSON: {self.event_data}"},
+            },
+            "required": ["id", "event", "data"],
+        }
+
+        @reading.get(
+            f"/{self.plural}/{{id}}/events",
+            operation_id=f"get{self.name.title()}Events",
+            response_class=StreamingResponse,
+            responses={200: {"content": {"text/event-stream": {"schema": event}}}, 429: {"model": Problem}},
+        )
+        async def get_events(
+            job_id: JobId,
+            service: Service,
+            client: Client,
+            last_event_id: Annotated[str | None, Header(description="The last number seen: a browser sends it")] = None,
+            after: Annotated[int, Query(ge=0, le=2**31 - 1, description="The same, in the address")] = 0,
+        ) -> Response:
+            """Server-sent events; the last one is the final state."""
+            if last_event_id is not None and last_event_id.isdecimal() and len(last_event_id) < 10:
+                after = int(last_event_id)
+            stream: AsyncIterator[bytes] = await service.jobs.events(job_id, after, client)
+            headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
+            return StreamingResponse(stream, headers=headers, media_type="text/event-stream")
+
+    def accepted(self, answer: BaseModel, job: StoredJob) -> Response:
+        """The answer 202 to a job that was accepted."""
+        return json_answer(answer, {"Location": f"{API}/{self.plural}/{job.id}"}, status=202)
 
 
 def key_of(owner: str | None, sent: str | None) -> str | None:
     """The idempotency key as it is stored: each token has keys of its own."""
     return sent if sent is None or owner is None else f"{owner} {sent}"
-
-
-def accepted(model: BaseModel, plural: str, job: StoredJob) -> Response:
-    """The answer 202 to a job that was accepted."""
-    return json_answer(model, {"Location": f"/api/v1/{plural}/{job.id}"}, status=202)

@@ -2,11 +2,11 @@
 
 from typing import Annotated, Any
 
-from fastapi import Depends, Query, Request, Response
+from fastapi import Query, Request, Response
 from fastapi.responses import HTMLResponse
 
 from backend.api import router
-from backend.api.deps import Client, html_answer
+from backend.api.deps import Client, html_answer, part_of_application
 from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
 from backend.jobs.reproduction import models
 from backend.jobs.reproduction.service import Paper
@@ -14,12 +14,7 @@ from backend.jobs.reproduction.service import Paper
 paper = router("paper", 422, 429, 503)
 
 
-async def _paper(request: Request) -> Paper:
-    service: Paper = request.app.state.paper
-    return service
-
-
-PaperService = Annotated[Paper, Depends(_paper)]
+PaperService = Annotated[Paper, part_of_application("paper")]
 Chosen: Any = Annotated[models.PaperQuery, Query()]
 ForReport: Any = Annotated[models.ReportQuery, Query()]
 Roads = Annotated[models.RoadsQuery, Query()]

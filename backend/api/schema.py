@@ -8,9 +8,9 @@ import orjson
 from fastapi import Response
 from pydantic import BaseModel
 
-from backend import models
 from backend.api import router
 from backend.json_types import JsonObject
+from backend.models import Answer, Figures
 from backend.runs import figures
 from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -20,6 +20,51 @@ from sim_core.strategies import STRATEGIES
 schema = router("schema")
 
 
+class PresetAnswer(Answer):
+    """A named scenario."""
+
+    id: str
+    label: str
+    description: str
+    scenario: Scenario
+
+
+class StrategyAnswer(Answer):
+    """A strategy: what it does, which parts of the scenario it reads, how it is drawn."""
+
+    id: str
+    label: str
+    description: str
+    reads: list[str]
+    colour: str
+    dash: str
+
+
+class QuantityAnswer(Answer):
+    """One named quantity; unit `1` for none."""
+
+    key: str
+    label: str
+    unit: str
+    symbol: str
+    description: str
+
+
+class Catalogue(Answer):
+    """Everything that has a name and a unit."""
+
+    signals: list[QuantityAnswer]
+    metric_signals: list[str]
+    paper_signals: list[str]
+    windows: list[QuantityAnswer]
+    statistics: list[QuantityAnswer]
+    stages: list[QuantityAnswer]
+    comfort: list[QuantityAnswer]
+    events: list[QuantityAnswer]
+    run_figures: list[QuantityAnswer]
+    references: list[QuantityAnswer]
+
+
 @cache
 def _schema() -> bytes:
     return orjson.dumps({**Scenario.model_json_schema(), "schema_version": SCHEMA_VERSION})
@@ -27,14 +72,14 @@ def _schema() -> bytes:
 
 @cache
 def _presets() -> bytes:
-    return _json([models.PresetAnswer.model_validate(preset) for preset in PRESETS.values()])
+    return _json([PresetAnswer.model_validate(preset) for preset in PRESETS.values()])
 
 
 @cache
 def _strategies() -> bytes:
     return _json(
         [
-            models.StrategyAnswer(
+            StrategyAnswer(
                 id=strategy.id,
                 label=strategy.label,
                 description=strategy.description,
@@ -48,9 +93,9 @@ def _strategies() -> bytes:
 
 @cache
 def _catalogue() -> bytes:
-    lists = {name: getattr(catalogue, name.upper()) for name in models.Catalogue.model_fields}
+    lists = {name: getattr(catalogue, name.upper()) for name in Catalogue.model_fields}
     plain = {name: list(items.values()) if isinstance(items, dict) else items for name, items in lists.items()}
-    return _json(models.Catalogue(**plain))
+    return _json(Catalogue(**plain))
 
 
 @cache
@@ -78,25 +123,25 @@ async def get_schema() -> Response:
     return _answer(_schema())
 
 
-@schema.get("/presets", operation_id="getPresets", response_model=list[models.PresetAnswer])
+@schema.get("/presets", operation_id="getPresets", response_model=list[PresetAnswer])
 async def get_presets() -> Response:
     """Named scenarios; the paper's first."""
     return _answer(_presets())
 
 
-@schema.get("/strategies", operation_id="getStrategies", response_model=list[models.StrategyAnswer])
+@schema.get("/strategies", operation_id="getStrategies", response_model=list[StrategyAnswer])
 async def get_strategies() -> Response:
     """Every strategy: what it does, what it reads, how it is drawn."""
     return _answer(_strategies())
 
 
-@schema.get("/catalogue", operation_id="getCatalogue", response_model=models.Catalogue)
+@schema.get("/catalogue", operation_id="getCatalogue", response_model=Catalogue)
 async def get_catalogue() -> Response:
     """Signals, windows, statistics, stages, comfort, events, references: keys, labels and units."""
     return _answer(_catalogue())
 
 
-@schema.get("/figures", operation_id="getFigures", response_model=models.Figures)
+@schema.get("/figures", operation_id="getFigures", response_model=Figures)
 async def get_figures() -> Response:
     """Figure templates in the order of display: layout, and a trace without data for each strategy."""
     return _answer(_templates())

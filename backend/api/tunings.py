@@ -2,10 +2,10 @@
 
 from typing import Annotated
 
-from fastapi import Depends, Query, Request, Response
+from fastapi import Query, Request, Response
 
 from backend.api import jobs, router
-from backend.api.deps import Client
+from backend.api.deps import Client, part_of_application
 from backend.http.answers import cancel_on_disconnect, json_answer
 from backend.http.problems import Problem
 from backend.http.routing import ScenarioRoute
@@ -14,22 +14,10 @@ from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
 from backend.jobs.tuning.models import MOST_TRIALS, TuningRequest
 from backend.jobs.tuning.service import TuningService
 
-beginning = router("tunings", 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
-naming = router("tunings", 400, 404, 413, 415, 422, 503)
-tunings = router("tunings", 404, 422, 503)
+Service = Annotated[TuningService, part_of_application("tunings")]
 
-
-async def _tunings(request: Request) -> TuningService:
-    service: TuningService = request.app.state.tunings
-    return service
-
-
-Service = Annotated[TuningService, Depends(_tunings)]
-
-jobs.add_routes(
-    tunings,
-    naming,
-    _tunings,
+api = jobs.JobApi(
+    service=part_of_application("tunings"),
     name="tuning",
     plural="tunings",
     model=Tuning,
@@ -37,6 +25,8 @@ jobs.add_routes(
     events=["state", "progress", "restart"],
     event_data="state, step, generation, total, done, failed, feasible; progress also best and hypervolume",
 )
+beginning = router(api.plural, 400, 409, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
+tunings, naming = api.routers()
 
 
 @beginning.post(
@@ -58,7 +48,7 @@ async def create_tuning(
     if body.dry_run:
         return json_answer(await cancel_on_disconnect(request, service.estimate(body, client)))
     job = await service.create(body, jobs.key_of(owner, idempotency_key), owner)
-    return jobs.accepted(await service.answer(job), "tunings", job)
+    return api.accepted(await service.answer(job), job)
 
 
 @tunings.get("/tunings/{id}/trials", operation_id="getTuningTrials", response_model=Trials)

@@ -15,8 +15,8 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.api.schema import Catalogue, PresetAnswer, StrategyAnswer
 from backend.app import create_app
-from backend.models import Catalogue, PresetAnswer, StrategyAnswer
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
