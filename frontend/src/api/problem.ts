@@ -41,6 +41,9 @@ export function isTransient(error: unknown): boolean {
   return error instanceof Unreachable || (error instanceof ApiProblem && TRANSIENT.has(error.status) && error.kind !== ECU_UNAVAILABLE);
 }
 
+/** What to change where the server says that, else what went wrong. */
+export const explain = (error: Error): string => (error instanceof ApiProblem ? error.errors[0]?.message : undefined) ?? error.message;
+
 export function isNotFound(error: unknown): boolean {
   return error instanceof ApiProblem && error.status === 404;
 }

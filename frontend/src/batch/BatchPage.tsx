@@ -11,7 +11,7 @@ import { useCatalogues } from "../state/useCatalogues";
 import { BatchActions } from "./BatchActions";
 import { BatchResults } from "./BatchResults";
 import { BatchState } from "./BatchState";
-import { SharedBatchBanner } from "./SharedBatchBanner";
+import { SharedNote } from "../share/SharedNote";
 import { SweepList, titleOf } from "./SweepList";
 import { useBatchView } from "./view";
 import ui from "../ui/ui.module.css";
@@ -40,7 +40,7 @@ export function BatchPage({ id, link }: Props) {
   return (
     <Page actions={<BatchActions batch={batch} view={view} />}>
       <main className={ui.main}>
-        {link && <SharedBatchBanner link={link} />}
+        {link && <SharedNote link={link} what="sweep" />}
         {fault ? (
           isNotFound(error) ? (
             <Blank title="There is no sweep at this address" text="The address may be cut short, or the sweep was made on another server.">

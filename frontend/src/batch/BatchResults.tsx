@@ -1,17 +1,16 @@
 /** The plot and the rows, and from a row to its run. */
 
-import { keepPreviousData, useMutation, useQuery } from "@tanstack/react-query";
+import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useEffect, useEffectEvent, useMemo } from "react";
-import { api } from "../api/client";
-import { ApiProblem } from "../api/problem";
 import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import { BatchPlot } from "./BatchPlot";
 import { BatchRows } from "./BatchRows";
 import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
-import { lowest, rowsOf, scenarioOf, type Columns } from "./table";
+import { cell, lowest, rowsOf, type Columns } from "./table";
 import { CAVEAT_COLUMNS } from "./describeRow";
 import { tableQuery } from "./queries";
+import { useOpenRun } from "./useOpenRun";
 import type { BatchView } from "./view";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
@@ -51,13 +50,10 @@ export function BatchResults({ batch, catalogue, strategies, markers, figures, v
     return lowest(columns, rowsOf(columns, (row) => ids.includes(String(columns.strategy?.[row]))), y.key);
   }, [columns, visible, y]);
 
-  const opening = useMutation({
-    mutationFn: (row: number) => api.createRun(scenarioOf(batch.scenario, columns, batch.fields.map(({ name }) => name), row), batch.strategies),
-    networkMode: "always",
-    onSuccess: ({ id }) => window.location.assign(`/r/${encodeURIComponent(id)}`),
-  });
+  const opening = useOpenRun(batch);
   const open = (row: number) => {
-    if (!opening.isPending) opening.mutate(row);
+    const values = batch.fields.map(({ name }) => [name, cell(columns, name, row)] as const);
+    opening.open({ run: row, at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))) });
   };
   const shown = useMemo(
     () => keys.flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
@@ -70,15 +66,13 @@ export function BatchResults({ batch, catalogue, strategies, markers, figures, v
       {table.isError && (
         <Fault size="sm">The rows could not be read: {table.error.message}</Fault>
       )}
-      {opening.isError && (
-        <Fault size="sm">This run could not be opened: {opening.error instanceof ApiProblem && opening.error.errors[0] ? opening.error.errors[0].message : opening.error.message}</Fault>
-      )}
+      {opening.error !== null && <Fault size="sm">This run could not be opened: {opening.error}</Fault>}
       <BatchPlot {...{ batch, columns, catalogue, strategies, markers, figures, x, y, view, best, onView }} onOpen={open} />
       <BatchRows
         {...{ batch, columns, catalogue, strategies, markers, best }}
         loading={table.isPending}
         figures={shown}
-        opening={opening.isPending || opening.isSuccess ? opening.variables : null}
+        opening={opening.run}
         onOpen={open}
       />
     </div>

@@ -4,9 +4,9 @@ import { NativeSelect, Select } from "@mantine/core";
 import type { Batch, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import bar from "../shell/toolbar.module.css";
-import { prettyUnit } from "../units/format";
+import { titleWithUnit } from "../units/format";
 import classes from "./batch.module.css";
-import { fullName, type Figure } from "./figures";
+import { optionsOf, type Figure } from "./figures";
 import { MarkerKey } from "./MarkerKey";
 import type { BatchView } from "./view";
 
@@ -28,7 +28,7 @@ export function PlotTools({ batch, strategies, markers, figures, x, y, view, onV
         size="xs"
         label="Over"
         value={x.name}
-        data={batch.fields.map(({ name, title, unit }) => ({ value: name, label: withUnit(title, unit) }))}
+        data={batch.fields.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))}
         onChange={(event) => onView({ x: event.currentTarget.value })}
       />
       <Select
@@ -39,7 +39,7 @@ export function PlotTools({ batch, strategies, markers, figures, x, y, view, onV
         allowDeselect={false}
         value={y.key}
         maxDropdownHeight={320}
-        data={groupsOf(figures)}
+        data={optionsOf(figures)}
         onChange={(key) => key !== null && onView({ y: key })}
       />
       <div className={classes.plotChips} role="group" aria-label="Strategies">
@@ -61,14 +61,4 @@ export function PlotTools({ batch, strategies, markers, figures, x, y, view, onV
       </div>
     </div>
   );
-}
-
-const withUnit = (title: string, unit: string) => (prettyUnit(unit) === "" ? title : `${title} [${prettyUnit(unit)}]`);
-
-function groupsOf(figures: readonly Figure[]) {
-  const groups = [...new Set(figures.map(({ group }) => group))];
-  return groups.map((group) => ({
-    group,
-    items: figures.filter((figure) => figure.group === group).map((figure) => ({ value: figure.key, label: fullName(figure) })),
-  }));
 }

@@ -5,7 +5,7 @@ import { linesOf } from "./lines";
 import { secondsLeft, withMark, type Mark } from "../jobs/pace";
 import { MANY, scatterFigure } from "./scatter";
 import { formatBatchView, readBatchView } from "./view";
-import { lowest, ordered, pointsOf, rowsOf, scenarioOf, type Columns } from "./table";
+import { lowest, ordered, pointsOf, rowsOf, type Columns } from "./table";
 
 const COLUMNS: Columns = {
   run: [0, 1, 2, 3],
@@ -31,14 +31,6 @@ describe("rows", () => {
   it("have a best one, unless none has a value", () => {
     expect(lowest(COLUMNS, [1, 2, 3], "peak")).toBe(3);
     expect(lowest(COLUMNS, [2], "peak")).toBeNull();
-  });
-
-  it("are scenarios", () => {
-    const base = { road: { bump: { height: 1, width: 4 } }, mpc: { stage_weights: { cruise: [1, 1, 1] } } };
-    expect(scenarioOf(base, COLUMNS, ["road.bump.height", "mpc.stage_weights.cruise.0"], 2)).toEqual({
-      road: { bump: { height: 0.05, width: 4 } },
-      mpc: { stage_weights: { cruise: [2, 1, 1] } },
-    });
   });
 
   it("are points in the order of x, without those that failed", () => {

@@ -5,10 +5,11 @@ import type { Palette } from "../plots/figure";
 import type { Markers, MarkerSymbol } from "../plots/markers";
 import type { LineTrace, PlotLayout, PointTrace } from "../plots/plotly";
 import { humanise } from "../editor/schema";
-import { prettyUnit } from "../units/format";
+import { titleWithUnit } from "../units/format";
 import { fullName, type Figure } from "./figures";
 import type { Lines } from "./lines";
 import type { Points } from "./table";
+import { chartLayout } from "../plots/chartLayout";
 
 interface Input {
   readonly points: readonly Points[];
@@ -66,7 +67,6 @@ const scaleOf = (points: readonly Points[]) => (isLogarithmic(points) ? { type: 
 
 const named = (value: number | string) => (typeof value === "string" ? humanise(value) : value);
 
-const axisTitle = (label: string, unit: string) => (prettyUnit(unit) === "" ? label : `${label} [${prettyUnit(unit)}]`);
 
 const look = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
 const symbolOf = (markers: Markers, id: string) => markers[id] ?? "circle";
@@ -141,7 +141,6 @@ export function scatterFigure(input: Input): ScatterFigure {
     const marker = { color: palette.text, size: SIZE + 9, symbol: "circle-open", line: { width: 2, color: palette.text } };
     return [{ type: "scatter", mode: "markers", name: "Lowest", x: [named(atX)], y: [atY], customdata: [best], marker, hoverinfo: "skip" }];
   });
-  const axis = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, automargin: true };
   return {
     count,
     dots: many
@@ -155,19 +154,12 @@ export function scatterFigure(input: Input): ScatterFigure {
       : [],
     data: [...data, ...ring],
     lines: many ? [] : joints(input),
-    layout: {
-      font: { family: "inherit", color: palette.text, size: 12 },
+    layout: chartLayout(palette, {
       margin: { l: 56, r: 16, t: 8, b: 52 },
-      paper_bgcolor: "rgba(0,0,0,0)",
-      plot_bgcolor: "rgba(0,0,0,0)",
-      showlegend: false,
-      hovermode: "closest",
-      hoverlabel: { align: "left" },
       // Somebody's zoom stays while rows arrive.
       uirevision: `${x.name} ${y.key}`,
-      xaxis: { ...axis, title: { text: axisTitle(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },
-      yaxis: { ...axis, title: { text: axisTitle(fullName(y), y.unit) }, rangemode: "tozero" },
-      shapes: [],
-    },
+      xaxis: { title: { text: titleWithUnit(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },
+      yaxis: { title: { text: titleWithUnit(fullName(y), y.unit) }, zeroline: true, zerolinecolor: palette.zero, rangemode: "tozero" },
+    }),
   };
 }

@@ -1,8 +1,6 @@
 /** A batch's rows as columns: which are shown, in which order, and which is best. */
 
-import type { BatchTable, Scenario, StrategyId } from "../api/types";
-import { setAt } from "../editor/path";
-import { pointerOf } from "../sweep/fields";
+import type { BatchTable, StrategyId } from "../api/types";
 
 export type Cell = BatchTable["columns"][string][number] | undefined;
 export type Columns = BatchTable["columns"];
@@ -47,14 +45,6 @@ export function lowest(columns: Columns, rows: readonly number[], column: string
     }
   }
   return best;
-}
-
-/** The scenario a row ran. */
-export function scenarioOf(base: Scenario, columns: Columns, fields: readonly string[], row: number): Scenario {
-  return fields.reduce((scenario, name) => {
-    const value = cell(columns, name, row);
-    return value === undefined ? scenario : setAt(scenario, pointerOf(name), value);
-  }, base);
 }
 
 export interface Points {

@@ -5,6 +5,7 @@ import type { ChartFigure } from "../plots/Chart";
 import type { Palette } from "../plots/figure";
 import { formatWhole } from "../units/format";
 import { formatTime } from "./effort";
+import { chartLayout } from "../plots/chartLayout";
 
 interface Look {
   readonly palette: Palette;
@@ -16,7 +17,6 @@ const TICKS = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 export function histogramFigure({ edges, counts }: Times, deadline: number, { palette, colour }: Look): ChartFigure {
   const logs = edges.map(Math.log10);
   const bin = (index: number) => [logs[index] ?? 0, logs[index + 1] ?? 0] as const;
-  const axis = { color: palette.text, gridcolor: palette.grid, zeroline: false, automargin: true };
   const [low, high] = [logs[0] ?? -6, logs.at(-1) ?? -1];
   const at = Math.log10(deadline);
   return {
@@ -34,18 +34,13 @@ export function histogramFigure({ edges, counts }: Times, deadline: number, { pa
         hovertemplate: "%{text}<extra></extra>",
       },
     ],
-    layout: {
-      font: { family: "inherit", color: palette.text, size: 12 },
+    layout: chartLayout(palette, {
       margin: { l: 52, r: 12, t: 18, b: 36 },
-      paper_bgcolor: "rgba(0,0,0,0)",
-      plot_bgcolor: "rgba(0,0,0,0)",
-      showlegend: false,
-      hovermode: "closest",
       dragmode: false,
-      xaxis: { ...axis, range: [low, high], tickvals: TICKS.map(Math.log10), ticktext: TICKS.map(formatTime), fixedrange: true },
-      yaxis: { ...axis, title: { text: "Steps" }, rangemode: "tozero", fixedrange: true },
+      xaxis: { range: [low, high], tickvals: TICKS.map(Math.log10), ticktext: TICKS.map(formatTime), fixedrange: true },
+      yaxis: { title: { text: "Steps" }, rangemode: "tozero", fixedrange: true },
       shapes: [{ type: "line", x0: at, x1: at, yref: "paper", y0: 0, y1: 1, line: { color: palette.text, width: 1.5, dash: "dash" } }],
       annotations: [{ text: "deadline", x: at, yref: "paper", y: 1, yanchor: "bottom", xanchor: "center", showarrow: false, font: { size: 11, color: palette.text } }],
-    },
+    }),
   };
 }

@@ -7,7 +7,7 @@ import { formatFixed, formatResult, formatWhole } from "../units/format";
 import { PlaceButton } from "./PlaceButton";
 import classes from "./robustness.module.css";
 import { AIRBORNE, quantile, TRAVEL, type FigureSummary } from "./summary";
-import type { Opening } from "./useOpenRun";
+import type { Opening } from "../batch/useOpenRun";
 import { ScrollTable } from "../ui/ScrollTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";

@@ -15,7 +15,7 @@ import { formatResult, prettyUnit } from "../units/format";
 import { nameOf } from "./names";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
 import { TRAVEL } from "./summary";
-import { useOpenRun, type Opening } from "./useOpenRun";
+import { useOpenRun, type Opening } from "../batch/useOpenRun";
 import styles from "./bars.module.css";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";

@@ -6,7 +6,7 @@ import { showCell } from "../batch/show";
 import classes from "./robustness.module.css";
 import { nameOf } from "./names";
 import type { Place } from "./summary";
-import type { Opening } from "./useOpenRun";
+import type { Opening } from "../batch/useOpenRun";
 
 interface Props {
   readonly place: Place | null;

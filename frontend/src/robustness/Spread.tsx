@@ -11,7 +11,7 @@ import { Intervals } from "./Intervals";
 import { PlaceButton } from "./PlaceButton";
 import classes from "./robustness.module.css";
 import { quantile, type FigureSummary } from "./summary";
-import type { Opening } from "./useOpenRun";
+import type { Opening } from "../batch/useOpenRun";
 import styles from "./bars.module.css";
 import { ScrollTable } from "../ui/ScrollTable";
 import { Card } from "../ui/Card";

@@ -14,7 +14,7 @@ import { OneByOne } from "./OneByOne";
 import { Spread } from "./Spread";
 import { AIRBORNE, summaryQuery, TRAVEL } from "./summary";
 import { Unstable } from "./Unstable";
-import { useOpenRun } from "./useOpenRun";
+import { useOpenRun } from "../batch/useOpenRun";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 import { Loading } from "../ui/Loading";

@@ -5,7 +5,7 @@ import { isOneByOne, tornadoOf } from "./tornado";
 import { scaleTo } from "./scale";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Sensitivity } from "./summary";
-import { scenarioAt } from "./useOpenRun";
+import { scenarioAt } from "../batch/useOpenRun";
 
 const range = (field: string, low: number, high: number) => ({ field, title: field, unit: "1", low, high, why: "" });
 const DEFAULTS: RobustnessDefaults = {

@@ -3,7 +3,7 @@
 import { Button, Popover, Text, Tooltip } from "@mantine/core";
 import { IconLink } from "../icons";
 import { useRef, useState } from "react";
-import { ApiProblem } from "../api/problem";
+import { explain } from "../api/problem";
 import type { NewLink } from "../api/types";
 import { copyWhenThere } from "../export/clipboard";
 import { compact } from "../ui/compact";
@@ -100,7 +100,4 @@ export function ShareLink({ make, obstacle, opens }: Props) {
   );
 }
 
-function reasonOf(error: unknown): string {
-  if (error instanceof ApiProblem && error.errors[0]) return error.errors[0].message;
-  return error instanceof Error ? error.message : "something went wrong";
-}
+const reasonOf = (error: unknown) => (error instanceof Error ? explain(error) : "something went wrong");

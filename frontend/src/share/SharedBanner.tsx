@@ -1,15 +1,15 @@
 /** Says that this is a shared result, when and by what it was computed, and the two ways on. */
 
-import { Button, Text } from "@mantine/core";
-import { IconCopy, IconLock, IconRefresh } from "../icons";
+import { Button } from "@mantine/core";
+import { IconCopy, IconRefresh } from "../icons";
 import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
 import type { Link } from "../api/types";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
 import { useDesk, useLab } from "../state/context";
 import { useStore } from "../state/store";
-import { formatDay } from "../units/dates";
 import { DifferencesCard } from "./DifferencesCard";
+import { SharedNote } from "./SharedNote";
 import classes from "./share.module.css";
 import { Fault } from "../ui/Fault";
 
@@ -36,15 +36,9 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
     mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),
     networkMode: "always",
   });
-  const same = link.core_version === link.current_core_version;
   return (
     <>
-      <section className={classes.banner} aria-label="Shared result">
-        <IconLock size={17} stroke={1.7} aria-hidden />
-        <Text size="sm" className={classes.bannerText ?? ""}>
-          Shared result, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
-          {!same && ` This server now runs core ${link.current_core_version}.`}
-        </Text>
+      <SharedNote link={link} what="result">
         <div className={classes.bannerTools}>
           <Button size="xs" leftSection={<IconCopy size={15} />} onClick={lab.openCopy}>
             Open a copy to edit
@@ -53,7 +47,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
             Run again on this version
           </Button>
         </div>
-      </section>
+      </SharedNote>
       {again.isError && (
         <Fault size="sm" className={classes.problem ?? ""}>It could not be run again: {again.error.message}</Fault>
       )}

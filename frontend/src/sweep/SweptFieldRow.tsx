@@ -1,14 +1,12 @@
 /** One swept field: its values in a grid, or its range. */
 
-import { ActionIcon, Chip, Group, SegmentedControl, Text, TextInput } from "@mantine/core";
-import { IconX } from "../icons";
-import { useId } from "react";
+import { Chip, Group, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { humanise, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";
 import { byRatio, type FieldDraft, type Method } from "./draft";
 import classes from "./sweep.module.css";
-import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
+import { EntryRow } from "../ui/EntryRow";
 
 interface Props {
   readonly draft: FieldDraft;
@@ -19,28 +17,15 @@ interface Props {
 }
 
 export function SweptFieldRow({ draft, method, error, onChange, onRemove }: Props) {
-  const id = useId();
   const { title, name, leaf } = draft.field;
   return (
-    <div className={classes.field} role="group" aria-labelledby={`${id}-title`} {...(error === undefined ? {} : { "aria-describedby": `${id}-error`, "data-error": true })}>
-      <div className={classes.head}>
-        <span id={`${id}-title`} className={classes.fieldTitle}>
-          {title}
-        </span>
-        <code className={classes.name}>{name}</code>
-        <ActionIcon className={classes.remove ?? ""} size={24} variant="subtle" color="gray" aria-label={`Remove ${title}`} onClick={onRemove}>
-          <IconX size={15} />
-        </ActionIcon>
-      </div>
+    <EntryRow title={title} beside={<code className={classes.name}>{name}</code>} {...{ error, onRemove }}>
       {leaf.kind === "number" ? (
         <NumberValues field={leaf} {...{ draft, method, onChange }} />
       ) : (
         method === "grid" && <ChoiceValues field={leaf} {...{ draft, onChange }} />
       )}
-      {error !== undefined && (
-        <Fault id={`${id}-error`}>{error}</Fault>
-      )}
-    </div>
+    </EntryRow>
   );
 }
 
@@ -64,7 +49,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
   );
   const asList = method === "grid" && draft.by === "list";
   return (
-    <div className={classes.values}>
+    <div className={ui.entryValues}>
       {method === "grid" && (
         <SegmentedControl
           size="xs"

@@ -2,7 +2,7 @@
 
 import { Select } from "@mantine/core";
 import { useState } from "react";
-import { fullName, type Figure } from "../batch/figures";
+import { optionsOf, type Figure } from "../batch/figures";
 import classes from "./tuner.module.css";
 
 interface Props {
@@ -16,7 +16,6 @@ interface Props {
 
 export function FigureSelect({ label, figures, first = [], error, onPick }: Props) {
   const [search, setSearch] = useState("");
-  const groups = [...new Set(figures.map(({ group }) => group))];
   return (
     <Select
       size="xs"
@@ -32,10 +31,7 @@ export function FigureSelect({ label, figures, first = [], error, onPick }: Prop
       maxDropdownHeight={300}
       data={[
         ...(first.length > 0 ? [{ group: "Sums over the passive car’s", items: [...first] }] : []),
-        ...groups.map((group) => ({
-          group,
-          items: figures.filter((figure) => figure.group === group).map((figure) => ({ value: figure.key, label: fullName(figure) })),
-        })),
+        ...optionsOf(figures),
       ]}
       onChange={(key) => {
         if (key === null) return;

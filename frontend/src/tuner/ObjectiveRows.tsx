@@ -1,7 +1,6 @@
 /** What is minimised: up to three objectives. */
 
-import { ActionIcon, NativeSelect, TextInput } from "@mantine/core";
-import { IconX } from "../icons";
+import { NativeSelect, TextInput } from "@mantine/core";
 import type { Catalogue } from "../api/types";
 import { fullName, type Figure } from "../batch/figures";
 import type { DraftErrors } from "../submission/problems";
@@ -9,8 +8,8 @@ import { prettyUnit } from "../units/format";
 import { MOST_OBJECTIVES, objectiveOf, type Kind, type ObjectiveDraft } from "./draft";
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
-import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
+import { EntryRow } from "../ui/EntryRow";
 
 interface Props {
   readonly objectives: readonly ObjectiveDraft[];
@@ -35,23 +34,22 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
   };
   const usedFigures = objectives.map(({ figure }) => figure);
   return (
-    <div className={classes.rows}>
+    <div className={ui.stack}>
       {objectives.map((objective, index) => {
         const { key, kind, q, window, figure: name } = objective;
         const figure = figures.find((each) => each.key === name);
         const title = kind === "figure" ? (figure ? fullName(figure) : (name ?? "")) : (SUMS.find(({ value }) => value === kind)?.label ?? "");
         const error = errors[`objectives.${index}`];
         return (
-          <div key={key} className={classes.row} role="group" aria-label={title} data-error={error !== undefined || undefined}>
-            <div className={classes.rowHead}>
-              <span className={classes.rowTitle}>{title}</span>
-              <span className={ui.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>
-              <ActionIcon className={classes.remove ?? ""} size={24} variant="subtle" color="gray" aria-label={`Remove ${title}`} onClick={() => onChange(objectives.filter((each) => each.key !== key))}>
-                <IconX size={15} />
-              </ActionIcon>
-            </div>
+          <EntryRow
+            key={key}
+            title={title}
+            error={error}
+            onRemove={() => onChange(objectives.filter((each) => each.key !== key))}
+            beside={<span className={ui.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>}
+          >
             {kind !== "figure" && (
-              <div className={classes.rowValues}>
+              <div className={ui.entryValues}>
                 {Q.map((label, part) => (
                   <TextInput
                     key={label}
@@ -76,10 +74,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
                 />
               </div>
             )}
-            {error !== undefined && (
-              <Fault>{error}</Fault>
-            )}
-          </div>
+          </EntryRow>
         );
       })}
       {objectives.length < MOST_OBJECTIVES && (

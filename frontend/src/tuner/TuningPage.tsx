@@ -3,7 +3,7 @@
 import { Anchor, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useMemo } from "react";
-import { ApiProblem, isNotFound, isTransient } from "../api/problem";
+import { explain, isNotFound, isTransient } from "../api/problem";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";
@@ -66,7 +66,7 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
         </Text>
       )}
       {load.error && (
-        <Fault size="sm">These weights could not be loaded: {load.error instanceof ApiProblem && load.error.errors[0] ? load.error.errors[0].message : load.error.message}</Fault>
+        <Fault size="sm">These weights could not be loaded: {explain(load.error)}</Fault>
       )}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}

@@ -4,8 +4,9 @@ import type { Generation, Trial } from "../api/types";
 import type { ChartFigure } from "../plots/Chart";
 import type { Palette } from "../plots/figure";
 import type { LineTrace, PointTrace } from "../plots/plotly";
-import { formatResult, prettyUnit } from "../units/format";
+import { formatResult, prettyUnit, titleWithUnit } from "../units/format";
 import type { Shown } from "./figures";
+import { chartLayout } from "../plots/chartLayout";
 
 export interface Look {
   readonly palette: Palette;
@@ -13,25 +14,7 @@ export interface Look {
   readonly colour: string;
 }
 
-const axisTitle = ({ label, unit }: Shown) => (prettyUnit(unit) === "" ? label : `${label} [${prettyUnit(unit)}]`);
-
-function layout(palette: Palette, x: object, y: object, revision: string): ChartFigure["layout"] {
-  const axis = { color: palette.text, gridcolor: palette.grid, zeroline: false, automargin: true };
-  return {
-    font: { family: "inherit", color: palette.text, size: 12 },
-    margin: { l: 56, r: 16, t: 10, b: 48 },
-    paper_bgcolor: "rgba(0,0,0,0)",
-    plot_bgcolor: "rgba(0,0,0,0)",
-    showlegend: false,
-    hovermode: "closest",
-    hoverlabel: { align: "left" },
-    // Somebody's zoom stays while trials arrive.
-    uirevision: revision,
-    xaxis: { ...axis, ...x },
-    yaxis: { ...axis, ...y },
-    shapes: [],
-  };
-}
+const axisTitle = ({ label, unit }: Shown) => titleWithUnit(label, unit);
 
 const PAD = 0.12;
 /** What is far worse than the paper's weights would squeeze everything else into a corner: so much of the span beyond them is shown. */
@@ -71,7 +54,7 @@ function textOf(trial: Trial, objectives: readonly Shown[], name?: string): stri
 
 export function frontFigure({ trials, front, named, picked, x, y, objectives, palette, colour }: FrontInput): SearchFigure {
   const [shownX, shownY] = [objectives[x], objectives[y]];
-  if (!shownX || !shownY) return { data: [], layout: layout(palette, {}, {}, ""), beyond: 0 };
+  if (!shownX || !shownY) return { data: [], layout: chartLayout(palette, { xaxis: {}, yaxis: {} }), beyond: 0 };
   const points = (name: string, some: readonly Trial[], marker: object, names: readonly string[] = []): PointTrace => ({
     type: "scatter",
     mode: "markers",
@@ -105,18 +88,15 @@ export function frontFigure({ trials, front, named, picked, x, y, objectives, pa
       points("Named", named.map(({ trial }) => trial), { color: palette.text, size: 11, symbol: named.map(({ name }) => symbolOf(name)) }, named.map(({ name }) => name)),
       ...(ring.length > 0 ? [points("Picked", ring, { color: palette.text, size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : []),
     ],
-    layout: {
-      ...layout(
-        palette,
-        { title: { text: axisTitle(shownX) }, range: rangeX },
-        { title: { text: axisTitle(shownY) }, range: rangeY },
-        `${x} ${y}`,
-      ),
+    layout: chartLayout(palette, {
+      xaxis: { title: { text: axisTitle(shownX) }, range: rangeX },
+      yaxis: { title: { text: axisTitle(shownY) }, range: rangeY },
+      uirevision: `${x} ${y}`, // somebody's zoom stays while trials arrive
       annotations: named.map(({ trial, name }) => ({
         text: name, x: valueOf(trial, x, shownX), y: valueOf(trial, y, shownY), xanchor: "left", yanchor: "bottom", xshift: 6, yshift: 3,
         showarrow: false, font: { size: 11, color: palette.text },
       })),
-    },
+    }),
   };
 }
 
@@ -179,20 +159,17 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
       line,
       ...(ring.length > 0 ? [points("Picked", ring, { color: palette.text, size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : []),
     ],
-    layout: {
-      ...layout(
-        palette,
-        { title: { text: "Trial" }, rangemode: "tozero" },
-        { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
-        "history",
-      ),
+    layout: chartLayout(palette, {
+      xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
+      yaxis: { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
+      uirevision: "history",
       shapes: Number.isFinite(reference)
         ? [{ type: "line", xref: "paper", x0: 0, x1: 1, y0: reference, y1: reference, line: { color: palette.text, width: 1, dash: "dash" } }]
         : [],
       annotations: Number.isFinite(reference)
         ? [{ text: "The paper’s weights", xref: "paper", x: 1, y: reference, xanchor: "right", yanchor: "bottom", showarrow: false, font: { size: 11, color: palette.text } }]
         : [],
-    },
+    }),
   };
 }
 
@@ -205,6 +182,6 @@ export function volumeFigure(history: readonly Generation[], { palette, colour }
   };
   return {
     data: [line],
-    layout: layout(palette, { title: { text: "Trial" }, rangemode: "tozero" }, { title: { text: "Dominated [%]" }, rangemode: "tozero" }, "volume"),
+    layout: chartLayout(palette, { xaxis: { title: { text: "Trial" }, rangemode: "tozero" }, yaxis: { title: { text: "Dominated [%]" }, rangemode: "tozero" } }),
   };
 }

@@ -16,6 +16,9 @@ export function prettyUnit(unit: string): string {
   return unit === "1" ? "" : unit.replace(/\^(-?[\d.]+)/g, (_, power: string) => raised(power));
 }
 
+/** `Height [m]`. */
+export const titleWithUnit = (title: string, unit: string): string => (prettyUnit(unit) === "" ? title : `${title} [${prettyUnit(unit)}]`);
+
 /** A real minus sign, which is as wide as a plus. */
 function withMinus(text: string): string {
   return text.replace(/^-/, "−");

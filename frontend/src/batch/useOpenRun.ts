@@ -1,19 +1,24 @@
-/** From a place of a study to its run in the lab. */
+/** From a run of a batch to the lab. */
 
 import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
-import { ApiProblem } from "../api/problem";
+import { explain } from "../api/problem";
 import type { Batch, JsonValue, Scenario } from "../api/types";
 import { setAt } from "../editor/path";
 import { pointerOf } from "../sweep/fields";
-import type { Place } from "./summary";
+
+export interface Place {
+  readonly run: number;
+  /** The swept fields' values. */
+  readonly at: Readonly<Record<string, JsonValue>>;
+}
 
 /** The scenario of a place. */
-export const scenarioAt = (base: Scenario, at: Readonly<Record<string, JsonValue>>): Scenario =>
+export const scenarioAt = (base: Scenario, at: Place["at"]): Scenario =>
   Object.entries(at).reduce((scenario, [name, value]) => setAt(scenario, pointerOf(name), value), base);
 
 export interface Opening {
-  readonly open: (place: Pick<Place, "run" | "at">) => void;
+  readonly open: (place: Place) => void;
   /** The run being opened. */
   readonly run: number | null;
   readonly error: string | null;
@@ -21,7 +26,7 @@ export interface Opening {
 
 export function useOpenRun(batch: Batch): Opening {
   const opening = useMutation({
-    mutationFn: ({ at }: Pick<Place, "run" | "at">) => api.createRun(scenarioAt(batch.scenario, at), batch.strategies),
+    mutationFn: ({ at }: Place) => api.createRun(scenarioAt(batch.scenario, at), batch.strategies),
     networkMode: "always",
     onSuccess: ({ id }) => window.location.assign(`/r/${encodeURIComponent(id)}`),
   });
@@ -31,6 +36,6 @@ export function useOpenRun(batch: Batch): Opening {
       if (!opening.isPending) opening.mutate(place);
     },
     run: opening.isPending || opening.isSuccess ? opening.variables.run : null,
-    error: error === null ? null : error instanceof ApiProblem && error.errors[0] ? error.errors[0].message : error.message,
+    error: error && explain(error),
   };
 }
