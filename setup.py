@@ -1,9 +1,12 @@
-"""Puts the built page into the wheel: frontend/dist is the package's folder backend/page."""
+"""What pyproject.toml cannot say: the built page goes into the wheel, and C is compiled on any machine."""
 
+import os
 import shutil
+import sys
 from pathlib import Path
 
-from setuptools import setup
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
 from setuptools.command.build_py import build_py
 
 
@@ -25,4 +28,27 @@ class BuildWithPage(build_py):
         shutil.copytree(page, Path(self.build_lib, "backend", "page"), dirs_exist_ok=True)
 
 
-setup(cmdclass={"build_py": BuildWithPage})
+class BuildAnywhere(build_ext):
+    """nonlinear.c for `ctypes`, by the machine's compiler or else by the package ziglang's."""
+
+    def get_ext_filename(self, fullname: str) -> str:
+        """A library that `sim_core.car.nonlinear` loads: no Python module, and not called like one."""
+        return str(Path(*fullname.split(".")).with_name("libnonlinear.so.1"))
+
+    def build_extensions(self) -> None:
+        """Compile."""
+        if self.compiler.compiler_type == "unix":
+            ours = (path for name in ("cc", "gcc", "clang") if (path := shutil.which(name)))
+            compiler = os.environ.get("CC", next(ours, f"{sys.executable} -m ziglang cc"))
+            self.compiler.set_executables(compiler_so=f"{compiler} -fPIC", linker_so=f"{compiler} -shared")
+        super().build_extensions()
+
+
+# Without fused operations a step gives the same numbers on every processor.
+NONLINEAR = Extension(
+    "sim_core.car.nonlinear", ["sim_core/car/nonlinear.c"], extra_compile_args=["-O2", "-ffp-contract=off"]
+)
+setup(
+    cmdclass={"build_py": BuildWithPage, "build_ext": BuildAnywhere},
+    ext_modules=[NONLINEAR],
+)

@@ -117,6 +117,19 @@ def by_change() -> None:
     table("lv + lqr + passive after one field changed", ["changed", "ms"], rows)
 
 
+def by_linearity() -> None:
+    """The paper's car against one with unequal dampers, stops and tyres that lift off, both on new roads."""
+    real = changed(PAPER, "vehicle", rebound_ratio=2.5, bump_stop_clearance=0.06, tyre_lift_off=True)
+    rows: list[list[str | float]] = []
+    for seed, names in enumerate((("passive",), ("lqr",), ("lv",))):
+        linear, nonlinear = (
+            median_ms(runs(*names), new_roads(scenario, 15, 4000 + 100 * seed + 50 * i))
+            for i, scenario in enumerate((PAPER, real))
+        )
+        rows.append([names[0], linear, nonlinear, nonlinear / linear])
+    table("Linear and nonlinear car", ["", "linear, ms", "nonlinear, ms", "ratio"], rows)
+
+
 def by_horizon() -> None:
     """LV against the prediction horizon, control horizon two thirds of it."""
     rows: list[tuple[str, float, float, float]] = []
@@ -170,6 +183,7 @@ def run() -> None:
     by_strategy()
     by_change()
     over_roads()
+    by_linearity()
     by_horizon()
     print(f"\nPeak memory so far: {peak_memory_mb():.0f} MB")
     by_length()

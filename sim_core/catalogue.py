@@ -161,8 +161,7 @@ EVENTS = _catalogue(
         key="airborne_ms",
         label="Airborne",
         unit="ms",
-        description="time either tyre's dynamic load is below minus its static load: the linear tyre then pulls, "
-        "which a real one cannot",
+        description="time either tyre is off the road; a linear tyre, which cannot lift off, pulls on it then",
     ),
     Quantity(key="front_airborne_ms", label="Front tyre airborne", unit="ms"),
     Quantity(key="rear_airborne_ms", label="Rear tyre airborne", unit="ms"),

@@ -18,7 +18,7 @@ from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
 from sim_core.recording import Recording
 from sim_core.result import Series, Span, StrategyResult
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, Vehicle
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 from sim_core.windows import SNAP, Sections, Windows, sections_of, windows_of
 
@@ -43,8 +43,7 @@ def evaluate(
     samples, commands = signals.shape[1:]
     bump_end = bump.end + scenario.vehicle.wheelbase
     windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, samples - 1, commands)
-    tyres = scenario.real_vehicle.front_tyre_stiffness, scenario.real_vehicle.rear_tyre_stiffness
-    metrics = _by_window(signals, windows, road_input, tyres)
+    metrics = _by_window(signals, windows, road_input, scenario.real_vehicle)
 
     arrival = windows.arrival_speed
     static = scenario.real_vehicle.static_loads
@@ -93,7 +92,7 @@ def evaluate(
 
 
 def _by_window(
-    table: FloatArray, windows: Windows, road_input: RoadInput, tyres: tuple[float, float]
+    table: FloatArray, windows: Windows, road_input: RoadInput, vehicle: Vehicle
 ) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS."""
     durations = windows.sections.durations
@@ -101,7 +100,7 @@ def _by_window(
     means = rough / durations[0], bump / durations[1], squares.sum(axis=0) / durations.sum()
     highest = np.maximum(table.max(axis=1), -table.min(axis=1))
     peaks = _peaks(table, highest, windows)
-    kinks = _peaks_at_kinks(table[_LOADS], highest[_LOADS], peaks[:, _LOADS], tyres, windows, road_input)
+    kinks = _peaks_at_kinks(table[_LOADS], highest[_LOADS], peaks[:, _LOADS], vehicle, windows, road_input)
     peaks[:, _LOADS] = np.maximum(peaks[:, _LOADS], kinks)
     return {
         window: {
@@ -184,7 +183,7 @@ def _peaks_at_kinks(
     loads: FloatArray,
     highest: FloatArray,
     peaks: FloatArray,
-    tyres: tuple[float, float],
+    vehicle: Vehicle,
     windows: Windows,
     road_input: RoadInput,
 ) -> FloatArray:
@@ -197,10 +196,11 @@ def _peaks_at_kinks(
         loads: Front and rear (2, fine steps of a command + 1, commands) [N].
         highest: Their largest magnitude under each command (2, commands) [N].
         peaks: Their largest magnitude in each section, at samples (sections, 2) [N].
-        tyres: Stiffness, front and rear [N/m].
+        vehicle: The real one.
         windows: Where the sections lie.
         road_input: The road under the axles.
     """
+    tyres = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
     beside, on_bump = road_input.surface.slope_range()
     most_rise = max(tyres) * np.array([beside, on_bump, beside]) * windows.step_distance / 4
     near = np.ones(highest.shape, dtype=np.bool_)
@@ -212,7 +212,10 @@ def _peaks_at_kinks(
     axle, step, share = met.axle(kinks), met.step[kinks] % (samples - 1), met.share[kinks]
     sample = (axle * (samples - 1) + step) * commands + windows.kink_command[kinks]
     before, after = loads.take(sample), loads.take(sample + commands)
-    values = np.abs(before + share * (after - before) + np.take(tyres, axle) * road_input.above_chord(kinks))
+    values = before + share * (after - before) + np.take(tyres, axle) * road_input.above_chord(kinks)
+    if vehicle.tyre_lift_off:
+        values = np.maximum(values, -np.take(vehicle.static_loads, axle))
+    values = np.abs(values)
     ends = kinks.searchsorted(windows.kink_ends).tolist()
     return np.array([[values[first:last].max(initial=0) for first, last in axle] for axle in ends]).T
 
@@ -229,12 +232,12 @@ def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str
 
 
 def _airborne(loads: FloatArray, windows: Windows, static: tuple[float, float]) -> dict[str, float]:
-    """Time with a tyre pulling on the road, which only the linear model can [ms]."""
+    """Time with a tyre off the road, or pulling on it where it cannot lift off [ms]."""
     keys = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
-    pulling = loads < -np.reshape(static, (2, 1, 1))
-    if not pulling.any():
+    unloaded = loads <= -np.reshape(static, (2, 1, 1))
+    if not unloaded.any():
         return dict.fromkeys(keys, 0.0)
-    front, rear = pulling
+    front, rear = unloaded
     samples = np.array([front | rear, front, rear], dtype=np.float64)
     milliseconds = _integrals(samples, samples, windows.sections).sum(axis=1) * (windows.fine_step * 1000)
     return dict(zip(keys, milliseconds.tolist(), strict=True))

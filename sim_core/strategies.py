@@ -46,6 +46,7 @@ _ROAD = (
     "mismatch.springs",
     "mismatch.damping",
     "mismatch.tyres",
+    "mismatch.rebound_ratio",
 )
 _PREVIEW = ("mismatch.preview_offset", "mismatch.preview_gain", "mismatch.preview_noise", "mismatch.preview_delay")
 _SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from math import sqrt
 
 from sim_core.binding_limits import LimitShares, expected_limits
+from sim_core.car.nonlinear import substeps
 from sim_core.control.qp import OsqpSolver
 from sim_core.drive.sampling import fine_step
 from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
@@ -25,6 +26,7 @@ SECONDS: Mapping[str, float] = {
     "design": 0.0039,
     "design entries": 5.9e-10,
     "fine steps": 2.7e-07,
+    "nonlinear steps": 1e-07,
     "check entries": 9.2e-11,
     "limited steps": 3.6e-05,
     "QPs": 6.6e-05,
@@ -91,6 +93,9 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
     mpc, policy = scenario.mpc, strategy.suspension
     counts = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
+    if not scenario.real_vehicle.linear:
+        step = fine_step(scenario, strategy)
+        counts["nonlinear steps"] = counts["fine steps"] * substeps(scenario.real_vehicle, scenario.actuator, step)
     if strategy.speed is SpeedPolicy.PLANNED:
         counts["plan"] = 1.0
     if policy is SuspensionPolicy.PASSIVE:

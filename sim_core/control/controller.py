@@ -10,17 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.car.half_car import FORCES, STATES
+from sim_core.car.driven_car import MEASURED, LinearLaw
+from sim_core.car.half_car import FORCES
 
-MEASURED = STATES + FORCES  # what a law multiplies: the state, then the previous command
 WITHIN = 1 - 1e-9  # of a limit: so that rounding does not pass it
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class LinearLaw:
-    """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10)."""
-
-    gain: FloatArray
 
 
 @dataclass(slots=True)

@@ -7,8 +7,9 @@ import numpy as np
 from scipy.linalg.lapack import dgesv
 
 from sim_core.arrays import BoolArray, FloatArray
+from sim_core.car.driven_car import LinearLaw
 from sim_core.car.half_car import FORCES, STATES, discrete
-from sim_core.control.controller import WITHIN, Controller, LinearLaw
+from sim_core.control.controller import WITHIN, Controller
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.errors import RidelabError
 

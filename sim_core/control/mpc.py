@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import BoolArray, FloatArray
 from sim_core.caching import cached
+from sim_core.car.driven_car import MEASURED, LinearLaw
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
-from sim_core.control.controller import MEASURED, WITHIN, Controller, LinearLaw
+from sim_core.control.controller import WITHIN, Controller
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.lqr import regulator, solve
 from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpShape, QpSolver

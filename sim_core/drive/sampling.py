@@ -153,9 +153,10 @@ def fine_step(scenario: Scenario, strategy: Strategy) -> float:
     without jumps of the force the peaks lie where the road's slope changes.
     """
     vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
+    stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
     stiffest = max(
-        (vehicle.front_tyre_stiffness + vehicle.front_spring) / vehicle.front_wheel_mass,
-        (vehicle.rear_tyre_stiffness + vehicle.rear_spring) / vehicle.rear_wheel_mass,
+        (vehicle.front_tyre_stiffness + vehicle.front_spring + stop) / vehicle.front_wheel_mass,
+        (vehicle.rear_tyre_stiffness + vehicle.rear_spring + stop) / vehicle.rear_wheel_mass,
     )
     over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
     held = speed.initial_speed_kmh

@@ -3,7 +3,7 @@
 import numpy as np
 
 from sim_core.car.half_car import DISTURBANCES, discrete
-from sim_core.car.plant import plant
+from sim_core.car.on_road import on_road
 from sim_core.control.controller import SolverReport
 from sim_core.control.mpc import CENTI
 from sim_core.controllers import mpc_designs
@@ -55,8 +55,9 @@ def drive_ecu(
     """
     n = short_steps(road_input.step)
     fine = road_input.fine // n
-    car = plant(scenario.real_vehicle, scenario.actuator, road_input.step / n, fine)
     disturbance = road_input.disturbance.reshape(-1, DISTURBANCES * fine)
+    before = road_input.drive.before * n
+    car = on_road(scenario.real_vehicle, scenario.actuator, road_input.step / n, disturbance, before)
     numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
     if calibration.predicts:  # a command is made for the stage in which it takes effect
         numbers = [*numbers[1:], numbers[-1]]
@@ -72,10 +73,8 @@ def drive_ecu(
     rate, most = scenario.actuator.rate_limit, scenario.mpc.force_limit
     saturation = scenario.actuator.saturation
     loop = HilLoop(
-        plant=car,
-        inputs=LoopInputs(
-            forcing=disturbance @ car.E, preview=preview, stages=numbers, per_control=n, step=road_input.step / n
-        ),
+        car=car,
+        inputs=LoopInputs(preview=preview, stages=numbers, per_control=n, step=road_input.step / n),
         calibration=calibration,
         hil=scenario.hil,
         limits=Limits(
@@ -84,10 +83,9 @@ def drive_ecu(
     )
     with connect(calibration) as ecu:
         trajectory = loop.run(ecu)
-    from_start = slice(road_input.drive.before * n, None)
     counts = trajectory.statistics
     return Recording(
-        table=car.record(trajectory.states[from_start], trajectory.commands[from_start], disturbance[from_start]),
+        table=car.record(trajectory.states[before:], trajectory.commands[before:]),
         road_input=road_input,
         report=SolverReport(solves=counts.limited, failures=counts.unfinished, max_slack=counts.slack / CENTI),
         limited=counts.limited,

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
+from sim_core.car.driven_car import DrivenCar
 from sim_core.car.half_car import FORCES, STATES
-from sim_core.car.plant import Plant
 from sim_core.control.cost import KILO
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import convert, full_scales
@@ -29,14 +29,12 @@ class LoopInputs:
     """What the loop meets.
 
     Attributes:
-        forcing: What the road and the braking do to the plant in each short step (steps · n, plant states).
         preview: What the sensors see ahead at each control instant (steps, 3 · preview_length).
         stages: Number of the stage at each control instant (steps,).
         per_control: Short steps in a control step, n.
         step: Short step [s].
     """
 
-    forcing: FloatArray
     preview: FloatArray
     stages: list[int]
     per_control: int
@@ -68,27 +66,29 @@ def short_steps(sample_time: float) -> int:
 class HilLoop:
     """One run."""
 
-    def __init__(self, *, plant: Plant, inputs: LoopInputs, calibration: Calibration, hil: Hil, limits: Limits) -> None:
-        self._plant = plant
+    def __init__(
+        self, *, car: DrivenCar, inputs: LoopInputs, calibration: Calibration, hil: Hil, limits: Limits
+    ) -> None:
+        self._car = car
         self._inputs = inputs
         self._calibration = calibration
         self._hil = hil
         self._limits = limits
         self._full_scale = full_scales(calibration.preview_length)
-        self._control_steps = len(inputs.forcing) // inputs.per_control
+        self._control_steps = len(inputs.stages)
 
     def run(self, ecu: Ecu) -> HilTrajectory:
         """Drive from rest, without a command before the first answer."""
-        steps, n, plant, forcing = self._control_steps, self._inputs.per_control, self._plant, self._inputs.forcing
-        states, commands = np.empty((steps * n, plant.size)), np.empty((steps * n, FORCES))
+        steps, n, car = self._control_steps, self._inputs.per_control, self._car
+        states, commands = np.empty((steps * n, car.size)), np.empty((steps * n, FORCES))
         arrivals, statistics = self._arrivals().tolist(), LoopStatistics()
         newest = [-1] * (steps * n)  # the answer that arrives at a short step, the newest of several
         asked = np.zeros((steps + 1, FORCES))  # by answer [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
         noise, full_scale, bits = self._noise(), self._full_scale, self._calibration.bits
         ahead, statistics.clipped = convert(self._inputs.preview + noise[:, STATES:], full_scale[STATES:], bits)
-        state, held, present = np.zeros(plant.size), -1, np.zeros(FORCES)
-        settled, driven = True, np.zeros(plant.size)  # whether the actuators have what is asked; what they do
+        state, held, present = np.zeros(car.size), -1, np.zeros(FORCES)
+        settled = True  # whether the actuators have what is asked
         for k in range(steps):
             sensed, clipped = convert(state[:STATES] + noise[k, :STATES], full_scale[:STATES], bits)
             statistics.clipped += clipped
@@ -106,9 +106,8 @@ class HilLoop:
                 if not settled:
                     before, present = present, self._moved(present, asked[held])
                     settled = np.array_equal(present, before)
-                    driven = plant.B @ present
                 states[i], commands[i] = state, present
-                state = plant.A @ state + driven + forcing[i]
+                state = car.advance(i, state, present)
         statistics.held = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
         return HilTrajectory(states=states, commands=commands, statistics=statistics)
 

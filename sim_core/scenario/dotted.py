@@ -14,7 +14,7 @@ from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weight
 
-Kind = Literal["number", "integer", "choice", "weights"]
+Kind = Literal["number", "integer", "switch", "choice", "weights"]
 _CONFIG = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
@@ -124,6 +124,8 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
 
 def _kind(annotation: Any) -> Kind:
     types = {annotation, *get_args(annotation)}
+    if annotation is bool:
+        return "switch"
     if get_args(annotation) and all(isinstance(each, str) for each in get_args(annotation)):
         return "choice"
     if float in types:

@@ -60,6 +60,15 @@ class Mismatch(Part):
     )
     damping: float = quantity(1, "1", "Damping", "Real over believed, both axles.", soft=(0.5, 1.5), ge=0.05, le=5)
     tyres: float = quantity(1, "1", "Tyre stiffness", "Real over believed, both axles.", soft=(0.8, 1.2), ge=0.2, le=5)
+    rebound_ratio: float = quantity(
+        1,
+        "1",
+        "Rebound over compression",
+        "Real over believed ratio, both dampers, at the same mean.",
+        soft=(1, 3),
+        ge=0.1,
+        le=10,
+    )
     preview_offset: float = quantity(
         0,
         "m",
@@ -87,7 +96,7 @@ class Mismatch(Part):
 
     def real(self, vehicle: Vehicle) -> Vehicle:
         """The car that is driven where the controllers believe in that one."""
-        if (self.body_mass, self.springs, self.damping, self.tyres) == (1, 1, 1, 1):
+        if (self.body_mass, self.springs, self.damping, self.tyres, self.rebound_ratio) == (1, 1, 1, 1, 1):
             return vehicle
         factors = {
             "body_mass": self.body_mass,
@@ -98,6 +107,7 @@ class Mismatch(Part):
             "rear_damping": self.damping,
             "front_tyre_stiffness": self.tyres,
             "rear_tyre_stiffness": self.tyres,
+            "rebound_ratio": self.rebound_ratio,
         }
         return vehicle.model_copy(update={name: getattr(vehicle, name) * factor for name, factor in factors.items()})
 

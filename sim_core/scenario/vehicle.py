@@ -1,5 +1,7 @@
 """The half-car's parameters (Table 2)."""
 
+from pydantic import Field
+
 from sim_core.scenario.fields import Part, quantity
 
 
@@ -65,6 +67,49 @@ class Vehicle(Part):
         ge=10_000,
         le=20_000_000,
     )
+    rebound_ratio: float = quantity(
+        1,
+        "1",
+        "Rebound over compression",
+        "Of both dampers, at the same mean damping; real ones have 2 to 3. The controllers know the mean alone.",
+        soft=(1, 3),
+        ge=0.1,
+        le=10,
+    )
+    bump_stop_clearance: float | None = quantity(
+        None,
+        "m",
+        "Clearance of the stops",
+        "Travel either way from rest until a stop is met; none is a car without stops.",
+        soft=(0.04, 0.12),
+        ge=0.005,
+        le=1,
+    )
+    bump_stop_stiffness: float = quantity(
+        200_000,
+        "N/m",
+        "Stiffness of the stops",
+        "Added to the spring's beyond the clearance (ours).",
+        soft=(50_000, 500_000),
+        ge=1000,
+        le=5_000_000,
+    )
+    tyre_lift_off: bool = Field(
+        False,
+        title="Tyres lift off",
+        description="A tyre never pulls on the road: its load ends at nothing. Off, as in the paper, it does.",
+    )
+
+    @property
+    def linear(self) -> bool:
+        """Whether its dampers, stops and tyres are linear."""
+        return self.rebound_ratio == 1 and self.bump_stop_clearance is None and not self.tyre_lift_off
+
+    @property
+    def damping_factors(self) -> tuple[float, float]:
+        """Damping in compression and in rebound over their mean."""
+        compression = 2 / (1 + self.rebound_ratio)
+        return compression, compression * self.rebound_ratio
 
     @property
     def wheelbase(self) -> float:

@@ -8,9 +8,9 @@ oscillation, so no single figure of a run shows it reliably, and the modes do.
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.car.linear import closed_loop_matrix
 from sim_core.car.plant import plant
 from sim_core.catalogue import STAGES
-from sim_core.closed_loop import closed_loop_matrix
 from sim_core.controllers import make_controller
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive

@@ -44,6 +44,8 @@ def altered(value: Any) -> Any:
     """Another value of the same kind, within every limit."""
     if isinstance(value, str):
         return OTHER[value]
+    if isinstance(value, bool):
+        return not value
     if isinstance(value, list):
         return [altered(item) for item in value]
     if value is None:
@@ -62,6 +64,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
     place[path[-1]] = altered(place[path[-1]])
     if path[0] == "actuator":
         place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 1200.0}[path[-1]]
+    if path == ("vehicle", "bump_stop_clearance"):
+        place[path[-1]] = 0.02
     if path == ("hil", "jitter"):  # whole milliseconds count
         place[path[-1]] = 0.006
     return Scenario.model_validate(document)
@@ -100,6 +104,7 @@ SILENT = {
     ("brake", "threshold_speed"),  # tanh is 1 to the last bit at any speed driven here
     ("mpc", "solver"),  # either finds the same optimum
     ("road", "seed"),
+    ("vehicle", "bump_stop_stiffness"),  # there are no stops
 }
 
 

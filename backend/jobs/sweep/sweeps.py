@@ -28,10 +28,11 @@ Value = Annotated[
             "anyOf": [
                 {"type": "number"},
                 {"type": "string"},
+                {"type": "boolean"},
                 {"type": "null"},
                 {"type": "array", "items": {"type": "number"}},
             ],
-            "description": "What the field takes: a number, a choice's name, or three weights",
+            "description": "What the field takes: a number, a choice's name, true or false, or three weights",
         }
     ),
 ]

@@ -150,7 +150,7 @@ def _schema(batch: StoredJob) -> pa.Schema:
 
 def _field_type(name: str) -> pa.DataType:
     kind = dotted.fields()[name].kind if name in dotted.fields() else None
-    return {"number": pa.float64(), "integer": pa.int64()}.get(str(kind), pa.string())
+    return {"number": pa.float64(), "integer": pa.int64(), "switch": pa.bool_()}.get(str(kind), pa.string())
 
 
 def _page(batch: StoredJob, rows: Sequence[JobRow], schema: pa.Schema) -> pa.Table:

@@ -1108,6 +1108,7 @@ export interface components {
              * @default {
              *       "vehicle": {
              *         "body_mass": 1270,
+             *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
@@ -1119,7 +1120,9 @@ export interface components {
              *         "rear_damping": 6000,
              *         "rear_spring": 30000,
              *         "rear_tyre_stiffness": 268000,
-             *         "rear_wheel_mass": 66.3
+             *         "rear_wheel_mass": 66.3,
+             *         "rebound_ratio": 1,
+             *         "tyre_lift_off": false
              *       },
              *       "road": {
              *         "bump": {
@@ -1160,6 +1163,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
              *       },
@@ -1938,6 +1942,7 @@ export interface components {
              * @default {
              *       "vehicle": {
              *         "body_mass": 1270,
+             *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
@@ -1949,7 +1954,9 @@ export interface components {
              *         "rear_damping": 6000,
              *         "rear_spring": 30000,
              *         "rear_tyre_stiffness": 268000,
-             *         "rear_wheel_mass": 66.3
+             *         "rear_wheel_mass": 66.3,
+             *         "rebound_ratio": 1,
+             *         "tyre_lift_off": false
              *       },
              *       "road": {
              *         "bump": {
@@ -1990,6 +1997,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
              *       },
@@ -2706,6 +2714,7 @@ export interface components {
              * @default {
              *       "vehicle": {
              *         "body_mass": 1270,
+             *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
@@ -2717,7 +2726,9 @@ export interface components {
              *         "rear_damping": 6000,
              *         "rear_spring": 30000,
              *         "rear_tyre_stiffness": 268000,
-             *         "rear_wheel_mass": 66.3
+             *         "rear_wheel_mass": 66.3,
+             *         "rebound_ratio": 1,
+             *         "tyre_lift_off": false
              *       },
              *       "road": {
              *         "bump": {
@@ -2758,6 +2769,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
              *       },
@@ -3063,6 +3075,12 @@ export interface components {
              * @default 0
              */
             preview_offset: number;
+            /**
+             * Rebound over compression
+             * @description Real over believed ratio, both dampers, at the same mean.
+             * @default 1
+             */
+            rebound_ratio: number;
             /**
              * Spring stiffness
              * @description Real over believed, both axles.
@@ -3862,6 +3880,7 @@ export interface components {
              * @default {
              *       "vehicle": {
              *         "body_mass": 1270,
+             *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
@@ -3873,7 +3892,9 @@ export interface components {
              *         "rear_damping": 6000,
              *         "rear_spring": 30000,
              *         "rear_tyre_stiffness": 268000,
-             *         "rear_wheel_mass": 66.3
+             *         "rear_wheel_mass": 66.3,
+             *         "rebound_ratio": 1,
+             *         "tyre_lift_off": false
              *       },
              *       "road": {
              *         "bump": {
@@ -3914,6 +3935,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
              *       },
@@ -4039,6 +4061,7 @@ export interface components {
              *       "springs": 1,
              *       "damping": 1,
              *       "tyres": 1,
+             *       "rebound_ratio": 1,
              *       "preview_offset": 0,
              *       "preview_gain": 1,
              *       "preview_noise": 0,
@@ -4130,7 +4153,10 @@ export interface components {
              *       "front_damping": 6000,
              *       "rear_damping": 6000,
              *       "front_tyre_stiffness": 268000,
-             *       "rear_tyre_stiffness": 268000
+             *       "rear_tyre_stiffness": 268000,
+             *       "rebound_ratio": 1,
+             *       "bump_stop_stiffness": 200000,
+             *       "tyre_lift_off": false
              *     }
              */
             vehicle: components["schemas"]["Vehicle"];
@@ -4191,6 +4217,7 @@ export interface components {
              *       "springs": 1,
              *       "damping": 1,
              *       "tyres": 1,
+             *       "rebound_ratio": 1,
              *       "preview_offset": 0,
              *       "preview_gain": 1,
              *       "preview_noise": 0,
@@ -4282,7 +4309,10 @@ export interface components {
              *       "front_damping": 6000,
              *       "rear_damping": 6000,
              *       "front_tyre_stiffness": 268000,
-             *       "rear_tyre_stiffness": 268000
+             *       "rear_tyre_stiffness": 268000,
+             *       "rebound_ratio": 1,
+             *       "bump_stop_stiffness": 200000,
+             *       "tyre_lift_off": false
              *     }
              */
             vehicle: components["schemas"]["Vehicle"];
@@ -4705,7 +4735,7 @@ export interface components {
              * @description Field -> values; every combination, the last field changing fastest
              */
             grid?: {
-                [key: string]: (number | string | null | number[])[];
+                [key: string]: (number | string | boolean | null | number[])[];
             } | null;
             latin_hypercube?: components["schemas"]["LatinHypercube"] | null;
             /**
@@ -4713,7 +4743,7 @@ export interface components {
              * @description Field -> value, point by point; a field a point does not name keeps its value
              */
             list?: {
-                [key: string]: number | string | null | number[];
+                [key: string]: number | string | boolean | null | number[];
             }[] | null;
         };
         /**
@@ -5133,6 +5163,7 @@ export interface components {
              * @default {
              *       "vehicle": {
              *         "body_mass": 1270,
+             *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
@@ -5144,7 +5175,9 @@ export interface components {
              *         "rear_damping": 6000,
              *         "rear_spring": 30000,
              *         "rear_tyre_stiffness": 268000,
-             *         "rear_wheel_mass": 66.3
+             *         "rear_wheel_mass": 66.3,
+             *         "rebound_ratio": 1,
+             *         "tyre_lift_off": false
              *       },
              *       "road": {
              *         "bump": {
@@ -5185,6 +5218,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
              *       },
@@ -5360,6 +5394,17 @@ export interface components {
              */
             body_mass: number;
             /**
+             * Clearance of the stops
+             * @description Travel either way from rest until a stop is met; none is a car without stops.
+             */
+            bump_stop_clearance?: number | null;
+            /**
+             * Stiffness of the stops
+             * @description Added to the spring's beyond the clearance (ours).
+             * @default 200000
+             */
+            bump_stop_stiffness: number;
+            /**
              * Height of the centre of gravity
              * @description Arm of the braking force on the body h_cg (ours).
              * @default 0.54
@@ -5431,6 +5476,18 @@ export interface components {
              * @default 66.3
              */
             rear_wheel_mass: number;
+            /**
+             * Rebound over compression
+             * @description Of both dampers, at the same mean damping; real ones have 2 to 3. The controllers know the mean alone.
+             * @default 1
+             */
+            rebound_ratio: number;
+            /**
+             * Tyres lift off
+             * @description A tyre never pulls on the road: its load ends at nothing. Off, as in the paper, it does.
+             * @default false
+             */
+            tyre_lift_off: boolean;
         };
         /**
          * WithoutPreview

@@ -2,30 +2,27 @@
 
 import { NativeSelect } from "@mantine/core";
 import { useId } from "react";
-import type { JsonValue } from "../api/types";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
-import { humanise, type ChoiceField } from "./schema";
+import { optionOf, optionTitle, optionValue, type ChoiceField } from "./schema";
 import type { LeafState } from "./useLeaf";
-
-const asText = (value: JsonValue | undefined) => (typeof value === "string" ? value : "");
 
 export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; readonly leaf: LeafState }) {
   const id = useId();
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard={humanise(asText(field.standard))}
+      standard={optionTitle(optionOf(field.standard))}
       aside={
         <NativeSelect
           id={id}
           size="xs"
           className={classes.choice ?? ""}
-          value={asText(leaf.value)}
+          value={optionOf(leaf.value)}
           disabled={leaf.readOnly}
           error={leaf.error !== undefined}
-          data={field.options.map((value) => ({ value, label: humanise(value) }))}
-          onChange={(event) => leaf.commit(event.currentTarget.value)}
+          data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
+          onChange={(event) => leaf.commit(optionValue(field, event.currentTarget.value))}
         />
       }
     />

@@ -22,9 +22,20 @@ export interface NumberField extends Base {
   readonly soft: readonly [number, number];
 }
 
+/** One of several names, or of off and on. */
 export interface ChoiceField extends Base {
   readonly kind: "choice";
   readonly options: readonly string[];
+  readonly onOff: boolean;
+}
+
+export const optionOf = (value: JsonValue | undefined) => (typeof value === "boolean" ? String(value) : text(value));
+
+export const optionValue = (field: ChoiceField, option: string): string | boolean => (field.onOff ? option === "true" : option);
+
+export function optionTitle(option: string): string {
+  if (option === "true") return "On";
+  return option === "false" ? "Off" : humanise(option);
 }
 
 export interface VectorField extends Base {
@@ -97,7 +108,8 @@ class Reader {
       standard,
     };
     if (isObject(node.properties)) return this.group(node, pointer, base.title, standard);
-    if (Array.isArray(node.enum)) return { ...base, kind: "choice", options: list(node.enum).map(String) };
+    if (Array.isArray(node.enum)) return { ...base, kind: "choice", options: list(node.enum).map(String), onOff: false };
+    if (node.type === "boolean") return { ...base, kind: "choice", options: ["false", "true"], onOff: true };
     if (Array.isArray(node.prefixItems)) return this.#vector(node, base);
     return this.#number(node, base);
   }

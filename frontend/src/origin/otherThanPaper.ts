@@ -3,7 +3,7 @@
 import type { Scenario } from "../api/types";
 import { isChanged } from "../editor/diff";
 import { getAt } from "../editor/path";
-import { humanise, type Group } from "../editor/schema";
+import { optionOf, optionTitle, type Group } from "../editor/schema";
 import { sweepFields } from "../sweep/fields";
 import { formatExact } from "../units/format";
 
@@ -17,7 +17,7 @@ export function otherThanPaper(scenario: Scenario, form: Group, swept: readonly 
   if (other.length === 0) return swept.length > 0 ? "All else as in the paper." : "As in the paper.";
   const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
     const value = getAt(scenario, leaf.pointer);
-    const text = typeof value === "number" ? formatExact(value, leaf.kind === "number" ? leaf.unit : "1") : typeof value === "string" ? humanise(value) : "off";
+    const text = typeof value === "number" ? formatExact(value, leaf.kind === "number" ? leaf.unit : "1") : value === null || value === undefined ? "off" : optionTitle(optionOf(value));
     return `${title} ${text}`;
   });
   const more = other.length - named.length;

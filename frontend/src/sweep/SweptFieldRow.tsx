@@ -1,7 +1,7 @@
 /** One swept field: its values in a grid, or its range. */
 
 import { Chip, Group, SegmentedControl, Text, TextInput } from "@mantine/core";
-import { humanise, type ChoiceField, type NumberField } from "../editor/schema";
+import { optionTitle, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";
 import { byRatio, type FieldDraft, type Method } from "./draft";
 import classes from "./sweep.module.css";
@@ -103,7 +103,7 @@ function ChoiceValues({ field, draft, onChange }: ChoiceProps) {
       <Group gap="xs" mt={6}>
         {field.options.map((option) => (
           <Chip key={option} size="xs" value={option}>
-            {humanise(option)}
+            {optionTitle(option)}
           </Chip>
         ))}
       </Group>

@@ -2,7 +2,7 @@
 
 import type { StrategyId, Sweep } from "../api/types";
 import { readTyped } from "../editor/limits";
-import type { NumberField } from "../editor/schema";
+import { optionValue, type NumberField } from "../editor/schema";
 import type { DraftErrors } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
 import type { SweepField } from "./fields";
@@ -84,11 +84,11 @@ function rangeOf(field: NumberField, draft: FieldDraft): readonly [number, numbe
   return ends;
 }
 
-function gridValues(draft: FieldDraft): readonly (number | string)[] {
+function gridValues(draft: FieldDraft): readonly (number | string | boolean)[] {
   const { leaf } = draft.field;
   if (leaf.kind === "choice") {
     if (draft.options.length === 0) throw new FieldError("Choose at least one");
-    return leaf.options.filter((option) => draft.options.includes(option));
+    return leaf.options.filter((option) => draft.options.includes(option)).map((option) => optionValue(leaf, option));
   }
   if (draft.by === "list") {
     const texts = draft.list.split(/[;,\s]+/).filter((text) => text !== "");

@@ -168,7 +168,7 @@ def _drive(
     rows = np.vstack([maps.state, maps.force]) if corner else maps.state
     A, B, E = rows[:, inner], rows[:, driven], rows[:, 10:15]
 
-    offset = _run_in(scenario, motion, Ts)
+    offset = run_in(scenario, motion, Ts)
     time = Ts * (np.arange(steps)[:, None] - offset) + h * np.arange(n + 1)
     surface = profile(scenario.road)
     wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
@@ -214,7 +214,7 @@ def _drive(
     )
 
 
-def _run_in(scenario: Scenario, motion: Drive, Ts: float) -> int:
+def run_in(scenario: Scenario, motion: Drive, Ts: float) -> int:
     """Steps before x = 0; an ECU's short steps begin with a whole control step."""
     whole = scenario.mpc.sample_time if Ts < scenario.mpc.sample_time - 1e-12 else Ts
     return round(whole / Ts) * ceil(20.0 / (motion.initial_speed * whole))

@@ -1,0 +1,48 @@
+"""What a car on its road is: driven over many control steps by a linear law, over one by a command, and recorded."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+from sim_core.arrays import FloatArray
+from sim_core.car.half_car import FORCES, STATES
+
+MEASURED = STATES + FORCES  # what a law multiplies: the state, then the previous command
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class LinearLaw:
+    """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10)."""
+
+    gain: FloatArray
+
+
+class DrivenCar(ABC):
+    """`size` numbers are the plant's state p: the half-car's (8,), then a lagging actuator's forces [N] (2,)."""
+
+    size: int
+
+    @abstractmethod
+    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
+        """The closed loop over control steps in which no limit binds: z (steps + 1, size + 2) from `start` on.
+
+        Args:
+            law: Of the controller.
+            first: Index of the first control step.
+            start: [p; previous command in N] before it (size + 2,).
+            feed: What preview adds to the law's force in each step (steps, 2) [N].
+        """
+
+    @abstractmethod
+    def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """P (size,) at the end of a control step that begins with `state` and holds `command` (2,) [N]."""
+
+    @abstractmethod
+    def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
+        """plant.RECORDED (10, fine + 1, steps) of the control steps on record, as they were driven last.
+
+        A step begins with the value after its command has changed and ends with the value before the next one does.
+
+        Args:
+            states: p at the beginning of each (steps, size).
+            commands: Held in each (steps, 2) [N].
+        """

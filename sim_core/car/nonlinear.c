@@ -1,0 +1,119 @@
+/* The half-car where it is not linear: dampers that resist rebound more than compression, bump stops, tyres that lift
+   off. Runge-Kutta steps of third order (docs/physics.md, "Dampers, stops and lift-off"). nonlinear.py
+   describes every argument. */
+
+#include <stddef.h>
+
+enum { D = 0, TYRE = 2, BODY = 4, PITCH = 5, WHEEL = 6, FORCE = 8, STATE = 10 };
+enum { ROAD = 0, BRAKING = 2, DISTURBANCES = 3 };
+
+struct car {
+    double per_body_mass, per_pitch_inertia, brake_moment, corner;
+    double arm[2], per_wheel_mass[2], spring[2], rebound[2], compression[2];
+    double clearance[2], stop[2], tyre[2], lift_off[2];
+};
+
+static double travel_force(const struct car *car, int axle, double deflection, double speed)
+{
+    double force = car->spring[axle] * deflection;
+    force += (speed > 0 ? car->rebound[axle] : car->compression[axle]) * speed;
+    if (deflection > car->clearance[axle])
+        force += car->stop[axle] * (deflection - car->clearance[axle]);
+    else if (deflection < -car->clearance[axle])
+        force += car->stop[axle] * (deflection + car->clearance[axle]);
+    return force;
+}
+
+static double tyre_load(const struct car *car, int axle, double deflection)
+{
+    double load = -car->tyre[axle] * deflection;
+    return load < car->lift_off[axle] ? car->lift_off[axle] : load;
+}
+
+static double travel_speed(const struct car *car, int axle, const double *x)
+{
+    return x[BODY] + car->arm[axle] * x[PITCH] - x[WHEEL + axle];
+}
+
+static void derivative(const struct car *car, const double *x, const double *command, const double *w, double *dx)
+{
+    double body = 0, pitch = 0;
+    for (int axle = 0; axle < 2; axle++) {
+        double speed = travel_speed(car, axle, x);
+        double force = travel_force(car, axle, x[D + axle], speed) - x[FORCE + axle];
+        dx[D + axle] = speed;
+        dx[TYRE + axle] = x[WHEEL + axle] - w[ROAD + axle];
+        dx[WHEEL + axle] = (tyre_load(car, axle, x[TYRE + axle]) + force) * car->per_wheel_mass[axle];
+        dx[FORCE + axle] = car->corner * (command[axle] - x[FORCE + axle]);
+        body -= force;
+        pitch -= car->arm[axle] * force;
+    }
+    dx[BODY] = body * car->per_body_mass;
+    dx[PITCH] = pitch * car->per_pitch_inertia + car->brake_moment * w[BRAKING];
+}
+
+/* One step h of Ralston's third-order method; k[0] is the derivative at its beginning. */
+static void advance(const struct car *car, double h, const double *command, const double *w, double k[3][STATE],
+                    double *x)
+{
+    double between[STATE];
+    const double share[2] = {h / 2, 3 * h / 4};
+    for (int stage = 0; stage < 2; stage++) {
+        for (int i = 0; i < STATE; i++)
+            between[i] = x[i] + share[stage] * k[stage][i];
+        derivative(car, between, command, w, k[stage + 1]);
+    }
+    for (int i = 0; i < STATE; i++)
+        x[i] += h / 9 * (2 * k[0][i] + 3 * k[1][i] + 4 * k[2][i]);
+}
+
+static void sample(const struct car *car, const double *x, const double *dx, double *table, size_t signal)
+{
+    table[2 * signal] = dx[BODY];
+    table[3 * signal] = dx[PITCH];
+    for (int axle = 0; axle < 2; axle++) {
+        table[axle * signal] = dx[D + axle];
+        table[(4 + axle) * signal] = tyre_load(car, axle, x[TYRE + axle]);
+        table[(6 + axle) * signal] = x[D + axle];
+        table[(8 + axle) * signal] = x[FORCE + axle];
+    }
+}
+
+/* One control step from x, its samples in a column of the table unless that is NULL. */
+static void hold(const struct car *car, int fine, int substeps, double h, const double *command, const double *w,
+                 double *x, double *column, size_t columns)
+{
+    double k[3][STATE];
+    size_t signal = columns * (size_t)(fine + 1);
+    for (int j = 0; j < fine; j++, w += DISTURBANCES)
+        for (int step = 0; step < substeps; step++) {
+            derivative(car, x, command, w, k[0]);
+            if (column && step == 0)
+                sample(car, x, k[0], column + (size_t)j * columns, signal);
+            advance(car, h, command, w, k, x);
+        }
+    if (column) {
+        derivative(car, x, command, w - DISTURBANCES, k[0]);
+        sample(car, x, k[0], column + (size_t)fine * columns, signal);
+    }
+}
+
+void ridelab_drive(const struct car *car, int states, int steps, int fine, int substeps, double h, const double *gain,
+                   const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
+{
+    int width = states + 2;
+    for (int step = 0; step < steps; step++, column++) {
+        double *now = loop + (size_t)step * width, *next = now + width, *command = next + states, x[STATE];
+        for (int axle = 0; axle < 2; axle++) {
+            command[axle] = feed[2 * step + axle];
+            for (int i = 0; i < STATE; i++)
+                command[axle] += gain[STATE * axle + i] * now[i < FORCE ? i : states + i - FORCE];
+        }
+        for (int i = 0; i < STATE; i++)
+            x[i] = i < states ? now[i] : command[i - FORCE];
+        hold(car, fine, substeps, h, command, disturbance + (size_t)step * DISTURBANCES * fine, x,
+             column < 0 ? NULL : table + column, (size_t)columns);
+        for (int i = 0; i < states; i++)
+            next[i] = x[i];
+    }
+}

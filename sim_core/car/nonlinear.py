@@ -1,0 +1,142 @@
+"""The half-car where dampers, stops and tyres are not linear, stepped by the C of nonlinear.c.
+
+F_i = k_i d + c_i(ḋ) ḋ + stop_i(d) - u_i,  load_i = max(-k_t,i (z_w - z_r), -static load_i). The slope of each of these
+changes where a damper turns, a stop is met or a tyre lifts off; within a step of third order (Runge-Kutta: Ralston
+1962, Math. Comp. 16) such a change leaves an error of second order. tests/validation/test_nonlinear.py holds metrics to
+an adaptive solver's.
+"""
+
+import ctypes
+from functools import cache, lru_cache
+from math import ceil, inf, pi
+from pathlib import Path
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.car.driven_car import MEASURED, DrivenCar, LinearLaw
+from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
+from sim_core.car.plant import RECORDED
+from sim_core.errors import RidelabError
+from sim_core.scenario import Actuator, Vehicle
+
+_LONGEST_ANGLE = 0.1  # of the fastest pole in one step of Runge-Kutta [rad]
+_SIGNALS = len(RECORDED)
+_HELD = LinearLaw(gain=np.zeros((FORCES, MEASURED)))
+_LIBRARY = Path(__file__).with_name("libnonlinear.so.1")  # setup.py builds it; no module, so not called like one
+_NOT_BUILT = "The part that steps a nonlinear car is not built: install Ridelab with `make setup` or from its wheel"
+
+
+class _Car(ctypes.Structure):
+    """`struct car` of nonlinear.c; pairs are front and rear, `per_…` are inverses."""
+
+    _fields_ = [
+        *((name, ctypes.c_double) for name in ("per_body_mass", "per_pitch_inertia", "brake_moment", "corner")),
+        *(
+            (name, ctypes.c_double * 2)
+            for name in ("arm", "per_wheel_mass", "spring", "rebound", "compression", "clearance", "stop", "tyre")
+        ),
+        ("lift_off", ctypes.c_double * 2),
+    ]
+
+
+@cache
+def _library() -> ctypes.CDLL:
+    """The compiled nonlinear.c.
+
+    Raises:
+        RidelabError: It is not built.
+    """
+    if not _LIBRARY.is_file():
+        raise RidelabError(_NOT_BUILT)
+    library = ctypes.CDLL(str(_LIBRARY))
+    array, integer = np.ctypeslib.ndpointer(dtype=np.float64, flags="C_CONTIGUOUS"), ctypes.c_int
+    library.ridelab_drive.restype = None
+    library.ridelab_drive.argtypes = [
+        *(ctypes.POINTER(_Car), integer, integer, integer, integer, ctypes.c_double),
+        *(array, array, array, array, array, integer, integer),
+    ]
+    return library
+
+
+class NonlinearCar(DrivenCar):
+    """A nonlinear car on its road; the arguments are `on_road`'s."""
+
+    def __init__(self, vehicle: Vehicle, actuator: Actuator, step: float, disturbance: FloatArray, before: int) -> None:
+        self.size = STATES if actuator.bandwidth is None else STATES + FORCES
+        fine = disturbance.shape[1] // DISTURBANCES
+        short = substeps(vehicle, actuator, step / fine)
+        self._drive = _library().ridelab_drive
+        self._car = _car(vehicle, actuator)
+        self._sizes = fine, short, step / fine / short
+        self._disturbance = np.ascontiguousarray(disturbance)
+        self._before = before
+        self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
+
+    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
+        """As DrivenCar says."""
+        steps = len(feed)
+        loop = np.empty((steps + 1, self.size + FORCES))
+        loop[0] = start
+        self._drive(
+            *(self._car, self.size, steps, *self._sizes, np.ascontiguousarray(law.gain), np.ascontiguousarray(feed)),
+            *(self._disturbance[first : first + steps], loop, self._table, first - self._before, self._table.shape[2]),
+        )
+        return loop
+
+    def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """As DrivenCar says."""
+        return self.free_run(_HELD, step, np.concatenate([state, command]), command[np.newaxis])[1, : self.size]
+
+    def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
+        """As DrivenCar says: what was sampled while it drove."""
+        return self._table
+
+
+def substeps(vehicle: Vehicle, actuator: Actuator, fine_step: float) -> int:
+    """Steps of Runge-Kutta in a fine step [s] of a car and its actuators."""
+    return ceil(fine_step * max(_fastest(vehicle), _corner(actuator)) / _LONGEST_ANGLE)
+
+
+def _corner(actuator: Actuator) -> float:
+    """Of their lag [rad/s], 0 without one."""
+    return 2 * pi * (actuator.bandwidth or 0.0)
+
+
+def _car(vehicle: Vehicle, actuator: Actuator) -> _Car:
+    pair = ctypes.c_double * 2
+    compression, rebound = vehicle.damping_factors
+    damping = np.array([vehicle.front_damping, vehicle.rear_damping])
+    clearance = inf if vehicle.bump_stop_clearance is None else vehicle.bump_stop_clearance
+    lift_off = [-load for load in vehicle.static_loads] if vehicle.tyre_lift_off else [-inf, -inf]
+    return _Car(
+        per_body_mass=1 / vehicle.body_mass,
+        per_pitch_inertia=1 / vehicle.pitch_inertia,
+        brake_moment=vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia,
+        corner=_corner(actuator),
+        arm=pair(-vehicle.cg_to_front, vehicle.cg_to_rear),
+        per_wheel_mass=pair(1 / vehicle.front_wheel_mass, 1 / vehicle.rear_wheel_mass),
+        spring=pair(vehicle.front_spring, vehicle.rear_spring),
+        rebound=pair(*(rebound * damping)),
+        compression=pair(*(compression * damping)),
+        clearance=pair(clearance, clearance),
+        stop=pair(vehicle.bump_stop_stiffness, vehicle.bump_stop_stiffness),
+        tyre=pair(vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness),
+        lift_off=pair(*lift_off),
+    )
+
+
+@lru_cache(maxsize=128)
+def _fastest(vehicle: Vehicle) -> float:
+    """Magnitude of the fastest pole that any of its linear cars has [rad/s]: dampers hard, stops met."""
+    hard = max(vehicle.damping_factors)
+    stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
+    stiffest = vehicle.model_copy(
+        update={
+            "front_spring": vehicle.front_spring + stop,
+            "rear_spring": vehicle.rear_spring + stop,
+            "front_damping": vehicle.front_damping * hard,
+            "rear_damping": vehicle.rear_damping * hard,
+        }
+    )
+    return float(np.abs(np.linalg.eigvals(half_car(stiffest).A)).max())

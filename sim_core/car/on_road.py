@@ -1,0 +1,27 @@
+"""Which kind of car a vehicle is on its road."""
+
+from sim_core.arrays import FloatArray
+from sim_core.car.driven_car import DrivenCar
+from sim_core.car.half_car import DISTURBANCES
+from sim_core.car.linear import LinearCar
+from sim_core.car.nonlinear import NonlinearCar
+from sim_core.car.plant import plant
+from sim_core.scenario import Actuator, Vehicle
+
+
+def on_road(vehicle: Vehicle, actuator: Actuator, step: float, disturbance: FloatArray, before: int) -> DrivenCar:
+    """A car on its road.
+
+    Args:
+        vehicle: The real one.
+        actuator: Its actuators.
+        step: Control step [s].
+        disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `RoadInput.disturbance`.
+        before: Control steps before those on record.
+
+    Raises:
+        RidelabError: The car is nonlinear, and the part that steps such a car is not built.
+    """
+    if vehicle.linear:
+        return LinearCar(plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES), disturbance, before)
+    return NonlinearCar(vehicle, actuator, step, disturbance, before)

@@ -1,0 +1,163 @@
+"""Cars with unequal dampers, stops and tyres that lift off, in absolute coordinates and by SciPy's adaptive solver.
+
+Newton's second law for bodies and wheels with the forces as they are, integrated by DOP853 from control instant to
+control instant, all cars at once; taken from the core are the road's heights, the speed plan and the commands.
+"""
+
+from dataclasses import dataclass
+from unittest.mock import patch
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+from sim_core.car.road import profile
+from sim_core.closed_loop import ClosedLoop, Trajectory
+from sim_core.drive.speed_profile import CONTROL_STEP, drive
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario, Vehicle
+from sim_core.simulate import simulate
+from sim_core.strategies import SpeedPolicy
+from tests.validation.reference.held import OUTPUTS, Held, run_in
+
+Array = NDArray[np.float64]
+SAMPLES = 200  # in a control step
+NAMES = (*OUTPUTS, "front_force", "rear_force")
+
+
+@dataclass(frozen=True)
+class Run:
+    """A strategy's run: the core's result and commands (steps, 2) [N]."""
+
+    scenario: Scenario
+    result: StrategyResult
+    commands: Array
+
+
+def run(scenario: Scenario, name: str) -> Run:
+    """Drive it by the core."""
+    caught: list[Trajectory] = []
+    drive_loop = ClosedLoop.run
+
+    def caught_run(self: ClosedLoop, stages: list[tuple[str, int, int]]) -> Trajectory:
+        caught.append(drive_loop(self, stages))
+        return caught[-1]
+
+    with patch.object(ClosedLoop, "run", caught_run):
+        return Run(scenario, simulate(scenario, name), caught[0].commands)
+
+
+def errors(runs: list[Run]) -> list[dict[str, float]]:
+    """How far each RMS value and peak of the core is from the solver's, relative.
+
+    All runs at one constant speed, of one length and with control steps of `CONTROL_STEP`.
+    """
+    found = []
+    for run, theirs in zip(runs, _solved(runs), strict=True):
+        ours = {
+            f"{window}.{signal}.{statistic}": value
+            for window, signals in run.result.metrics.items()
+            for signal, statistics in signals.items()
+            for statistic, value in statistics.items()
+        }
+        found.append({key: ours[key] / theirs[key] - 1 for key in ours if abs(theirs[key]) > 1e-9})
+    return found
+
+
+class Cars:
+    """The cars' forces; every array has a column a car, pairs are front and rear (2, cars)."""
+
+    def __init__(self, cars: list[Vehicle], corner: list[float]) -> None:
+        def pair(name: str) -> Array:
+            return np.array([[getattr(car, f"{axle}_{name}") for car in cars] for axle in ("front", "rear")])
+
+        self.arm = np.array([[-car.cg_to_front for car in cars], [car.cg_to_rear for car in cars]])
+        self.mass, self.inertia = (
+            np.array([getattr(car, name) for car in cars]) for name in ("body_mass", "pitch_inertia")
+        )
+        self.wheel_mass, self.spring, self.tyre = pair("wheel_mass"), pair("spring"), pair("tyre_stiffness")
+        ratio = np.array([car.rebound_ratio for car in cars])
+        self.compression, self.rebound = pair("damping") * 2 / (1 + ratio), pair("damping") * 2 * ratio / (1 + ratio)
+        self.clearance = np.array([car.bump_stop_clearance or np.inf for car in cars])
+        self.stop = np.array([car.bump_stop_stiffness for car in cars])
+        weight = self.mass * 9.80665 * np.abs(self.arm[::-1]) / np.abs(self.arm).sum(axis=0)
+        lifts = np.array([car.tyre_lift_off for car in cars])
+        self.lowest = np.where(lifts, -weight - self.wheel_mass * 9.80665, -np.inf)
+        self.brake = np.array([car.body_mass * car.cg_height for car in cars])
+        self.corner = np.array(corner)
+
+    def forces(self, x: Array, road: Array) -> tuple[Array, Array, Array, Array]:
+        """Travel [m], its speed [m/s], force between body and wheel without the actuator's, dynamic tyre load [N].
+
+        Args:
+            x: Body, pitch, wheels, their speeds, actuator forces (10, …, cars).
+            road: Heights under the axles (2, …, cars) [m].
+        """
+        arm, shape = self.arm, (2, *[1] * (x.ndim - 2), -1)
+        arm = arm.reshape(shape)
+        travel, speed = x[0] + arm * x[1] - x[2:4], x[4] + arm * x[5] - x[6:8]
+        damping = np.where(speed > 0, self.rebound.reshape(shape), self.compression.reshape(shape))
+        beyond = np.maximum(np.abs(travel) - self.clearance, 0) * np.sign(travel)
+        force = self.spring.reshape(shape) * travel + damping * speed + self.stop * beyond
+        load = np.maximum(self.tyre.reshape(shape) * (road - x[2:4]), self.lowest.reshape(shape))
+        return travel, speed, force, load
+
+    def slope(self, x: Array, road: Array, braking: Array, command: Array) -> Array:
+        """Of x, (10, …, cars)."""
+        shape = (2, *[1] * (x.ndim - 2), -1)
+        _, _, force, load = self.forces(x, road)
+        net = force - x[8:]
+        pitch = (self.brake * braking - (self.arm.reshape(shape) * net).sum(axis=0)) / self.inertia
+        body = -net.sum(axis=0) / self.mass
+        wheels = (load + net) / self.wheel_mass.reshape(shape)
+        return np.concatenate([x[4:8], body[None], pitch[None], wheels, self.corner * (command - x[8:])])
+
+
+def _solved(runs: list[Run]) -> list[dict[str, float]]:
+    motion = drive(runs[0].scenario, SpeedPolicy.CONSTANT)
+    steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
+    time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
+    time = time + h * np.arange(SAMPLES + 1)
+    place = motion.at(time)[0]
+    roads = np.empty((steps, 2, SAMPLES + 1, n))
+    for i, run in enumerate(runs):
+        for axle, behind in enumerate((0.0, run.scenario.vehicle.cg_to_front + run.scenario.vehicle.cg_to_rear)):
+            roads[:, axle, :, i] = profile(run.scenario.road).height(place - behind)
+    commands = np.stack([run.commands.T for run in runs], axis=-1)  # (2, steps, cars)
+    bandwidths = [run.scenario.actuator.bandwidth if run.commands.any() else None for run in runs]
+    cars = Cars([run.scenario.real_vehicle for run in runs], [2 * np.pi * (each or 0.0) for each in bandwidths])
+    ideal = cars.corner == 0
+
+    x = np.zeros((10, n))
+    x[2:4] = roads[0, :, 0]
+    x[1] = (x[3] - x[2]) / (cars.arm[1] - cars.arm[0])
+    x[0] = x[2] - cars.arm[0] * x[1]
+    values = np.empty((steps, len(NAMES) + 2, SAMPLES + 1, n))
+    for k in range(steps):
+        command = commands[:, k]
+        x[8:, ideal] = command[:, ideal]
+
+        def slope(t: float, flat: Array, road: Array = roads[k], command: Array = command) -> Array:
+            j = min(int(t / h), SAMPLES - 1)
+            share = t / h - j
+            return cars.slope(
+                flat.reshape(10, n), (1 - share) * road[:, j] + share * road[:, j + 1], 0.0, command
+            ).ravel()
+
+        solved = solve_ivp(
+            *(slope, (0, CONTROL_STEP), x.ravel(), "DOP853", h * np.arange(SAMPLES + 1)),
+            **{"rtol": 1e-6, "atol": 1e-8, "max_step": 1e-3},
+        )
+        states = np.moveaxis(solved.y.reshape(10, n, -1), 1, 2)  # (10, samples, cars)
+        travel, speed, _, load = cars.forces(states, roads[k])
+        rates = cars.slope(states, roads[k], 0.0, command[:, None])
+        values[k] = np.concatenate([rates[4:6], load, travel, states[8:], speed])
+        x = states[:, -1].copy()
+    seen = time[:, 0] >= -1e-9
+    found = []
+    for i, run in enumerate(runs):
+        signals = {name: values[seen, row, :, i] for row, name in enumerate(NAMES)}
+        held = Held(time=time[seen], signals=signals, speed=(values[seen, -2, :, i], values[seen, -1, :, i]))
+        metrics = held.metrics(run.scenario, motion)
+        found.append({key: value for key, value in metrics.items() if not key.startswith("comfort")})
+    return found
