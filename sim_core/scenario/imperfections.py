@@ -1,6 +1,6 @@
 """Parts of the scenario for what is not ideal; by default everything is, as in the paper."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from pydantic import Field
 
@@ -45,6 +45,8 @@ class Mismatch(Part):
 
     The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
     """
+
+    ADDED: ClassVar = frozenset({"rebound_ratio"})
 
     body_mass: float = quantity(
         1,

@@ -1,5 +1,7 @@
 """The half-car's parameters (Table 2)."""
 
+from typing import ClassVar
+
 from pydantic import Field
 
 from sim_core.scenario.fields import Part, quantity
@@ -7,6 +9,8 @@ from sim_core.scenario.fields import Part, quantity
 
 class Vehicle(Part):
     """Half-car model: body with heave and pitch, front and rear wheel (Table 2)."""
+
+    ADDED: ClassVar = frozenset({"rebound_ratio", "bump_stop_clearance", "bump_stop_stiffness", "tyre_lift_off"})
 
     body_mass: float = quantity(1270, "kg", "Body mass", "Sprung mass m_b.", soft=(300, 2500), ge=50, le=50_000)
     pitch_inertia: float = quantity(
