@@ -16,7 +16,7 @@ from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
 from backend.jobs.service import CURSOR, Jobs
 from backend.store import StoredJob
-from backend.store.jobs import State
+from backend.store.job import State
 
 IdempotencyKey = Annotated[
     str | None,

@@ -8,7 +8,7 @@ from fastapi.sse import format_sse_event
 
 from backend.http.admission import Admission
 from backend.store import Store
-from backend.store.jobs import PAGE
+from backend.store.job_events import PAGE
 
 LOOK = 1.0  # between two looks for events of other processes [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
@@ -36,7 +36,7 @@ async def _stream(
         sent = clock()
         while True:
             changes = store.changes.count
-            events, ended = await store.read(store.jobs.news, job_id, after)
+            events, ended = await store.read(store.job_events.news, job_id, after)
             for event in events:
                 after, sent = event.number, clock()
                 yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))

@@ -26,7 +26,7 @@ from backend.jobs.retention import Retention
 from backend.jobs.sweep.plan import rekeyed
 from backend.settings import Settings
 from backend.store import Store, StoredJob
-from backend.store.jobs import UNFINISHED, Kind, State
+from backend.store.job import UNFINISHED, Kind, State
 from sim_core import __version__ as CORE_VERSION
 
 if TYPE_CHECKING:

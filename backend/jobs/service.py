@@ -12,7 +12,7 @@ from backend.jobs.chunk import PlannedRun
 from backend.jobs.events import server_sent
 from backend.settings import Settings
 from backend.store import Store, StoredJob
-from backend.store.jobs import UNFINISHED, Kind, State
+from backend.store.job import UNFINISHED, Kind, State
 
 RETRY_AFTER = 30
 CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last job of a page was created, and its id

@@ -4,8 +4,10 @@ Methods are synchronous and short; services run them through `Store.read` and `S
 """
 
 from backend.db.database import Database
+from backend.store.job import StoredJob
+from backend.store.job_events import JobEventStore
 from backend.store.job_runs import JobRunStore
-from backend.store.jobs import JobStore, StoredJob
+from backend.store.jobs import JobStore
 from backend.store.links import LinkStore, StoredLink
 from backend.store.retention import RetentionStore
 from backend.store.runs import RunStore, StoredResult, StoredRun
@@ -22,6 +24,7 @@ class Store(Database):
         self.runs = RunStore(self)
         self.jobs = JobStore(self)
         self.job_runs = JobRunStore(self)
+        self.job_events = JobEventStore(self)
         self.trials = TrialStore(self)
         self.links = LinkStore(self)
         self.retention = RetentionStore(self)

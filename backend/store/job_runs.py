@@ -10,7 +10,8 @@ from sqlalchemy import Connection, Select, Update, bindparam, select, update
 from backend.db.database import Database
 from backend.db.tables import job_runs, jobs, results
 from backend.jobs.chunk import ComputedRun, WaitingRun
-from backend.store.jobs import lock, tell
+from backend.store.job_events import tell
+from backend.store.jobs import lock
 from backend.store.runs import EXPIRED, insert_results
 
 

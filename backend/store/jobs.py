@@ -1,100 +1,27 @@
-"""Jobs of every kind: what was accepted, how far each is, and the events that tell about it.
+"""Jobs of every kind: what was accepted, and how far each is.
 
 A job that has not ended is driven until it has, whatever crashes: what is still to be done is a query.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import fields
 from datetime import UTC, datetime
-from typing import Any, Literal
+from typing import Any
 
-import orjson
 from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
-from backend import digest
 from backend.db.database import Database
 from backend.db.tables import job_events, job_runs, jobs, links, trials
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
+from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
+from backend.store.job_events import tell
 from backend.store.trials import StoredTrial
-from sim_core import __version__ as CORE_VERSION
-from sim_core.scenario import SCHEMA_VERSION
-
-State = Literal["queued", "running", "done", "cancelled", "failed"]
-Kind = Literal["sweep", "tuning", "reproduction"]
-UNFINISHED = ("queued", "running")
-FINAL = ("done", "cancelled", "failed")
-PAGE = 500  # events read at once
 
 
 class ParentEndedError(Exception):
     """A job cannot be submitted for one that has ended."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StoredJob:
-    """A job as it stands.
-
-    Attributes:
-        id: Names it for ever.
-        kind: Which kind of job.
-        parent_id: The job that submitted it; None where a user did.
-        label: A user's name for it.
-        owner: The name of the token that submitted it; None without tokens.
-        state: Where it is.
-        reason: Why it failed.
-        core_version: That computes it; of a sweep each run names its own.
-        schema_version: Of the scenario in the request.
-        request: What was asked, defaults written out.
-        sweep: The points of a sweep, as they were sent; None where they were not loaded.
-        progress: What the kind keeps of how far it is.
-        answer: The kind's result, once it is done.
-        estimated_cost: Estimate [s of one core].
-        total: Runs, or trials of a tuning.
-        done: How many of them succeeded.
-        failed: How many did not.
-        request_hash: Of the request as it was accepted.
-        created_at: When it was accepted.
-        started_at: When it began.
-        finished_at: When it ended.
-    """
-
-    id: str = field(default_factory=digest.random_id)
-    kind: Kind
-    parent_id: str | None = None
-    label: str | None = None
-    owner: str | None = None
-    state: State = "queued"
-    reason: str | None = None
-    core_version: str = CORE_VERSION
-    schema_version: int = SCHEMA_VERSION
-    request: JsonObject
-    sweep: JsonObject | None = None
-    progress: JsonObject = field(default_factory=dict)
-    answer: JsonObject | None = None
-    estimated_cost: float
-    total: int
-    done: int = 0
-    failed: int = 0
-    request_hash: str
-    created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
-    started_at: datetime | None = None
-    finished_at: datetime | None = None
-
-    @property
-    def open_runs(self) -> int:
-        """How many have not come to an end."""
-        return self.total - self.done - self.failed
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class JobEvent:
-    """Something that happened to a job; `data` is JSON text."""
-
-    number: int
-    kind: str
-    data: str
 
 
 NAMES = [each.name for each in fields(StoredJob)]
@@ -314,24 +241,6 @@ class JobStore:
         self._database.changed()
         return True
 
-    def events(self, job_id: str, after: int, limit: int = PAGE) -> list[JobEvent]:
-        """What happened behind event `after`."""
-        with self._database.reading() as connection:
-            return _events(connection, job_id, after, limit)
-
-    def news(self, job_id: str, after: int) -> tuple[list[JobEvent], bool]:
-        """What happened behind event `after`, and whether nothing more will."""
-        with self._database.reading() as connection:
-            state = connection.execute(select(jobs.c.state).where(jobs.c.id == job_id)).scalar_one_or_none()
-            events = _events(connection, job_id, after, PAGE)  # behind the state: an end that is seen has its event
-        return events, state not in UNFINISHED and len(events) < PAGE
-
-    def history(self, job_id: str) -> list[JsonObject]:
-        """What its progress events told since it last began anew."""
-        events = self.events(job_id, 0, limit=1_000_000)
-        begun = max((event.number for event in events if event.kind == "restart"), default=0)
-        return [orjson.loads(event.data) for event in events if event.kind == "progress" and event.number > begun]
-
     def _one(self, query: Select[Any]) -> StoredJob | None:
         with self._database.reading() as connection:
             row = connection.execute(query).one_or_none()
@@ -355,28 +264,6 @@ def change_state(connection: Connection, job_id: str, before: Sequence[str], sta
         return False
     tell(connection, job_id, "state")
     return True
-
-
-def tell(connection: Connection, job_id: str, kind: str, told: JsonObject | None = None) -> None:
-    """Add an event with the job as this transaction leaves it."""
-    columns = (jobs.c.state, jobs.c.done, jobs.c.failed, jobs.c.total, jobs.c.progress)
-    job = connection.execute(select(*columns).where(jobs.c.id == job_id)).one()
-    last = connection.execute(
-        select(func.coalesce(func.max(job_events.c.number), 0)).where(job_events.c.job_id == job_id)
-    ).scalar_one()
-    counts = {"state": job.state, "done": job.done, "failed": job.failed, "total": job.total}
-    data = orjson.dumps({**counts, **job.progress, **(told or {})}).decode()
-    connection.execute(insert(job_events), {"job_id": job_id, "number": last + 1, "kind": kind, "data": data})
-
-
-def _events(connection: Connection, job_id: str, after: int, limit: int) -> list[JobEvent]:
-    query = (
-        select(job_events.c.number, job_events.c.kind, job_events.c.data)
-        .where(job_events.c.job_id == job_id, job_events.c.number > after)
-        .order_by(job_events.c.number)
-        .limit(limit)
-    )
-    return [JobEvent(**row._asdict()) for row in connection.execute(query).all()]
 
 
 def _job(row: Row[Any]) -> StoredJob:

@@ -9,7 +9,7 @@ from sqlalchemy import Select, and_, delete, exists, func, or_, select, update
 
 from backend.db.database import Database
 from backend.db.tables import job_events, job_runs, jobs, links, pinned_series, results, run_results, trials
-from backend.store.jobs import FINAL
+from backend.store.job import FINAL
 from backend.store.runs import EXPIRED
 
 PAGE = 500  # jobs or results in one transaction

@@ -111,7 +111,7 @@ def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None
     now = store.jobs.load(batch.id)
     assert now is not None
     assert (now.done, now.failed) == (5, 0)
-    numbers = [event.number for event in store.jobs.events(batch.id, 0)]
+    numbers = [event.number for event in store.job_events.of(batch.id, 0)]
     assert numbers == list(range(1, len(numbers) + 1))
 
 
@@ -128,17 +128,17 @@ def test_a_batch_is_done_when_nothing_waits_and_not_before(store: Store, batch: 
     assert store.jobs.unfinished() == []
     store.jobs.cancel(batch.id)
     assert store.jobs.load(batch.id) == now, "too late"
-    states = [orjson.loads(event.data)["state"] for event in store.jobs.events(batch.id, 0) if event.kind == "state"]
+    states = [orjson.loads(event.data)["state"] for event in store.job_events.of(batch.id, 0) if event.kind == "state"]
     assert states == ["queued", "running", "done"]
 
 
 def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more(store: Store, batch: StoredJob) -> None:
     store.job_runs.save(batch.id, computed("key-0"), "1")
     store.jobs.cancel(batch.id)
-    before, events = store.job_runs.rows(batch.id, -1, 100), store.jobs.events(batch.id, 0)
+    before, events = store.job_runs.rows(batch.id, -1, 100), store.job_events.of(batch.id, 0)
     store.job_runs.save(batch.id, computed("key-1"), "1", {2: "late"})
     assert store.job_runs.rows(batch.id, -1, 100) == before
-    assert store.jobs.events(batch.id, 0) == events
+    assert store.job_events.of(batch.id, 0) == events
     assert [row.status for row in before].count("ok") == 3
     assert [row.status for row in before].count("cancelled") == RUNS - 3
 

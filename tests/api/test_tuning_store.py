@@ -59,7 +59,7 @@ def now(store: Store) -> StoredJob:
 
 
 def told(store: Store) -> list[tuple[str, str, int]]:
-    events = store.jobs.events(TUNING.id, 0)
+    events = store.job_events.of(TUNING.id, 0)
     assert [event.number for event in events] == list(range(1, len(events) + 1))
     found = [(event.kind, orjson.loads(event.data)) for event in events]
     return [(kind, data["state"], data["generation"]) for kind, data in found]
@@ -90,8 +90,8 @@ def test_a_generation_is_committed_whole_and_once(store: Store, tuning: StoredJo
     assert store.jobs.advance(found, event="state", state="running")
     assert add(store, found, trial(2, 1), trial(3, 1))
     assert [trial.number for trial in store.trials.of(TUNING.id)] == [0, 1, 2, 3]
-    assert [each["done"] for each in store.jobs.history(TUNING.id)] == [1, 3]
-    assert store.jobs.history(TUNING.id)[0]["best"] == [0.1]
+    assert [each["done"] for each in store.job_events.history(TUNING.id)] == [1, 3]
+    assert store.job_events.history(TUNING.id)[0]["best"] == [0.1]
     assert told(store) == [
         ("state", "queued", 0),
         ("progress", "queued", 1),
@@ -127,7 +127,7 @@ def test_a_restart_drops_trials_and_begins_a_new_history(store: Store, tuning: S
     store.jobs.advance(
         now(store), event="restart", drop_trials=True, core_version="2", progress=TUNING.progress, done=0
     )
-    assert store.trials.of(TUNING.id) == store.jobs.history(TUNING.id) == []
+    assert store.trials.of(TUNING.id) == store.job_events.history(TUNING.id) == []
     add(store, now(store), trial(0, 0))
-    assert len(store.jobs.history(TUNING.id)) == 1
+    assert len(store.job_events.history(TUNING.id)) == 1
     assert [kind for kind, *_ in told(store)] == ["state", "progress", "restart", "progress"]

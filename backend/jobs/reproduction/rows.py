@@ -16,7 +16,7 @@ from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
 from backend.store import Store, StoredJob
-from backend.store.jobs import FINAL, UNFINISHED
+from backend.store.job import FINAL, UNFINISHED
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 

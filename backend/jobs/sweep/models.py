@@ -11,7 +11,7 @@ from backend.jobs.sweep.sweeps import Sweep
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store import StoredJob
-from backend.store.jobs import State
+from backend.store.job import State
 from sim_core.scenario import Scenario, dotted
 
 

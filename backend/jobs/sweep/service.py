@@ -1,54 +1,30 @@
 """Batches: accepted whole or refused, then read while the scheduler has them computed."""
 
 import asyncio
-import time
 from collections.abc import AsyncIterator, Callable, Iterable, Sequence
-from dataclasses import dataclass
-from functools import partial
 from typing import Any, TypeVar
 
-from cachetools import LRUCache
-
-from backend.analysis import reading, robustness
-from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan, table
 from backend.jobs.sweep.models import Batch, Batches, BatchItem, BatchSummary, Estimate
+from backend.jobs.sweep.summaries import Summaries
 from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
 from backend.json_types import JsonObject
 from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
+from backend.store.job import UNFINISHED, State
 from backend.store.job_runs import JobRow
-from backend.store.jobs import FINAL, UNFINISHED, State
 from sim_core.scenario import Scenario
 
 PAGE = 250  # rows read in one transaction
-SUMMARIES = 16  # kept: a page that is opened again asks for the same
-REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
-SUMMARY_COST = 0.002  # of one run, its loop's stability included [s of one core]
 PLAN_COST = 0.0002  # of one run [s of one core]
 QUICK = 0.3  # what takes less needs no process in the background [s of one core]
 T = TypeVar("T")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Summary:
-    """A summary that was made.
-
-    Attributes:
-        answer: What was answered.
-        ended: How many runs had come to an end.
-        reusable_until: On the clock of the event loop, where runs have ended since [s].
-    """
-
-    answer: BatchSummary
-    ended: int
-    reusable_until: float
 
 
 class Sweeps:
@@ -71,8 +47,7 @@ class Sweeps:
         self._background = background
         self._admission = admission
         self._settings = settings
-        self._summaries: LRUCache[tuple[str, ...], _Summary] = LRUCache(SUMMARIES)
-        self._summarising: Flights[tuple[str | int, ...], BatchSummary] = Flights()
+        self._summaries = Summaries(rows=self.rows, call=self._call, admission=admission)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """What that batch would be.
@@ -197,27 +172,7 @@ class Sweeps:
             InvalidError: It does not have that baseline.
             TemporaryError: Too much is being read.
         """
-        job = await self.jobs.get(job_id)
-        names = job.request["strategies"]
-        against = baseline or (robustness.BASELINE if robustness.BASELINE in names else names[0])
-        if against not in names:
-            raise InvalidError(f"The batch has no such strategy; it has {', '.join(names)}", parameter="baseline")
-        asked, ended = (job.id, against, *figures), job.done + job.failed
-        clock = asyncio.get_running_loop().time
-        made = self._summaries.get(asked)
-        goes_on = job.state not in FINAL
-        if made is not None and (made.ended == ended or (goes_on and clock() < made.reusable_until)):
-            return made.answer.model_copy(update={"state": job.state})
-        begin = time.perf_counter()
-        cost = SUMMARY_COST * ended
-        rows, call = self.rows(job.id), partial(self._call, cost)
-        with self._admission.background(client, cost):
-            answer = await self._summarising.join(
-                (*asked, ended), partial(reading.summarised, job, rows, call, figures, against)
-            )
-        until = clock() + REUSE * (time.perf_counter() - begin)
-        self._summaries[asked] = _Summary(answer=answer, ended=ended, reusable_until=until)
-        return answer
+        return await self._summaries.get(await self.jobs.get(job_id), figures, baseline, client)
 
     async def results(self, job_id: str, file_format: Format) -> tuple[StoredJob, AsyncIterator[bytes]]:
         """The batch and its rows in that format, piece by piece.

@@ -13,7 +13,7 @@ from backend.jobs.tuning.space import first_weights
 from backend.json_types import JsonObject
 from backend.models import Answer
 from backend.store import StoredJob
-from backend.store.jobs import State
+from backend.store.job import State
 from backend.store.trials import StoredTrial
 
 

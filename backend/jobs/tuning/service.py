@@ -17,7 +17,7 @@ from backend.jobs.tuning.steps import first_progress
 from backend.json_types import JsonObject
 from backend.settings import Settings
 from backend.store import Store, StoredJob
-from backend.store.jobs import UNFINISHED, State
+from backend.store.job import UNFINISHED, State
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 
@@ -84,7 +84,7 @@ class TuningService:
     async def answer(self, job: StoredJob) -> Tuning:
         """The tuning as it is answered: all its trials make the front, the events of its generations the history."""
         trials = await self._store.read(self._store.trials.of, job.id)
-        history = await self._store.read(self._store.jobs.history, job.id)
+        history = await self._store.read(self._store.job_events.history, job.id)
         return await asyncio.to_thread(Tuning.whole, job, trials, history)
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Tunings:

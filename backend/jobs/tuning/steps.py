@@ -26,8 +26,9 @@ from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of
 from backend.json_types import JsonObject, Summary
 from backend.store import Store, StoredJob
+from backend.store.job import FINAL
 from backend.store.job_runs import JobRow
-from backend.store.jobs import FINAL, ParentEndedError
+from backend.store.jobs import ParentEndedError
 from backend.store.trials import StoredTrial
 from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import RidelabError

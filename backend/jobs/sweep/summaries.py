@@ -1,0 +1,89 @@
+"""Summaries of batches: equal ones at once are made once, and one that was made is answered again."""
+
+import asyncio
+import time
+from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from cachetools import LRUCache
+
+from backend.analysis import reading, robustness
+from backend.compute.flights import Flights
+from backend.errors import InvalidError
+from backend.http.admission import Admission
+from backend.jobs.sweep.models import BatchSummary
+from backend.store import StoredJob
+from backend.store.job import FINAL
+from backend.store.job_runs import JobRow
+
+CACHED = 16  # a page that is opened again asks for the same
+REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
+COST = 0.002  # of one run, its loop's stability included [s of one core]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CachedSummary:
+    """A summary that was made.
+
+    Attributes:
+        answer: What was answered.
+        ended: How many runs had come to an end.
+        reusable_until: On the clock of the event loop, where runs have ended since [s].
+    """
+
+    answer: BatchSummary
+    ended: int
+    reusable_until: float
+
+
+class Summaries:
+    """Makes and keeps summaries; its methods belong to the event loop.
+
+    Args:
+        rows: A batch's rows, page by page, by its id.
+        call: Runs a function of that cost [s of one core] in a process.
+        admission: What is accepted at once.
+    """
+
+    def __init__(
+        self,
+        *,
+        rows: Callable[[str], AsyncIterator[list[JobRow]]],
+        call: Callable[..., Awaitable[Any]],
+        admission: Admission,
+    ) -> None:
+        self._rows = rows
+        self._call = call
+        self._admission = admission
+        self._cached: LRUCache[tuple[str, ...], CachedSummary] = LRUCache(CACHED)
+        self._flights: Flights[tuple[str | int, ...], BatchSummary] = Flights()
+
+    async def get(self, job: StoredJob, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
+        """What the batch's finished rows say as a whole.
+
+        Raises:
+            InvalidError: It does not have that baseline.
+            TemporaryError: Too much is being read.
+        """
+        names = job.request["strategies"]
+        against = baseline or (robustness.BASELINE if robustness.BASELINE in names else names[0])
+        if against not in names:
+            raise InvalidError(f"The batch has no such strategy; it has {', '.join(names)}", parameter="baseline")
+        key, ended = (job.id, against, *figures), job.done + job.failed
+        clock = asyncio.get_running_loop().time
+        cached = self._cached.get(key)
+        goes_on = job.state not in FINAL
+        if cached is not None and (cached.ended == ended or (goes_on and clock() < cached.reusable_until)):
+            return cached.answer.model_copy(update={"state": job.state})
+        begin = time.perf_counter()
+        cost = COST * ended
+        rows, call = self._rows(job.id), partial(self._call, cost)
+        with self._admission.background(client, cost):
+            answer = await self._flights.join(
+                (*key, ended), partial(reading.summarised, job, rows, call, figures, against)
+            )
+        until = clock() + REUSE * (time.perf_counter() - begin)
+        self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)
+        return answer

@@ -1,0 +1,71 @@
+"""A job as it is stored."""
+
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from typing import Literal
+
+from backend import digest
+from backend.json_types import JsonObject
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import SCHEMA_VERSION
+
+State = Literal["queued", "running", "done", "cancelled", "failed"]
+Kind = Literal["sweep", "tuning", "reproduction"]
+UNFINISHED = ("queued", "running")
+FINAL = ("done", "cancelled", "failed")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StoredJob:
+    """A job as it stands.
+
+    Attributes:
+        id: Names it for ever.
+        kind: Which kind of job.
+        parent_id: The job that submitted it; None where a user did.
+        label: A user's name for it.
+        owner: The name of the token that submitted it; None without tokens.
+        state: Where it is.
+        reason: Why it failed.
+        core_version: That computes it; of a sweep each run names its own.
+        schema_version: Of the scenario in the request.
+        request: What was asked, defaults written out.
+        sweep: The points of a sweep, as they were sent; None where they were not loaded.
+        progress: What the kind keeps of how far it is.
+        answer: The kind's result, once it is done.
+        estimated_cost: Estimate [s of one core].
+        total: Runs, or trials of a tuning.
+        done: How many of them succeeded.
+        failed: How many did not.
+        request_hash: Of the request as it was accepted.
+        created_at: When it was accepted.
+        started_at: When it began.
+        finished_at: When it ended.
+    """
+
+    id: str = field(default_factory=digest.random_id)
+    kind: Kind
+    parent_id: str | None = None
+    label: str | None = None
+    owner: str | None = None
+    state: State = "queued"
+    reason: str | None = None
+    core_version: str = CORE_VERSION
+    schema_version: int = SCHEMA_VERSION
+    request: JsonObject
+    sweep: JsonObject | None = None
+    progress: JsonObject = field(default_factory=dict)
+    answer: JsonObject | None = None
+    estimated_cost: float
+    total: int
+    done: int = 0
+    failed: int = 0
+    request_hash: str
+    created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
+    started_at: datetime | None = None
+    finished_at: datetime | None = None
+
+    @property
+    def open_runs(self) -> int:
+        """How many have not come to an end."""
+        return self.total - self.done - self.failed

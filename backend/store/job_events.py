@@ -1,0 +1,69 @@
+"""What happened to jobs, numbered. An event is added in the transaction that makes it happen (`tell`)."""
+
+from dataclasses import dataclass
+
+import orjson
+from sqlalchemy import Connection, func, insert, select
+
+from backend.db.database import Database
+from backend.db.tables import job_events, jobs
+from backend.json_types import JsonObject
+from backend.store.job import UNFINISHED
+
+PAGE = 500  # events read at once
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobEvent:
+    """Something that happened to a job; `data` is JSON text."""
+
+    number: int
+    kind: str
+    data: str
+
+
+class JobEventStore:
+    """Reads events; every method is one short transaction."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def of(self, job_id: str, after: int, limit: int = PAGE) -> list[JobEvent]:
+        """What happened behind event `after`."""
+        with self._database.reading() as connection:
+            return _events(connection, job_id, after, limit)
+
+    def news(self, job_id: str, after: int) -> tuple[list[JobEvent], bool]:
+        """What happened behind event `after`, and whether nothing more will."""
+        with self._database.reading() as connection:
+            state = connection.execute(select(jobs.c.state).where(jobs.c.id == job_id)).scalar_one_or_none()
+            events = _events(connection, job_id, after, PAGE)  # behind the state: an end that is seen has its event
+        return events, state not in UNFINISHED and len(events) < PAGE
+
+    def history(self, job_id: str) -> list[JsonObject]:
+        """What its progress events told since it last began anew."""
+        events = self.of(job_id, 0, limit=1_000_000)
+        begun = max((event.number for event in events if event.kind == "restart"), default=0)
+        return [orjson.loads(event.data) for event in events if event.kind == "progress" and event.number > begun]
+
+
+def tell(connection: Connection, job_id: str, kind: str, told: JsonObject | None = None) -> None:
+    """Add an event with the job as this transaction leaves it."""
+    columns = (jobs.c.state, jobs.c.done, jobs.c.failed, jobs.c.total, jobs.c.progress)
+    job = connection.execute(select(*columns).where(jobs.c.id == job_id)).one()
+    last = connection.execute(
+        select(func.coalesce(func.max(job_events.c.number), 0)).where(job_events.c.job_id == job_id)
+    ).scalar_one()
+    counts = {"state": job.state, "done": job.done, "failed": job.failed, "total": job.total}
+    data = orjson.dumps({**counts, **job.progress, **(told or {})}).decode()
+    connection.execute(insert(job_events), {"job_id": job_id, "number": last + 1, "kind": kind, "data": data})
+
+
+def _events(connection: Connection, job_id: str, after: int, limit: int) -> list[JobEvent]:
+    query = (
+        select(job_events.c.number, job_events.c.kind, job_events.c.data)
+        .where(job_events.c.job_id == job_id, job_events.c.number > after)
+        .order_by(job_events.c.number)
+        .limit(limit)
+    )
+    return [JobEvent(**row._asdict()) for row in connection.execute(query).all()]
