@@ -8,7 +8,7 @@ from fastapi import FastAPI
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
-from backend.api import batches, controller, health, links, login, paper, runs, schema, site, tunings
+from backend.api import batches, controller, health, links, login, paper, runs, schema, site, tunings, vehicles
 from backend.compute.workers import Workers
 from backend.ecu.service import Controllers
 from backend.http import openapi, problems
@@ -49,6 +49,8 @@ ROUTERS = (
     paper.paper,
     controller.controller,
     schema.schema,
+    vehicles.vehicles,
+    vehicles.data_sheets,
     login.login,
     health.health,
 )

@@ -23,7 +23,7 @@ TAGS = {
     "links": "Links that open a run or a batch as it was shared.",
     "paper": "The paper's tables and figures, checked.",
     "controller": "The controller as a program for a small processor.",
-    "schema": "What there is to choose from: fields, presets, strategies, signals, figures.",
+    "schema": "What there is to choose from: fields, presets, vehicles, strategies, signals, figures.",
     "login": "The page's login, where the service wants a token.",
     "health": "For those who operate the service.",
 }
@@ -67,6 +67,19 @@ EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     "LinkRequest": {"run_id": "AAAAAAAAAAAAAAAAAAAAAA", "view": {"baseline": "passive", "axis": "time"}},
     "ControllerRequest": {"scenario": SCENARIO},
     "LabelRequest": {"label": "winter"},
+    "DataSheet": {
+        "front_axle_load": 760,
+        "rear_axle_load": 640,
+        "front_axle_mass": 70,
+        "rear_axle_mass": 60,
+        "wheelbase": 2.6,
+        "front_frequency": 1.2,
+        "rear_frequency": 1.4,
+        "front_damping_ratio": 0.25,
+        "rear_damping_ratio": 0.3,
+        "front_tyre_stiffness": 200_000,
+        "rear_tyre_stiffness": 200_000,
+    },
     "LoginRequest": {"token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"},
 }
 LINKS = {  # operations that take the id, by the operation that answers with it

@@ -246,6 +246,22 @@ class Ridelab:
         """The newest tunings first, without what stands behind their scenario; as `batches`."""
         return [Tuning(self._http, each) for each in self._listed("tunings", state, label, limit)]
 
+    def vehicles(self) -> dict[str, dict[str, Any]]:
+        """Vehicles with sources by id: `label`, `description`, `vehicle` (for a scenario), `sources`, `derived`."""
+        return {each["id"]: each for each in self.get("/vehicles")}
+
+    def half_car(self, data_sheet: Mapping[str, float]) -> dict[str, float]:
+        """A scenario's `vehicle` from a whole car's data sheet.
+
+        Args:
+            data_sheet: `front_axle_load`, `rear_axle_load`, `front_axle_mass`, `rear_axle_mass` [kg], `wheelbase` [m],
+                `front_frequency`, `rear_frequency` [Hz], `front_damping_ratio`, `rear_damping_ratio` [1],
+                `front_tyre_stiffness`, `rear_tyre_stiffness` [N/m]; perhaps `cg_height` [m] and `pitch_inertia`
+                [kg m^2].
+        """
+        vehicle: dict[str, float] = self._post("/vehicles/from-data-sheet", data_sheet)["vehicle"]
+        return vehicle
+
     def controller(self, scenario: Scenario) -> bytes:
         """The `lv_hil` controller of a scenario as a zip of C sources; the same scenario gives the same bytes."""
         return self._http.send("POST", f"{API}/controller", body={"scenario": scenario}).content

@@ -8,6 +8,9 @@ export function pageTitle(scenario: Scenario): string {
   const from = getAt(scenario, "/speed/initial_speed_kmh");
   const to = getAt(scenario, "/speed/target_speed_kmh");
   if (typeof height !== "number" || typeof from !== "number" || typeof to !== "number") return "Ridelab";
-  const obstacle = height === 0 ? "no bump" : `${Math.abs(height * 1000).toFixed(0)} mm ${height > 0 ? "bump" : "pothole"}`;
+  const count = getAt(scenario, "/road/bump/count");
+  const several = typeof count === "number" && count > 1 ? `${count} × ` : "";
+  const kind = getAt(scenario, "/road/bump/shape") === "kerb" ? "kerb" : height > 0 ? "bump" : "pothole";
+  const obstacle = height === 0 ? "no bump" : `${several}${Math.abs(height * 1000).toFixed(0)} mm ${kind}`;
   return `${obstacle}, ${from} → ${to} km/h · Ridelab`;
 }

@@ -1,5 +1,6 @@
 """Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
 
+from types import EllipsisType
 from typing import Annotated, Any, ClassVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field
@@ -7,7 +8,7 @@ from pydantic_core import PydanticCustomError
 
 
 def quantity(
-    default: float | None,
+    default: float | EllipsisType | None,
     unit: str,
     title: str,
     description: str,
@@ -16,7 +17,7 @@ def quantity(
     ge: float,
     le: float,
 ) -> Any:
-    """A number with a unit: hard limits `ge` to `le`, slider range `soft`."""
+    """A number with a unit: hard limits `ge` to `le`, slider range `soft`; `...` has no default."""
     return Field(
         default,
         ge=ge,
@@ -93,3 +94,8 @@ def count(default: int, title: str, description: str, *, soft: tuple[int, int], 
         description=description,
         json_schema_extra={"unit": "1", "soft_range": list(soft)},
     )
+
+
+def at(field: str, message: str) -> PydanticCustomError:
+    """An error of a whole model that belongs to one field; `ctx['field']` names it, dotted."""
+    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})

@@ -10,7 +10,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 from pydantic import BeforeValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.fields import Part, Weights, count, quantity, weights
+from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
 from sim_core.scenario.imperfections import Actuator, Hil, Mismatch
 from sim_core.scenario.vehicle import Vehicle
 
@@ -274,21 +274,16 @@ class Scenario(Part):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if self.mpc.control_horizon > self.mpc.prediction_horizon:
-            raise _at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
+            raise at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
         bump = self.road.bump
         if bump.end > self.road.length:
-            raise _at(
+            raise at(
                 "road.bump.start",
                 "The bump must end before the road does: position and width together at most the road's length"
                 + (", with the spacing of all in between" if bump.count > 1 else ""),
             )
         if bump.count > 1 and bump.spacing < bump.width:
-            raise _at("road.bump.spacing", "Bumps must not overlap: the spacing is at least their width")
+            raise at("road.bump.spacing", "Bumps must not overlap: the spacing is at least their width")
         if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
-            raise _at("road.bump.height", "A circular bump's height must not exceed half its width")
+            raise at("road.bump.height", "A circular bump's height must not exceed half its width")
         return self
-
-
-def _at(field: str, message: str) -> PydanticCustomError:
-    """An error of the whole scenario that belongs to one field; `ctx['field']` names it, dotted."""
-    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})

@@ -11,7 +11,8 @@ import httpx
 PHASES = "examples,coverage,fuzzing,stateful"
 
 # What JSON Schema cannot say about a good request: a bump has to lie on its road, horizons to fit each other, a sweep
-# and a link to have one of several forms, names in a list to be known, the cost to be bearable. Those are 422.
+# and a link to have one of several forms, names in a list to be known, axles to carry more than their wheels, the
+# cost to be bearable. Those are 422.
 CONFIGURATION = """
 continue-on-failure = true
 
@@ -34,7 +35,7 @@ values = ["{link}"]
 include-operation-id = [
     "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getRunReport",
     "getBatchTable", "getBatchSummary",
-    "exportController", "reportController", "driveByClock",
+    "exportController", "reportController", "driveByClock", "makeHalfCar",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
 checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]

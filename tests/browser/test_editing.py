@@ -1,6 +1,7 @@
 """What-if: drag, type, undo, reset; wrong values; strategies and baseline."""
 
 import re
+from pathlib import Path
 
 from playwright.sync_api import expect
 
@@ -98,6 +99,8 @@ def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> No
     expect(page).not_to_have_url(address)
     dashboard.expect_curves()
     assert dashboard.stored_run()["scenario"]["road"]["bump"] == {
+        "count": 1,
+        "spacing": 10,
         "shape": "cosine",
         "height": 0.08,
         "width": 5,
@@ -185,3 +188,25 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
     expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
     dashboard.page.get_by_role("button", name="Show all strategies").click()
     expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(6)
+
+
+def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_path: Path) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Vehicle", exact=True).click()
+    choice = page.get_by_role("combobox", name="Vehicle")
+    choice.select_option("van_loaded")
+    expect(dashboard.entry("Body mass")).to_have_value("1101.5")
+    expect(page.get_by_text("The same van with 887 kg")).to_be_visible()
+    expect(page).not_to_have_url(address)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save file").click()
+    file = tmp_path / saved.value.suggested_filename
+    saved.value.save_as(file)
+    page.get_by_role("button", name="Undo").click()
+    expect(choice).to_have_value("paper")
+    page.get_by_label("Vehicle file").set_input_files(file)
+    expect(choice).to_have_value("van_loaded")
+    file.write_text("no vehicle", encoding="utf-8")
+    page.get_by_label("Vehicle file").set_input_files(file)
+    expect(page.get_by_role("alert").filter(has_text="vehicle-van_loaded.json: This file is not JSON")).to_be_visible()

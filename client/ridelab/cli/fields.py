@@ -7,6 +7,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from ridelab.cli.reporting import InputError
@@ -17,6 +18,7 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
 _SPAN = re.compile(rf"({_NUMBER}):({_NUMBER}):(\d+)", re.IGNORECASE)
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
+VEHICLE = "vehicle"  # the part of a scenario that --set takes whole
 _WORDS = {"true": True, "false": False, "null": None}
 
 
@@ -30,7 +32,27 @@ def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Servi
     if not changes:
         return dict(scenario)
     whole = _merged(next(iter(services.names.presets.values())), scenario)
-    return with_values(whole, dict(_pair(change, "--set takes FIELD=VALUE", _value) for change in changes))
+    pairs = [_pair(change, "--set takes FIELD=VALUE", str) for change in changes]
+    pairs.sort(key=lambda pair: pair[0] != VEHICLE)  # its fields may be changed, wherever it stands
+    values = {
+        name: vehicle_of(text, services) if name == VEHICLE else _read(name, text, _value) for name, text in pairs
+    }
+    return with_values(whole, values)
+
+
+def vehicle_of(target: str, services: Services) -> Any:
+    """The vehicle of a file with one (a vehicle's, a scenario's, a run's), or that a service knows by name."""
+    if not Path(target).is_file():
+        known = services.at().vehicles()
+        if target not in known:
+            raise InputError(f"{VEHICLE}: {target} is neither a file nor a vehicle ({', '.join(known)})")
+        return known[target]["vehicle"]
+    content = document(Path(target).read_bytes(), target)
+    if isinstance(content, dict) and isinstance(content.get("scenario"), dict):
+        content = content["scenario"]
+    if not isinstance(content, dict) or not isinstance(content.get(VEHICLE), dict):
+        raise InputError(f"{target}: this file has no member {VEHICLE}")
+    return content[VEHICLE]
 
 
 def with_values(scenario: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -72,8 +94,12 @@ def _pair(text: str, form: str, read: Callable[[str], Any]) -> tuple[str, Any]:
     name, _, value = (part.strip() for part in text.partition("="))
     if not value:
         raise InputError(f"{form}, and {text or 'nothing'} is no such pair")
+    return name, _read(name, value, read)
+
+
+def _read(name: str, text: str, read: Callable[[str], Any]) -> Any:
     try:
-        return name, read(value)
+        return read(text)
     except ValueError as error:
         raise InputError(f"{name}: {error}") from None
 

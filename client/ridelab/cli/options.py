@@ -41,7 +41,7 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
 _SERVER = "Service to work with; without one a private one is started for as long as the command runs."
 _DATA = "Where the private service keeps its database [default: data]."
 _TARGET = "File, - for standard input, preset, run id, or address of a result."
-_CHANGE = "Change one field, such as road.bump.height=0.12; may be repeated."
+_CHANGE = "Change one field, such as road.bump.height=0.12, or vehicle=NAME|FILE; may be repeated."
 _IDS = "Strategies to run, with commas or repeated."
 
 Server = Annotated[str | None, option("URL", _SERVER, envvar="RIDELAB_SERVER")]

@@ -26,6 +26,7 @@ import type {
   SharedView,
   Strategy,
   StrategyId,
+  VehiclePreset,
 } from "./types";
 
 /** Over how many roads, and which strategy the changes refer to. */
@@ -50,6 +51,7 @@ interface SeriesAnswer {
 export const api = {
   schema: (signal?: AbortSignal) => get<JsonObject>("/schema", signal),
   presets: (signal?: AbortSignal) => get<readonly Preset[]>("/presets", signal),
+  vehicles: (signal?: AbortSignal) => get<readonly VehiclePreset[]>("/vehicles", signal),
   strategies: (signal?: AbortSignal) => get<readonly Strategy[]>("/strategies", signal),
   catalogue: (signal?: AbortSignal) => get<Catalogue>("/catalogue", signal),
   figures: async (signal?: AbortSignal) =>

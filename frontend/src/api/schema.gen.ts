@@ -795,6 +795,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/vehicles": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Vehicles
+         * @description Vehicles with their sources, as a scenario's `vehicle`.
+         */
+        get: operations["getVehicles"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/vehicles/from-data-sheet": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Make Half Car
+         * @description The half-car of a whole car's data sheet: masses, axle loads, natural frequencies, damping ratios.
+         */
+        post: operations["makeHalfCar"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/healthz": {
         parameters: {
             query?: never;
@@ -2218,6 +2258,91 @@ export interface components {
             };
         };
         /**
+         * DataSheet
+         * @description A whole car: what its axles weigh, how fast they swing and how well that is damped.
+         * @example {
+         *       "front_axle_load": 760,
+         *       "rear_axle_load": 640,
+         *       "front_axle_mass": 70,
+         *       "rear_axle_mass": 60,
+         *       "wheelbase": 2.6,
+         *       "front_frequency": 1.2,
+         *       "rear_frequency": 1.4,
+         *       "front_damping_ratio": 0.25,
+         *       "rear_damping_ratio": 0.3,
+         *       "front_tyre_stiffness": 200000,
+         *       "rear_tyre_stiffness": 200000
+         *     }
+         */
+        DataSheet: {
+            /**
+             * Height of the centre of gravity
+             * @description Of the body above the road.
+             * @default 0.55
+             */
+            cg_height: number;
+            /**
+             * Front axle load
+             * @description What both front wheels carry, wheels included.
+             */
+            front_axle_load: number;
+            /**
+             * Front unsprung mass
+             * @description Both front wheels with what moves with them.
+             */
+            front_axle_mass: number;
+            /**
+             * Front damping ratio
+             * @description Of that motion, over critical.
+             */
+            front_damping_ratio: number;
+            /**
+             * Front natural frequency
+             * @description Of the body above the front axle, undamped, on suspension and tyres.
+             */
+            front_frequency: number;
+            /**
+             * Front tyre stiffness
+             * @description Vertical stiffness of one tyre.
+             */
+            front_tyre_stiffness: number;
+            /**
+             * Pitch inertia
+             * @description Of the whole body; none makes the dynamic index 1, mass times both distances of the centre of gravity.
+             */
+            pitch_inertia?: number | null;
+            /**
+             * Rear axle load
+             * @description What both rear wheels carry, wheels included.
+             */
+            rear_axle_load: number;
+            /**
+             * Rear unsprung mass
+             * @description Both rear wheels with what moves with them.
+             */
+            rear_axle_mass: number;
+            /**
+             * Rear damping ratio
+             * @description Of that motion, over critical.
+             */
+            rear_damping_ratio: number;
+            /**
+             * Rear natural frequency
+             * @description Of the body above the rear axle, undamped, on suspension and tyres.
+             */
+            rear_frequency: number;
+            /**
+             * Rear tyre stiffness
+             * @description Vertical stiffness of one tyre.
+             */
+            rear_tyre_stiffness: number;
+            /**
+             * Wheelbase
+             * @description Between the axles.
+             */
+            wheelbase: number;
+        };
+        /**
          * EqualSpeed
          * @description Two combinations with the same speed plan.
          */
@@ -2364,6 +2489,13 @@ export interface components {
              * @description So far
              */
             trials: number;
+        };
+        /**
+         * HalfCarAnswer
+         * @description The half-car that a data sheet makes.
+         */
+        HalfCarAnswer: {
+            vehicle: components["schemas"]["Vehicle"];
         };
         /**
          * Health
@@ -5488,6 +5620,29 @@ export interface components {
              * @default false
              */
             tyre_lift_off: boolean;
+        };
+        /**
+         * VehicleAnswer
+         * @description A vehicle with its sources; one track of the car, as every half-car here.
+         */
+        VehicleAnswer: {
+            /**
+             * Derived
+             * @description How those follow that no source has
+             */
+            derived: string[];
+            /** Description */
+            description: string;
+            /** Id */
+            id: string;
+            /** Label */
+            label: string;
+            /**
+             * Sources
+             * @description Where its numbers are from
+             */
+            sources: string[];
+            vehicle: components["schemas"]["Vehicle"];
         };
         /**
          * WithoutPreview
@@ -9740,6 +9895,154 @@ export interface operations {
             503: {
                 headers: {
                     "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getVehicles: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Vehicles with their sources, as a scenario's `vehicle`. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["VehicleAnswer"][];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    makeHalfCar: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["DataSheet"];
+            };
+        };
+        responses: {
+            /** @description The half-car of a whole car's data sheet: masses, axle loads, natural frequencies, damping ratios. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["HalfCarAnswer"];
+                };
+            };
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            400: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
+            408: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            413: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            415: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };

@@ -10,6 +10,9 @@ import { Members } from "./Members";
 import type { Pointer } from "./path";
 import type { Group } from "./schema";
 import { Fault } from "../ui/Fault";
+import { VehicleChoice } from "./VehicleChoice";
+
+const VEHICLE = "/vehicle";
 
 export function Editor({ form }: { readonly form: Group }) {
   const edit = useEdit();
@@ -87,7 +90,10 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
           </Badge>
         )}
       </Accordion.Control>
-      <Accordion.Panel>{isOpen && <Members members={section.members} />}</Accordion.Panel>
+      <Accordion.Panel>
+        {isOpen && section.key === VEHICLE && <VehicleChoice group={{ ...section, kind: "group", pointer: section.key }} />}
+        {isOpen && <Members members={section.members} />}
+      </Accordion.Panel>
     </Accordion.Item>
   );
 });

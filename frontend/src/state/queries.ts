@@ -18,6 +18,7 @@ export const schemaQuery = queryOptions({
   ...FOR_EVER,
 });
 export const presetsQuery = queryOptions({ queryKey: ["presets"], queryFn: ({ signal }) => api.presets(signal), ...FOR_EVER });
+export const vehiclesQuery = queryOptions({ queryKey: ["vehicles"], queryFn: ({ signal }) => api.vehicles(signal), ...FOR_EVER });
 export const strategiesQuery = queryOptions({
   queryKey: ["strategies"],
   queryFn: ({ signal }) => api.strategies(signal),

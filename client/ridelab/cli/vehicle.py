@@ -1,0 +1,75 @@
+"""`ridelab vehicle`: vehicles with their sources, vehicle files, and half-cars made from data sheets."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from ridelab.cli import options
+from ridelab.cli.fields import VEHICLE, vehicle_of
+from ridelab.cli.reporting import InputError, deliver, print_json
+from ridelab.cli.service import Services
+from ridelab.cli.tables import show_table, with_unit
+from ridelab.cli.targets import document
+
+_WHICH = "A vehicle's name, or a file with one; without it all are listed."
+_SHEET = "Make it from this whole car's data sheet, a JSON file."
+_OUT = "Write it there as a vehicle file, which --set vehicle=FILE and the page read; - is stdout."
+
+
+def vehicle(
+    services: Services,
+    which: Annotated[str | None, typer.Argument(metavar="VEHICLE", help=_WHICH)] = None,
+    sheet: Annotated[Path | None, options.option("FILE", _SHEET, exists=True, dir_okay=False)] = None,
+    out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
+    as_json: options.AsJson = False,
+) -> None:
+    """List the vehicles with sources, show or export one, or make one from a data sheet.
+
+    A data sheet has front_ and rear_ axle_load, axle_mass, frequency, damping_ratio, tyre_stiffness, and wheelbase.
+    """
+    if which is not None and sheet is not None:
+        raise InputError("vehicle takes a VEHICLE or --sheet FILE, not both")
+    if which is None and sheet is None:
+        if out is not None:
+            raise InputError("--out needs a VEHICLE or --sheet FILE")
+        known = services.at().vehicles()
+        print_json(list(known.values())) if as_json else _show_all(known)
+        return
+    content = _of_sheet(sheet, services) if sheet is not None else _named(str(which), services)
+    if out is not None:
+        deliver([json.dumps(content, indent=1).encode() + b"\n"], out)
+    elif as_json:
+        print_json(content)
+    else:
+        _show(content, services.names.fields)
+
+
+def _named(which: str, services: Services) -> Mapping[str, Any]:
+    known = {} if Path(which).is_file() else services.at().vehicles()
+    return known.get(which) or {VEHICLE: vehicle_of(which, services)}
+
+
+def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
+    given = document(sheet.read_bytes(), str(sheet))
+    if not isinstance(given, dict):
+        raise InputError(f"{sheet}: this has to be a JSON object")
+    return {VEHICLE: services.at().half_car(given), "derived": ["From the data sheet"], "data_sheet": given}
+
+
+def _show_all(known: Mapping[str, Mapping[str, Any]]) -> None:
+    show_table(
+        ["vehicle", "label", "what it is"], [[name, each["label"], each["description"]] for name, each in known.items()]
+    )
+
+
+def _show(content: Mapping[str, Any], units: Mapping[str, str]) -> None:
+    fields = content[VEHICLE].items()
+    show_table(
+        ["field", "value"], [[with_unit(name, units.get(f"{VEHICLE}.{name}", "")), value] for name, value in fields]
+    )
+    for title in ("sources", "derived"):
+        for line in content.get(title, ()):
+            typer.echo(f"{title[:-1] if title == 'sources' else title}: {line}")

@@ -1,0 +1,139 @@
+"""Vehicles against their sources and against the textbook; a data sheet against the modes of what it makes."""
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from sim_core.car.half_car import half_car
+from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario.data_sheet import DataSheet
+from sim_core.scenario.vehicles import VEHICLES, loaded
+from sim_core.simulate import simulate
+
+POUND, FOOT = 4.4482216152605, 0.3048  # [N, m]
+
+# The three cars a second time, in the units they were measured in: parameters_vehicle1 to 3.py of CommonRoad's vehicle
+# models. Sprung mass, pitch inertia, an axle's mass [slug, slug ft²], a, b, height [ft], springs [lb/ft], dampers
+# [lb s/ft], tyre [lb/ft].
+MEASURED = {
+    "small_car": (75, 990, 4.5, 2.9, 4.95, 1.95, 1500, 1500, 100, 100, 13_000),
+    "sedan": (66.17221, 1154.888, 4.371153, 3.793293, 4.667707, 2.01355, 1675, 1345, 122.3966, 112.9981, 10_842.89),
+    "van": (90.21635, 1625.825, 5.56015, 3.775563, 4.334437, 2.639405, 2300, 2680, 164.8335, 189.7866, 14_565.6),
+}
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_measured_cars_are_half_of_what_was_measured(name: str) -> None:
+    """To 0.1 %: the printed table has four digits, and its springs were converted with g = 9.81 m/s²."""
+    mass, inertia, axle, to_front, to_rear, height, *per_wheel = MEASURED[name]
+    slug, per_foot = POUND / FOOT, POUND / FOOT
+    car = VEHICLES[name].vehicle
+    assert car.body_mass == pytest.approx(mass * slug / 2, rel=1e-3)
+    assert car.pitch_inertia == pytest.approx(inertia * slug * FOOT**2 / 2, rel=1e-3)
+    assert (car.front_wheel_mass, car.rear_wheel_mass) == pytest.approx((axle * slug / 2,) * 2, rel=1e-3)
+    assert (car.cg_to_front, car.cg_to_rear, car.cg_height) == pytest.approx(
+        (to_front * FOOT, to_rear * FOOT, height * FOOT), rel=2e-3
+    )
+    springs_dampers_tyre = (
+        car.front_spring,
+        car.rear_spring,
+        car.front_damping,
+        car.rear_damping,
+        car.front_tyre_stiffness,
+    )
+    assert springs_dampers_tyre == pytest.approx([value * per_foot for value in per_wheel], rel=1e-3)
+    assert car.rear_tyre_stiffness == car.front_tyre_stiffness
+
+
+def test_the_suvs_springs_carry_what_their_preload_says() -> None:
+    """Chrono's preloads, 4527 N in front and 3629 N behind, are the body's weight on each spring."""
+    car = VEHICLES["suv"].vehicle
+    weight = car.body_mass * 9.81 / car.wheelbase
+    assert (weight * car.cg_to_rear, weight * car.cg_to_front) == pytest.approx((4527, 3629), rel=1e-3)
+    assert 2 * car.total_mass == pytest.approx(1663 + 209.84 + 160.36, abs=0.1)
+
+
+def test_a_load_adds_up() -> None:
+    """A rigid rod of 100 kg, 2 m long, 1 m behind the centre of gravity of a body of 300 kg: by hand."""
+    car = Vehicle(body_mass=300, pitch_inertia=200, cg_to_front=1, cg_to_rear=2)
+    full = loaded(car, 100, 2, 2)
+    assert (full.body_mass, full.cg_to_front, full.cg_to_rear) == pytest.approx((400, 1.25, 1.75))
+    assert full.pitch_inertia == pytest.approx(200 + 300 * 0.25**2 + 100 * 0.75**2 + 100 * 4 / 12, rel=1e-4)
+    assert loaded(car, 0, 2, 2) == car
+
+
+def test_the_loaded_van_weighs_what_the_law_allows_and_half_of_it_on_each_axle() -> None:
+    van = VEHICLES["van_loaded"].vehicle
+    assert 2 * van.total_mass == pytest.approx(2365, abs=1)
+    front, rear = van.static_loads
+    assert front / (front + rear) == pytest.approx(0.5, abs=0.03)
+
+
+@pytest.mark.parametrize("name", VEHICLES)
+def test_every_vehicle_says_where_it_is_from_and_drives(name: str) -> None:
+    preset = VEHICLES[name]
+    assert preset.sources
+    assert preset.derived
+    for strategy in ("lv", "lqr", "passive"):
+        result = simulate(Scenario(vehicle=preset.vehicle), strategy)
+        assert result.events["qp_failures"] == 0
+        assert 0 < result.metrics["whole"]["body_acceleration"]["rms"] < 5
+
+
+SHEET = DataSheet(
+    front_axle_load=760,
+    rear_axle_load=640,
+    front_axle_mass=70,
+    rear_axle_mass=60,
+    wheelbase=2.6,
+    front_frequency=1.2,
+    rear_frequency=1.4,
+    front_damping_ratio=0.25,
+    rear_damping_ratio=0.3,
+    front_tyre_stiffness=200_000,
+    rear_tyre_stiffness=210_000,
+)
+
+
+def test_a_half_car_has_the_frequencies_and_the_damping_of_its_data_sheet() -> None:
+    """With the dynamic index 1 both axles swing by themselves, so the two slow modes are the sheet's.
+
+    Exact for wheels without mass and light damping; wheels of 5 kg leave 0.2 % of the frequency, 2 % of the ratio.
+    """
+    sheet = SHEET.model_copy(
+        update={"front_axle_mass": 10.0, "rear_axle_mass": 10.0, "front_damping_ratio": 0.1, "rear_damping_ratio": 0.12}
+    )
+    car = sheet.half_car()
+    assert car.pitch_inertia == pytest.approx(car.body_mass * car.cg_to_front * car.cg_to_rear, rel=1e-4)
+    undamped = car.model_copy(update={"front_damping": 1e-9, "rear_damping": 1e-9})
+    np.testing.assert_allclose(np.abs(slow_modes(undamped)) / (2 * np.pi), [1.2, 1.4], rtol=2e-3)
+    modes = slow_modes(car)
+    np.testing.assert_allclose(-modes.real / np.abs(modes), [0.1, 0.12], rtol=0.02)
+
+
+def slow_modes(car: Vehicle) -> np.ndarray:
+    """The body's two complex modes [rad/s], the slower first."""
+    values = np.linalg.eigvals(half_car(car).A)
+    return np.array(sorted((value for value in values if 0 < value.imag < 20), key=abs))
+
+
+def test_a_data_sheet_keeps_masses_and_axle_loads() -> None:
+    car = SHEET.half_car()
+    assert 2 * car.total_mass == pytest.approx(1400)
+    assert np.array(car.static_loads) * 2 / 9.80665 == pytest.approx([760, 640], rel=1e-4)
+    assert SHEET.model_copy(update={"pitch_inertia": 1500.0}).half_car().pitch_inertia == 750
+
+
+@pytest.mark.parametrize(
+    ("change", "field"),
+    [
+        ({"front_axle_load": 60}, "front_axle_load"),
+        ({"rear_frequency": 6}, "rear_frequency"),
+        ({"front_frequency": 0.2}, "front_frequency"),
+        ({"front_axle_load": 120, "rear_axle_load": 100}, "front_axle_load"),
+    ],
+)
+def test_what_no_car_has_names_the_field_of_the_sheet(change: dict[str, float], field: str) -> None:
+    with pytest.raises(ValidationError) as caught:
+        DataSheet.model_validate({**SHEET.model_dump(), **change})
+    assert [error["ctx"]["field"] for error in caught.value.errors()] == [field]
