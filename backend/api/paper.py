@@ -8,22 +8,22 @@ from fastapi.responses import HTMLResponse
 from backend.api import router
 from backend.api.deps import Client, html_answer, part_of_application
 from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
-from backend.jobs.reproduction import models
+from backend.jobs.reproduction import models, queries
 from backend.jobs.reproduction.service import Paper
 
 paper = router("paper", 422, 429, 503)
 
 
 PaperService = Annotated[Paper, part_of_application("paper")]
-Chosen: Any = Annotated[models.PaperQuery, Query()]
-ForReport: Any = Annotated[models.ReportQuery, Query()]
-Roads = Annotated[models.RoadsQuery, Query()]
+ForPage: Any = Annotated[queries.PaperQuery, Query()]
+ForReport: Any = Annotated[queries.ReportQuery, Query()]
+Roads = Annotated[queries.RoadsQuery, Query()]
 
 
 @paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
-async def get_paper(query: Chosen, request: Request, service: PaperService, client: Client) -> Response:
+async def get_paper(query: ForPage, request: Request, service: PaperService, client: Client) -> Response:
     """Every printed change of Tables 4-5 and 7-10 with ours and a verdict; readings by name of a set or singly."""
-    answering = service.reproduction(query.chosen(), query.roads, client, partial=query.partial)
+    answering = service.reproduction(query.choices(), query.roads, client, partial=query.partial)
     return json_answer(await cancel_on_disconnect(request, answering))
 
 
@@ -53,6 +53,6 @@ async def get_figures(query: Roads, request: Request, service: PaperService, cli
 )
 async def get_report(query: ForReport, request: Request, service: PaperService, client: Client) -> Response:
     """All of this as one HTML file that needs nothing else; each reading may be chosen for its tables."""
-    work = service.report(query.chosen(), query.roads, client, compressed=takes_gzip(request))
+    work = service.report(query.choices(), query.roads, client, compressed=takes_gzip(request))
     report = await cancel_on_disconnect(request, work)
     return html_answer(report, "ridelab-paper.html")

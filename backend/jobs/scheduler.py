@@ -9,17 +9,18 @@ import contextlib
 import itertools
 import logging
 import time
-from collections.abc import Coroutine, Mapping
-from typing import TYPE_CHECKING, Any, Protocol, get_args
+from collections.abc import Mapping
+from functools import partial
+from typing import TYPE_CHECKING, get_args
 
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import metrics
 from backend.compute.workers import Workers
-from backend.errors import TemporaryError
 from backend.jobs.chunk import ClusterLostError
 from backend.jobs.chunks import Chunks
 from backend.jobs.handout import HandOut
+from backend.jobs.job_tasks import JobTasks, Stepper
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.reproduction import rows
 from backend.jobs.retention import Retention
@@ -35,31 +36,12 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
-MAX_STEPPED = 4  # jobs of other kinds driven side by side; the others wait in the order they were accepted
 LOOK = 1.0  # between two looks at what other services accepted or cancelled [s]
 PAUSE = 2.0  # after the database or the cluster failed [s]
 PARTING = 10.0  # chunks under way when the lead is lost may take so long to come back [s]
 PAGE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
-TRANSIENT = (SQLAlchemyError, OSError, TemporaryError)
-UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
-
-
-class JobFailedError(Exception):
-    """The job cannot go on; the message says why, to whoever submitted it."""
-
-
-class Stepper(Protocol):
-    """Takes the steps of one kind of job."""
-
-    async def step(self, job: StoredJob) -> None:
-        """The next step, to its end; which one follows from what is stored.
-
-        Raises:
-            JobFailedError: The job cannot go on.
-            TemporaryError: It can be tried again later.
-        """
 
 
 class Scheduler:
@@ -78,14 +60,13 @@ class Scheduler:
         self._store = store
         self._settings = settings
         self._background = background
-        self._steppers = steppers
         self._retention = Retention(store, settings)
         self._task: asyncio.Task[None] | None = None
         self._cluster: Cluster | None = None
         self._handed_out: dict[str, HandOut] = {}
-        self._stepped: dict[str, asyncio.Task[None]] = {}
         self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
         self._chunks = Chunks(store, settings.run_timeout)
+        self._job_tasks = JobTasks(store, steppers, self._chunks.returned)
         self._turns = itertools.count(1)
         self._reported = -REPORT
 
@@ -160,10 +141,8 @@ class Scheduler:
         for job_id in self._handed_out.keys() - unfinished.keys():
             await self._end_sweep(job_id)
         for job in unfinished.values():
-            if job.kind in self._steppers:
-                if len(self._stepped) < MAX_STEPPED and job.id not in self._stepped:
-                    driving = self._drive(job.id, self._steppers[job.kind])
-                    self._stepped[job.id] = asyncio.create_task(self._beside(job, driving))
+            if self._job_tasks.drives(job.kind):
+                self._job_tasks.drive(job)
             elif job.kind == "reproduction" and rows.is_abandoned(job):
                 await self._store.write(self._store.jobs.cancel, job.id)
                 await self._store.write(self._store.jobs.delete, job.id)
@@ -181,8 +160,7 @@ class Scheduler:
 
     async def _begin(self, job: StoredJob) -> None:
         if job.core_version != CORE_VERSION and job.id not in self._rekeyed:
-            if job.id not in self._stepped:
-                self._stepped[job.id] = asyncio.create_task(self._beside(job, self._rekey(job)))
+            self._job_tasks.begin(job.id, partial(self._rekey, job))
             return
         if self._cluster is None:
             from backend.jobs.cluster import Cluster  # Dask takes half a second to import: not before there is a job
@@ -239,33 +217,6 @@ class Scheduler:
                 await self._store.write(self._store.job_runs.rekey, job.id, keys)
         self._rekeyed.add(job.id)
 
-    async def _beside(self, job: StoredJob, work: Coroutine[Any, Any, None]) -> None:
-        """Do that beside everything else, until something transient is in the way: a later look begins again."""
-        try:
-            await work
-        except TRANSIENT as error:
-            logger.warning("Job %s rests: %s", job.id, type(error).__name__)
-            await asyncio.sleep(PAUSE)
-        except Exception:  # not even its failure could be noted: it is tried again
-            logger.exception("Job %s rests", job.id)
-            await asyncio.sleep(PAUSE)
-        finally:
-            del self._stepped[job.id]
-            self._chunks.returned.set()
-
-    async def _drive(self, job_id: str, stepper: Stepper) -> None:
-        """Step by step to its end."""
-        while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
-            try:
-                await stepper.step(job)
-            except TRANSIENT:
-                raise
-            except JobFailedError as error:
-                await self._store.write(self._store.jobs.fail, job, str(error))
-            except Exception:  # a bug of ours: this job fails and says so, the others go on
-                logger.exception("Job %s failed", job.id)
-                await self._store.write(self._store.jobs.fail, job, UNFORESEEN)
-
     async def _report(self) -> None:
         """Tell the metrics how many jobs and runs there are, every few seconds."""
         now = time.monotonic()
@@ -286,8 +237,7 @@ class Scheduler:
         metrics.BATCHES.clear()
         metrics.BATCH_QUEUE.clear()
         self._reported = -REPORT
-        for task in self._stepped.values():
-            task.cancel()
+        self._job_tasks.cancel()
         await self._end_cluster()
 
     async def _end_cluster(self) -> None:

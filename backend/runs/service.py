@@ -15,11 +15,12 @@ from backend.http.admission import Admission
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
 from backend.models import CreatedRun, LiveRun, Run
-from backend.runs import exports, figures, pins, series
+from backend.runs import exports, figures, series
 from backend.runs.answers import created_answer, default_baseline, live_answer, run_answer
+from backend.runs.histories import Histories
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.results import Results
+from backend.runs.results import Result, Results
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
 from backend.runs.work import Outcome
 from backend.store import Store, StoredResult, StoredRun
@@ -31,17 +32,15 @@ from sim_core.study.roads import seeded
 
 logger = logging.getLogger(__name__)
 
-FIGURE_POINTS = 2000
-
 
 class Runs:
     """The one service of runs; its methods belong to the event loop."""
 
     def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission) -> None:
         self._store = store
-        self._workers = workers
         self._results = results
         self._admission = admission
+        self._histories = Histories(store=store, workers=workers, results=results, admission=admission)
         self._store_usable = True
 
     async def store_usable(self) -> bool:
@@ -77,14 +76,8 @@ class Runs:
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return created_answer(stored, dict.fromkeys(names, True))
-        driven = seeded(scenario, roads)
-        found = await self._results.on_roads(driven, names, client, points=None)
-        outcomes = [
-            _to_store(road, name, each[name].outcome)
-            for road, each in zip(driven, found, strict=True)
-            for name in names
-        ]
-        if not all(item.outcome.lasting for each in found for item in each.values()):  # asked again, it is tried again
+        results, outcomes = await self._computed(scenario, names, roads, client)
+        if not all(item.outcome.lasting for each in results for item in each.values()):  # asked again: tried again
             run_id = digest.random_id()
         run = StoredRun(
             id=run_id,
@@ -96,7 +89,7 @@ class Runs:
             baseline=against,
         )
         saved = await self._store.write(self._store.runs.save, run)
-        return created_answer(saved, {name: all(each[name].cached for each in found) for name in names})
+        return created_answer(saved, {name: all(each[name].cached for each in results) for name in names})
 
     async def get(self, run_id: str, client: str) -> Run | RoadsRun:
         """The stored run.
@@ -149,7 +142,7 @@ class Runs:
             InvalidError: Strategies it does not have.
         """
         stored = await self.stored(run_id, client)
-        keys = await self._with_histories(stored)
+        keys = await self._histories.keys(stored)
         names = list(keys) if strategies is None else ordered(strategies)
         if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
             message = f"This run has time histories of {', '.join(keys) or 'no strategy'}; name some of them"
@@ -162,13 +155,7 @@ class Runs:
             encoding=encoding,
             provenance={"run": stored.id, "core_version": stored.core_version},
         )
-        pinned = await self._pinned({name: keys[name] for name in names})
-        scenario = Scenario.model_validate(stored.scenario)
-        if pinned is not None:
-            with self._admission.computing(client, scenario, ()):  # a place, but next to no work
-                return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
-        with self._admission.computing(client, scenario, names):
-            return await self._workers.call(exports.render, scenario, export)
+        return await self._histories.exported(stored, {name: keys[name] for name in names}, export, client)
 
     async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> JsonObject:
         """One figure of a stored run, or all of them by name, with data.
@@ -180,7 +167,7 @@ class Runs:
         if name is not None and name not in figures.PANELS:
             raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self.stored(run_id, client)
-        outcomes = await self._outcomes(stored, await self._with_histories(stored), client)
+        outcomes = await self._histories.outcomes(stored, client)
         if name is not None:
             return figures.filled(name, outcomes, axis)
         return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
@@ -207,8 +194,7 @@ class Runs:
         outcomes: Mapping[str, Outcome] = {}
         gone = False
         try:
-            keys = await self._with_histories(stored)
-            outcomes = await self._outcomes(stored, keys, client) if keys else {}
+            outcomes = await self._histories.outcomes(stored, client)
         except GoneError:
             gone = True
         against = baseline or stored.baseline or default_baseline(names)
@@ -222,27 +208,6 @@ class Runs:
         )
         with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))
-
-    async def _outcomes(self, stored: StoredRun, keys: Mapping[str, str], client: str) -> dict[str, Outcome]:
-        """Those strategies with time histories for figures, by result keys given."""
-        pinned = await self._pinned(keys)
-        scenario = Scenario.model_validate(stored.scenario)
-        if pinned is None:
-            found = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
-            return {strategy: item.outcome for strategy, item in found.items()}
-        with self._admission.computing(client, scenario, ()):
-            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
-        return {
-            item.strategy: Outcome(
-                status=item.status,
-                summary=item.summary,
-                compute_ms=item.compute_ms,
-                points=FIGURE_POINTS,
-                series=arrays[item.strategy],
-            )
-            for item in stored.shown
-            if item.strategy in arrays
-        }
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
         """The run; one whose results were removed is computed again.
@@ -258,43 +223,24 @@ class Runs:
         stored = replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
         return await self._computed_again(stored, client) if stored.expired else stored
 
+    async def _computed(
+        self, scenario: Scenario, names: Sequence[str], roads: int, client: str
+    ) -> tuple[list[dict[str, Result]], list[StoredResult]]:
+        """Results road by road, and the same as they are stored."""
+        driven = seeded(scenario, roads)
+        results = await self._results.on_roads(driven, names, client, points=None)
+        return results, [
+            _to_store(road, name, each[name].outcome)
+            for road, each in zip(driven, results, strict=True)
+            for name in names
+        ]
+
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
         """A run whose results were removed, by this core version, which it then names."""
         scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
-        driven = seeded(scenario, stored.roads)
-        found = await self._results.on_roads(driven, names, client, points=None)
-        outcomes = [
-            _to_store(road, name, each[name].outcome)
-            for road, each in zip(driven, found, strict=True)
-            for name in names
-        ]
+        _, outcomes = await self._computed(scenario, names, stored.roads, client)
         await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
         return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
-
-    async def _with_histories(self, stored: StoredRun) -> dict[str, str]:
-        """Result keys of those strategies whose time histories are there just as they were, or can be made so.
-
-        Of a run over several roads they are the first road's.
-
-        Raises:
-            GoneError: Another core version computed the run and nothing is pinned.
-        """
-        keys = {item.strategy: item.key for item in stored.shown}
-        if stored.core_version == CORE_VERSION:
-            return keys
-        pinned = await self._store.read(self._store.links.pinned, keys.values())
-        if not pinned:
-            raise GoneError(
-                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
-                "histories cannot be made again, and no link pinned them. Its metrics stay; post its scenario to run "
-                "it on this version."
-            )
-        return {name: key for name, key in keys.items() if key in pinned}
-
-    async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
-        """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
-        found = await self._store.read(self._store.links.load_pins, keys.values())
-        return {name: found[key] for name, key in keys.items()} if set(keys.values()) <= set(found) else None
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:
@@ -313,11 +259,6 @@ def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
         return restored(scenario, schema_version).model_dump(mode="json")
     except NewerScenarioError as error:
         raise NewerSchemaError(f"{error.message}.") from None
-
-
-def _breaks(stored: StoredRun) -> dict[str, list[float]]:
-    """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
-    return {item.strategy: [span["start_time"] for span in item.summary["stages"][1:]] for item in stored.shown}
 
 
 def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:

@@ -248,8 +248,9 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> Admission:
     """The service's links and runs under limits that nothing fits."""
     admission = Admission(max_request_cost=1, max_queued_cost=1, max_client_requests=0)
-    for name in ("links", "runs"):
-        monkeypatch.setattr(getattr(service.app.state, name), "_admission", admission)
+    state = service.app.state
+    for part in (state.links, state.runs, state.runs._histories):
+        monkeypatch.setattr(part, "_admission", admission)
     return admission
 
 

@@ -11,11 +11,11 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.study import paper
 from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
 from sim_core.study.errata import ERRATA
-from sim_core.study.interpretations import INTERPRETATIONS, interpretation_of
+from sim_core.study.interpretations import INTERPRETATIONS, Interpretation, interpretation_of
 from sim_core.study.intervals import change_with_interval, mean_with_interval
 from sim_core.study.paper import FIGURES, Judged
-from sim_core.study.paper_tables import TABLES, PaperCell, cells
-from sim_core.study.readings import READINGS, changes_of
+from sim_core.study.paper_tables import TABLES, PaperCell, PaperTable, cells
+from sim_core.study.readings import READINGS, Reading, changes_of
 
 RunsByVariant = Sequence[Mapping[str, JsonObject]]  # of each road
 
@@ -48,44 +48,34 @@ def reproduction(
         **_head(roads),
         **_counted(judged),
         interpretation=interpretation_of(choices),
-        interpretations=[
-            models.Interpretation(
-                id=item.id,
-                title=item.title,
-                description=item.description,
-                choices=item.choices,
-                changes=changes_of(item.otherwise),
-                **_counted(paper.judge(named[item.id])),
-            )
-            for item in INTERPRETATIONS.values()
-        ],
+        interpretations=[_interpretation(item, named[item.id]) for item in INTERPRETATIONS.values()],
         unavailable=unavailable(rows.reason),
         complete=rows.complete,
         progress=models.Progress(done=len(rows.by_key), total=rows.total),
         without_preview=models.WithoutPreview(reached=blind_counts["reached"], counts=blind_counts),
         scenario=paper.scenario_for(choices, 1),
         cells=[_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows) for cell in cells()],
-        readings=[
-            models.ReadingAnswer(
-                id=reading.id,
-                title=reading.title,
-                description=reading.description,
-                chosen=choices[reading.id],
-                choices=[{**asdict(each), "default": each.id == reading.default} for each in reading.choices],
-            )
-            for reading in READINGS.values()
-        ],
+        readings=[_reading(reading, choices[reading.id]) for reading in READINGS.values()],
         rules=paper.RULES,
-        tables=[
-            models.TableAnswer(
-                number=table.number,
-                title=table.title,
-                columns=[{"strategy": strategy, "against": against} for strategy, against, _ in table.columns],
-            )
-            for table in TABLES
-        ],
+        tables=[_table(table) for table in TABLES],
         errata=ERRATA,
     )
+
+
+def _interpretation(item: Interpretation, values: paper.Values) -> models.Interpretation:
+    own = {name: getattr(item, name) for name in ("id", "title", "description", "choices")}
+    return models.Interpretation(**own, changes=changes_of(item.otherwise), **_counted(paper.judge(values)))
+
+
+def _reading(reading: Reading, choice: str) -> models.ReadingAnswer:
+    own = {name: getattr(reading, name) for name in ("id", "title", "description")}
+    choices = [{**asdict(each), "default": each.id == reading.default} for each in reading.choices]
+    return models.ReadingAnswer(**own, chosen=choice, choices=choices)
+
+
+def _table(table: PaperTable) -> models.TableAnswer:
+    columns = [{"strategy": strategy, "against": against} for strategy, against, _ in table.columns]
+    return models.TableAnswer(number=table.number, title=table.title, columns=columns)
 
 
 def unavailable(reason: str | None) -> models.Unavailable | None:

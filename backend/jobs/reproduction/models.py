@@ -1,20 +1,16 @@
 """The shapes of the paper page's answers."""
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Field, create_model
+from pydantic import Field
 
 from backend.json_types import JsonObject
-from backend.models import Answer, RequestModel
+from backend.models import Answer
 from sim_core.scenario import Scenario
-from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
-from sim_core.study.paper import AGREEMENT, HIL_TOLERANCE, SEEDS
-from sim_core.study.readings import READINGS
+from sim_core.study.paper import AGREEMENT, HIL_TOLERANCE
 
 Verdict = Literal["reached", "smaller", "contradicts", "unavailable", "pending"]
 Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
-Seeds = Annotated[int, Field(ge=20, le=100, description="How many roads every strategy drives")]
-FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road's seed; the others follow it")]
 
 
 class Counts(Answer):
@@ -288,45 +284,3 @@ class PaperFigures(Answer):
     """Figures 3-6, 8, 10-17 and 19-22."""
 
     figures: list[PaperFigure]
-
-
-class RoadsQuery(RequestModel):
-    """Which roads."""
-
-    model_config = ConfigDict(strict=False)
-
-    seeds: Seeds = SEEDS
-    first_seed: FirstSeed = 1
-
-    @property
-    def roads(self) -> range:
-        """Their seeds."""
-        return range(self.first_seed, self.first_seed + self.seeds)
-
-
-class _Query(RoadsQuery):
-    interpretation: Literal[tuple(INTERPRETATIONS)] = Field(  # type: ignore[valid-type]  # from the core
-        DEFAULT.id, description="A named set of readings; single ones beside it override it"
-    )
-
-    def chosen(self) -> dict[str, str]:
-        """Reading -> choice, all of them."""
-        single = {name: getattr(self, name) for name in READINGS}
-        return INTERPRETATIONS[self.interpretation].choices | {
-            name: choice for name, choice in single.items() if choice is not None
-        }
-
-
-class _PartialQuery(_Query):
-    partial: bool = Field(False, description="Answer at once with the cells that are there; the others are `pending`")
-
-
-_CHOICES: dict[str, Any] = {
-    reading.id: (
-        Literal[tuple(choice.id for choice in reading.choices)] | None,
-        Field(None, description=f"{reading.title}: {reading.description} By default as the interpretation has it."),
-    )
-    for reading in READINGS.values()
-}
-ReportQuery = create_model("ReportQuery", __base__=_Query, **_CHOICES)
-PaperQuery = create_model("PaperQuery", __base__=_PartialQuery, **_CHOICES)

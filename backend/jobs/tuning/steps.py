@@ -20,7 +20,7 @@ from backend.analysis.measure import Aims, Failure, Measured, Roads
 from backend.analysis.models import Comparison
 from backend.analysis.objectives import UndefinedObjectiveError
 from backend.errors import ServiceError, TemporaryError
-from backend.jobs.scheduler import JobFailedError
+from backend.jobs.job_tasks import JobFailedError
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of

@@ -1,0 +1,93 @@
+"""Time histories of stored runs: pinned by a link, or made again by the core version that computed the run."""
+
+from collections.abc import Mapping
+
+from backend.compute.workers import Workers
+from backend.errors import GoneError
+from backend.http.admission import Admission
+from backend.runs import exports, pins
+from backend.runs.results import Results
+from backend.runs.work import Outcome
+from backend.store import Store, StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
+
+FIGURE_POINTS = 2000
+
+
+class Histories:
+    """Finds or makes time histories; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission) -> None:
+        self._store = store
+        self._workers = workers
+        self._results = results
+        self._admission = admission
+
+    async def keys(self, stored: StoredRun) -> dict[str, str]:
+        """Result keys of those strategies whose time histories are there just as they were, or can be made so.
+
+        Of a run over several roads they are the first road's.
+
+        Raises:
+            GoneError: Another core version computed the run and nothing is pinned.
+        """
+        keys = {item.strategy: item.key for item in stored.shown}
+        if stored.core_version == CORE_VERSION:
+            return keys
+        pinned = await self._store.read(self._store.links.pinned, keys.values())
+        if not pinned:
+            raise GoneError(
+                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
+                "histories cannot be made again, and no link pinned them. Its metrics stay; post its scenario to run "
+                "it on this version."
+            )
+        return {name: key for name, key in keys.items() if key in pinned}
+
+    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, Outcome]:
+        """The strategies that have time histories, with as many samples as figures need.
+
+        Raises:
+            GoneError: Another core version computed the run and nothing is pinned.
+        """
+        keys = await self.keys(stored)
+        if not keys:
+            return {}
+        pinned = await self._pinned(keys)
+        scenario = Scenario.model_validate(stored.scenario)
+        if pinned is None:
+            found = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
+            return {strategy: item.outcome for strategy, item in found.items()}
+        with self._admission.computing(client, scenario, ()):
+            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
+        return {
+            item.strategy: Outcome(
+                status=item.status,
+                summary=item.summary,
+                compute_ms=item.compute_ms,
+                points=FIGURE_POINTS,
+                series=arrays[item.strategy],
+            )
+            for item in stored.shown
+            if item.strategy in arrays
+        }
+
+    async def exported(self, stored: StoredRun, keys: Mapping[str, str], export: exports.Export, client: str) -> bytes:
+        """Those strategies' time histories (`keys` has their result keys) as a file."""
+        pinned = await self._pinned(keys)
+        scenario = Scenario.model_validate(stored.scenario)
+        if pinned is not None:
+            with self._admission.computing(client, scenario, ()):  # a place, but next to no work
+                return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
+        with self._admission.computing(client, scenario, keys):
+            return await self._workers.call(exports.render, scenario, export)
+
+    async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
+        """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
+        found = await self._store.read(self._store.links.load_pins, keys.values())
+        return {name: found[key] for name, key in keys.items()} if set(keys.values()) <= set(found) else None
+
+
+def _breaks(stored: StoredRun) -> dict[str, list[float]]:
+    """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
+    return {item.strategy: [span["start_time"] for span in item.summary["stages"][1:]] for item in stored.shown}
