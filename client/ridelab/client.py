@@ -199,7 +199,7 @@ class Ridelab:
         idempotency_key: str | None = None,
         label: str | None = None,
     ) -> Batch:
-        """Hand in a batch; it is committed when this returns.
+        """Submit a batch; it is committed when this returns.
 
         Args:
             scenario: What every run starts from.

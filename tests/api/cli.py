@@ -33,5 +33,5 @@ def command(*arguments: str) -> list[str]:
 
 def environment(**more: str) -> dict[str, str]:
     """No service is named; one that the command starts has a single worker, which is ready soonest."""
-    kept = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
-    return {**kept, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "client"))), "RIDELAB_WORKERS": "1", **more}
+    base = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
+    return {**base, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "client"))), "RIDELAB_WORKERS": "1", **more}

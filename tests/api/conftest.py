@@ -5,6 +5,7 @@ import json
 import socket
 import threading
 from collections.abc import Coroutine, Iterator
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -18,6 +19,7 @@ from backend.__main__ import listen
 from backend.app import create_app
 from backend.http.server import server_config
 from backend.settings import Settings
+from backend.store import Store
 from tests.api.cli import Cli
 from tests.servers.process import wait_until
 from tests.servers.reproduction import store_in
@@ -102,12 +104,11 @@ def road() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="session")
-def run(service: Service) -> dict[str, Any]:
+def run(service: Service) -> Any:
     """A stored run of three strategies, as its POST answered."""
     response = service.run(["passive", "lv", "lqr"], {"road": ROAD})
     assert response.status_code == 200, response.text
-    answer: dict[str, Any] = response.json()
-    return answer
+    return response.json()
 
 
 @pytest.fixture
@@ -129,3 +130,10 @@ def scenario(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     path = tmp_path / "scenario.json"
     path.write_text(json.dumps(request.module.SCENARIO), encoding="utf-8")
     return path
+
+
+@pytest.fixture
+def store(migrated_url: str) -> Iterator[Store]:
+    """An empty one of the newest schema, on each kind of database."""
+    with closing(Store(migrated_url)) as store:
+        yield store

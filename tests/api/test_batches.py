@@ -17,6 +17,7 @@ from backend.jobs.sweep import sweeps
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.api.streams import told
+from tests.servers.batches import rows, wait_for
 from tests.servers.process import wait_until
 
 BASE = {"road": {"length": 125, "bump": {"start": 88}}}  # nobody else's, so that nothing is stored yet
@@ -28,18 +29,6 @@ LONG = {"road": {"length": 10.7, "bump": {"start": 4}}, "mpc": {"solver": "osqp"
 def submit(client: httpx.Client, sweep: dict[str, Any], *, key: str | None = None, **more: Any) -> httpx.Response:
     body = {"scenario": BASE, "strategies": ["lv", "passive"], "sweep": sweep, **more}
     return client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": key} if key else {})
-
-
-def wait_for(client: httpx.Client, batch_id: str, seconds: float = 120) -> dict[str, Any]:
-    client.get(f"/api/v1/batches/{batch_id}/events", timeout=seconds).raise_for_status()  # a stream that ends with it
-    batch: dict[str, Any] = client.get(f"/api/v1/batches/{batch_id}").json()
-    assert batch["state"] not in ("queued", "running")
-    return batch
-
-
-def rows(client: httpx.Client, batch_id: str) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = client.get(f"/api/v1/batches/{batch_id}/results").json()["rows"]
-    return found
 
 
 def listed(client: httpx.Client) -> list[str]:
@@ -60,10 +49,10 @@ def batch(client: httpx.Client) -> dict[str, Any]:
 def test_every_combination_runs_once_in_order(client: httpx.Client, batch: dict[str, Any]) -> None:
     assert (batch["state"], batch["done"], batch["failed"], batch["total"]) == ("done", 12, 0, 12)
     assert batch["created_at"] <= batch["started_at"] <= batch["finished_at"]
-    found = rows(client, batch["id"])
+    runs = rows(client, batch["id"])
     combinations = itertools.product(HEIGHTS, ["lookahead", "none"], ["lv", "passive"])
-    assert [(row["road.bump.height"], row["mpc.preview"], row["strategy"]) for row in found] == list(combinations)
-    assert [row["run"] for row in found] == list(range(12))
+    assert [(row["road.bump.height"], row["mpc.preview"], row["strategy"]) for row in runs] == list(combinations)
+    assert [row["run"] for row in runs] == list(range(12))
 
 
 def test_a_row_is_what_the_core_computes(client: httpx.Client, batch: dict[str, Any]) -> None:
@@ -112,10 +101,10 @@ def test_files_hold_the_same_rows_with_units_and_provenance(client: httpx.Client
 def test_columns_are_the_same_numbers(client: httpx.Client, batch: dict[str, Any]) -> None:
     path = f"/api/v1/batches/{batch['id']}/table"
     answer = client.get(path, params={"figures": "bump.body_acceleration.peak,travel_time"}).json()
-    found = rows(client, batch["id"])
-    assert answer["columns"]["road.bump.height"] == [row["road.bump.height"] for row in found]
-    assert answer["columns"]["travel_time"] == [row["travel_time"] for row in found]
-    peaks = [row["metrics"]["bump"]["body_acceleration"]["peak"] for row in found]
+    runs = rows(client, batch["id"])
+    assert answer["columns"]["road.bump.height"] == [row["road.bump.height"] for row in runs]
+    assert answer["columns"]["travel_time"] == [row["travel_time"] for row in runs]
+    peaks = [row["metrics"]["bump"]["body_acceleration"]["peak"] for row in runs]
     assert answer["columns"]["bump.body_acceleration.peak"] == peaks
     assert answer["units"] == {
         "road.bump.height": "m",
@@ -131,15 +120,15 @@ def events(client: httpx.Client, batch_id: str, **options: Any) -> list[dict[str
 
 
 def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Client, batch: dict[str, Any]) -> None:
-    told = events(client, batch["id"])
-    assert [event["id"] for event in told] == list(range(1, len(told) + 1))
-    assert [event["state"] for event in told if event["event"] == "state"] == ["queued", "running", "done"]
-    done = [event["done"] for event in told]
+    heard = events(client, batch["id"])
+    assert [event["id"] for event in heard] == list(range(1, len(heard) + 1))
+    assert [event["state"] for event in heard if event["event"] == "state"] == ["queued", "running", "done"]
+    done = [event["done"] for event in heard]
     assert done == sorted(done)
-    assert told[-1] == {"id": len(told), "event": "state", "state": "done", "done": 12, "failed": 0, "total": 12}
-    assert events(client, batch["id"], headers={"Last-Event-ID": "2"}) == told[2:]
-    assert events(client, batch["id"], params={"after": 2}) == told[2:]
-    assert events(client, batch["id"], headers={"Last-Event-ID": "what\u00a0ever".encode()}) == told
+    assert heard[-1] == {"id": len(heard), "event": "state", "state": "done", "done": 12, "failed": 0, "total": 12}
+    assert events(client, batch["id"], headers={"Last-Event-ID": "2"}) == heard[2:]
+    assert events(client, batch["id"], params={"after": 2}) == heard[2:]
+    assert events(client, batch["id"], headers={"Last-Event-ID": "what\u00a0ever".encode()}) == heard
 
 
 def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(client: httpx.Client) -> None:
@@ -162,21 +151,21 @@ def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(cli
 def test_a_list_takes_points_as_they_are_and_fills_what_they_leave_out(client: httpx.Client) -> None:
     sweep = {"list": [{"road.bump.height": 0.03}, {"lqr.weights": [2, 1, 1]}, {}]}
     batch = wait_for(client, submit(client, sweep, strategies=["lqr"]).json()["id"])
-    found = rows(client, batch["id"])
-    assert [row["road.bump.height"] for row in found] == [0.03, 0.1, 0.1]
-    assert [row["lqr.weights"] for row in found] == [[1, 1, 1], [2, 1, 1], [1, 1, 1]]
+    runs = rows(client, batch["id"])
+    assert [row["road.bump.height"] for row in runs] == [0.03, 0.1, 0.1]
+    assert [row["lqr.weights"] for row in runs] == [[1, 1, 1], [2, 1, 1], [1, 1, 1]]
 
 
 def test_points_that_contradict_themselves_are_failed_rows_with_a_reason(client: httpx.Client) -> None:
     sweep = {"grid": {"mpc.prediction_horizon": [10, 30], "mpc.control_horizon": [5, 20]}}
     batch = wait_for(client, submit(client, sweep, strategies=["lv"]).json()["id"])
     assert (batch["state"], batch["done"], batch["failed"], batch["total"]) == ("done", 3, 1, 4)
-    found = rows(client, batch["id"])
-    assert [row["status"] for row in found] == ["ok", "failed", "ok", "ok"]
-    assert found[1]["reason"].startswith("mpc.control_horizon: ")
-    assert "metrics" not in found[1]
+    runs = rows(client, batch["id"])
+    assert [row["status"] for row in runs] == ["ok", "failed", "ok", "ok"]
+    assert runs[1]["reason"].startswith("mpc.control_horizon: ")
+    assert "metrics" not in runs[1]
     lines = list(csv.DictReader(io.StringIO(_csv(client, batch["id"]))))
-    assert lines[1]["reason"] == found[1]["reason"]
+    assert lines[1]["reason"] == runs[1]["reason"]
     assert lines[1]["travel_time [s]"] == ""
 
 
@@ -253,10 +242,10 @@ def test_a_dry_run_tells_size_and_time_and_stores_nothing(client: httpx.Client) 
     sweep = {"grid": {"mpc.prediction_horizon": [10, 30], "mpc.control_horizon": [5, 20]}}
     answer = submit(client, sweep, dry_run=True)
     assert answer.status_code == 200
-    told = answer.json()
-    assert (told["points"], told["total"], told["contradictory"]) == (4, 8, 2)
-    assert told["estimated_seconds"] > 0
-    assert told["estimated_cost"] > 0
+    estimate = answer.json()
+    assert (estimate["points"], estimate["total"], estimate["contradictory"]) == (4, 8, 2)
+    assert estimate["estimated_seconds"] > 0
+    assert estimate["estimated_cost"] > 0
     assert listed(client) == before
 
 
@@ -267,14 +256,14 @@ def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: h
     answer = client.post(f"/api/v1/batches/{batch['id']}/cancel")
     assert answer.status_code == 200
     assert answer.json()["state"] == "cancelled"
-    found = rows(client, batch["id"])
-    statuses = [row["status"] for row in found]
+    runs = rows(client, batch["id"])
+    statuses = [row["status"] for row in runs]
     assert statuses.count("ok") == answer.json()["done"] >= 1
     assert statuses.count("cancelled") == 80 - statuses.count("ok")
     assert client.post(f"/api/v1/batches/{batch['id']}/cancel").json() == answer.json()
     after = submit(client, {"grid": {"road.bump.height": [0.031]}}).json()
     assert wait_for(client, after["id"])["done"] == 2, "the processes serve the next batch"
-    assert rows(client, batch["id"]) == found
+    assert rows(client, batch["id"]) == runs
     assert events(client, batch["id"])[-1]["state"] == "cancelled"
 
 
@@ -294,15 +283,15 @@ def test_a_batch_is_named_found_by_its_name_and_deleted(client: httpx.Client) ->
 
 def test_pages_follow_each_other_by_their_cursors(client: httpx.Client) -> None:
     everything = client.get("/api/v1/batches", params={"limit": 500}).json()["batches"]
-    seen: list[dict[str, Any]] = []
+    listed: list[dict[str, Any]] = []
     parameters: dict[str, Any] = {"limit": 3}
     while True:
         page = client.get("/api/v1/batches", params=parameters).json()
-        seen += page["batches"]
+        listed += page["batches"]
         if page["next"] is None:
             break
         parameters["cursor"] = page["next"]
-    assert seen == everything
+    assert listed == everything
     refused = client.get("/api/v1/batches", params={"cursor": "yesterday"}).json()
     assert refused["errors"][0]["parameter"] == "cursor"
 
@@ -314,9 +303,7 @@ def test_a_cancelled_batch_goes_on_and_its_key_begins_a_new_one(client: httpx.Cl
     path = f"/api/v1/batches/{first['id']}"
     assert client.delete(path).json()["type"].endswith(":not-deletable")
     assert client.post(f"{path}/cancel").json()["state"] == "cancelled"
-    second = client.post("/api/v1/batches", json=body, headers=key).json()
-    assert second["id"] != first["id"]
-    assert client.post("/api/v1/batches", json=body, headers=key).json()["id"] == second["id"]
+    assert client.post("/api/v1/batches", json=body, headers=key).json()["id"] != first["id"]
     assert client.post(f"{path}/resume").json()["state"] in ("queued", "running", "done")
     ended = wait_for(client, first["id"])
     assert (ended["state"], ended["done"]) == ("done", 300)
@@ -349,9 +336,9 @@ def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data:
     )
     sweep = sweeps.Sweep.model_validate({"grid": {name: [value]}})
     whole = dotted.field(name).kind == "integer" and isinstance(value, float) and value.is_integer()
-    taken = int(value) if whole else value  # 3.0 is taken for a whole number
+    expected = int(value) if whole else value  # 3.0 is taken for a whole number
     try:
-        Scenario.model_validate(dotted.with_changes(base, {name: taken}))
+        Scenario.model_validate(dotted.with_changes(base, {name: expected}))
         refused = False
     except ValidationError as error:  # fields that contradict each other are no matter of the sweep
         refused = any(item["type"] != "inconsistent" for item in error.errors())
@@ -361,4 +348,4 @@ def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data:
     else:
         names, (point,) = sweeps.points(sweep, base)
         assert names == [name]
-        assert dotted.value(dotted.with_changes(base, point), name) == taken
+        assert dotted.value(dotted.with_changes(base, point), name) == expected

@@ -23,9 +23,9 @@ SCENARIO = {"road": {"length": 118, "bump": {"start": 77}}}  # nobody else's
 
 def test_the_command_a_report_prints_gives_the_same_scenario(cli: Cli) -> None:
     changes = {"road.roughness": 256e-6, "road.seed": 7, "road.bump.shape": "flat_top", "lqr.weights": [1, 2.5, 3]}
-    wanted = dotted.with_changes(Scenario().model_dump(mode="json"), changes)
-    words = inputs.command(wanted, ["passive"]).split()
-    assert json.loads(cli(*words[1:], "--json"))["scenario"] == wanted
+    expected = dotted.with_changes(Scenario().model_dump(mode="json"), changes)
+    words = inputs.command(expected, ["passive"]).split()
+    assert json.loads(cli(*words[1:], "--json"))["scenario"] == expected
 
 
 def test_a_road_class_is_named_wherever_its_roughness_may_stand(cli: Cli, scenario: Path) -> None:

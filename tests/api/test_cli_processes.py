@@ -174,8 +174,8 @@ def running_batch(client: httpx.Client, total: int) -> str:
     """The id of the newest batch once it runs and has so many runs."""
 
     def newest() -> dict[str, Any]:
-        found: list[dict[str, Any]] = client.get("/api/v1/batches?limit=1").json()["batches"]
-        return found[0] if found else {}
+        batches: list[dict[str, Any]] = client.get("/api/v1/batches?limit=1").json()["batches"]
+        return batches[0] if batches else {}
 
     wait_until(lambda: (newest().get("total"), newest().get("state")) == (total, "running"), "the batch begins")
     return str(newest()["id"])

@@ -84,9 +84,9 @@ def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab) -> None:
 
 
 def test_a_stored_run_comes_back(ridelab: Ridelab, shared: RunResult) -> None:
-    found = ridelab.get_run(shared.id)
-    assert found["lv"].metrics == shared["lv"].metrics
-    assert found["lv"].cached is None
+    stored = ridelab.get_run(shared.id)
+    assert stored["lv"].metrics == shared["lv"].metrics
+    assert stored["lv"].cached is None
     with pytest.raises(RidelabAPIError) as caught:
         ridelab.get_run("no/such")
     assert caught.value.status == 404
@@ -106,8 +106,8 @@ def test_time_histories_as_a_file(ridelab: Ridelab, shared: RunResult, tmp_path:
     path = tmp_path / "it.csv"
     assert ridelab.download_series(shared, path, strategies=["lv"], signals=["speed"], points=200) == path
     expected = ridelab.series(shared, "lv", ["speed"], points=200)["speed"]
-    found = [float(row["speed [m/s]"]) for row in csv.DictReader(io.StringIO(path.read_text()))]
-    np.testing.assert_allclose(found, expected, rtol=1e-6)
+    speeds = [float(row["speed [m/s]"]) for row in csv.DictReader(io.StringIO(path.read_text()))]
+    np.testing.assert_allclose(speeds, expected, rtol=1e-6)
 
 
 def test_refusals_name_the_field(ridelab: Ridelab) -> None:
@@ -134,15 +134,6 @@ def test_a_batch_is_followed_to_its_end(ridelab: Ridelab) -> None:
     assert [done for _, done in heard] == sorted(done for _, done in heard)
     assert batch.answer["finished_at"] is not None
     assert ridelab.get_batch(batch.id).answer == batch.answer
-
-
-def test_rows_are_the_runs(ridelab: Ridelab, shared: RunResult, batch: Batch) -> None:
-    rows = list(batch.rows())
-    assert [(row["road.bump.height"], row["strategy"]) for row in rows] == [
-        (height, name) for height in HEIGHTS for name in ("lv", "passive")
-    ]
-    run = ridelab.run(SHORT.model_copy(update={"road": Road(length=112, bump=Bump(start=72, height=0.05))}), ["lv"])
-    assert rows[2]["metrics"] == run["lv"].metrics
 
 
 def test_a_batch_as_a_frame(batch: Batch) -> None:

@@ -73,12 +73,12 @@ def driven(service: Service) -> Driven:
 
 
 def test_a_drive_by_the_clock_takes_as_long_as_the_drive(driven: Driven) -> None:
-    found = driven.report
-    RealtimeReport.model_validate(found, strict=True)
-    assert driven.seconds > found["steps"] * found["deadline"]
-    assert found["steps"] > 150
-    in_time = sum(found["latency"]["counts"]) if found["latency"] else 0
-    assert in_time + found["misses"] == found["steps"] == sum(found["wake_up"]["counts"])
+    report = driven.report
+    RealtimeReport.model_validate(report, strict=True)
+    assert driven.seconds > report["steps"] * report["deadline"]
+    assert report["steps"] > 150
+    in_time = sum(report["latency"]["counts"]) if report["latency"] else 0
+    assert in_time + report["misses"] == report["steps"] == sum(report["wake_up"]["counts"])
 
 
 def test_one_at_a_time(driven: Driven) -> None:

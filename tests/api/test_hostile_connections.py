@@ -220,11 +220,11 @@ def test_no_answer_depends_on_the_host_or_repeats_it(address: Address) -> None:
 
 
 def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> None:
-    seen: list[str] = []
+    answers: list[str] = []
     original = service.app.state.admission.computing
 
     def spy(client: str, *rest: Any) -> Any:
-        seen.append(client)
+        answers.append(client)
         return original(client, *rest)
 
     def ask(address: Address, seed: int) -> None:
@@ -242,7 +242,7 @@ def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> Non
                 ask(address, index)
     finally:
         service.app.state.admission.computing = original
-    assert seen == ["127.0.0.1", "127.0.0.1", "203.0.113.7"]
+    assert answers == ["127.0.0.1", "127.0.0.1", "203.0.113.7"]
 
 
 def test_connections_in_use_are_served_on_and_others_may_ask_for_health(service: Any) -> None:

@@ -15,8 +15,8 @@ from backend.jobs.sweep import table as batch_table
 from backend.settings import Settings
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES
-from tests.api.test_batches import wait_for
 from tests.api.test_hostile_connections import exchange, head
+from tests.servers.batches import wait_for
 
 SCRIPT = "<script>alert(1)</script>"
 NAMES = [SCRIPT, "'\"><img src=x onerror=alert(1)>", "=HYPERLINK(1)", "{{7*7}}${7*7}", "%3Cscript%3Ea\u202eb"]

@@ -1,6 +1,5 @@
 """Sweeps in the store, on both databases: what is counted is what is there, whoever writes, in whatever order."""
 
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
@@ -43,13 +42,6 @@ def computed(*keys: str, status: str = "ok") -> list[ComputedRun]:
 
 
 @pytest.fixture
-def store(migrated_url: str) -> Iterator[Store]:
-    store = Store(migrated_url)
-    yield store
-    store.close()
-
-
-@pytest.fixture
 def batch(store: Store) -> StoredJob:
     return store.jobs.create(BATCH, rows(shared=2), "once")[0]
 
@@ -69,11 +61,11 @@ def test_an_idempotency_key_has_one_batch_however_many_ask_at_once(store: Store)
         answers = list(threads.map(create, range(6)))
     assert len({batch.id for batch, _ in answers}) == 1
     assert [new for _, new in answers].count(True) == 1
-    known = store.jobs.by_idempotency_key("sweep", "once")
-    assert known is not None
-    assert known.id == answers[0][0].id
+    existing = store.jobs.by_idempotency_key("sweep", "once")
+    assert existing is not None
+    assert existing.id == answers[0][0].id
     assert len(store.jobs.page("sweep", 10)) == 1
-    assert store.job_runs.rows(known.id, -1, 100), "with its runs"
+    assert store.job_runs.rows(existing.id, -1, 100), "with its runs"
     # Batches without a key never meet.
     assert all(store.jobs.create(replace(BATCH, id=name), rows(), None)[1] for name in "xyz")
 
@@ -146,9 +138,9 @@ def test_a_cancelled_batch_keeps_what_it_has_and_takes_no_more(store: Store, bat
 def test_another_core_version_takes_over_with_keys_of_its_own(store: Store, batch: StoredJob) -> None:
     store.job_runs.save(batch.id, computed("key-0"), "1")
     store.job_runs.rekey(batch.id, {0: ("new", None), 1: ("key-new", None), 3: (None, "No such shape any more")})
-    found = {row.position: row for row in store.job_runs.rows(batch.id, -1, 100)}
-    assert found[0].core_version == "1", "what is there stays"
-    assert (found[3].status, found[3].reason) == ("failed", "No such shape any more")
+    by_position = {row.position: row for row in store.job_runs.rows(batch.id, -1, 100)}
+    assert by_position[0].core_version == "1", "what is there stays"
+    assert (by_position[3].status, by_position[3].reason) == ("failed", "No such shape any more")
     store.job_runs.save(batch.id, computed("key-new"), "2")
     assert {row.position: row.core_version for row in store.job_runs.rows(batch.id, -1, 2)} == {0: "1", 1: "2"}
 
@@ -168,20 +160,20 @@ def test_a_cancelled_one_gives_its_key_away_and_goes_on_when_it_is_resumed(store
 
 
 def test_pages_are_the_newest_first_and_hold_each_once(store: Store) -> None:
-    made = [
+    created = [
         replace(BATCH, id=f"{number:02}", created_at=BATCH.created_at + timedelta(hours=number // 3))
         for number in range(9)
     ]
-    for job in made:
+    for job in created:
         store.jobs.create(job, rows(job.id), None)
     store.jobs.create(replace(BATCH, id="child", parent_id="00"), rows("child"), None)
     store.jobs.set_label("04", "winter")
     store.jobs.cancel("07")
-    seen: list[StoredJob] = []
-    while page := store.jobs.page("sweep", 2, before=(seen[-1].created_at, seen[-1].id) if seen else None):
-        seen += page
-    assert [job.id for job in seen] == [f"{number:02}" for number in range(8, -1, -1)]
-    assert {job.sweep for job in seen} == {None}, "an item of a list is small"
+    listed: list[StoredJob] = []
+    while page := store.jobs.page("sweep", 2, before=(listed[-1].created_at, listed[-1].id) if listed else None):
+        listed += page
+    assert [job.id for job in listed] == [f"{number:02}" for number in range(8, -1, -1)]
+    assert {job.sweep for job in listed} == {None}, "an item of a list is small"
     assert [job.id for job in store.jobs.page("sweep", 9, label="winter")] == ["04"]
     assert [job.id for job in store.jobs.page("sweep", 9, state="cancelled")] == ["07"]
     assert store.jobs.page("tuning", 9) == []

@@ -29,20 +29,18 @@ numbers = iter(range(1, 1000))
 
 
 @pytest.fixture
-def fresh(service: Any, road: dict[str, Any]) -> dict[str, Any]:
+def fresh(service: Any, road: dict[str, Any]) -> Any:
     """A stored run that nothing links to."""
     bump = {**road["bump"], "height": 0.04 + 1e-5 * next(numbers)}
     answer = service.run(["lv", "passive"], {"road": {**road, "bump": bump}})
     assert answer.status_code == 200
-    found: dict[str, Any] = answer.json()
-    return found
+    return answer.json()
 
 
-def share(client: httpx.Client, run_id: str, **view: Any) -> dict[str, Any]:
+def share(client: httpx.Client, run_id: str, **view: Any) -> Any:
     answer = client.post("/api/v1/links", json={"run_id": run_id, **({"view": view} if view else {})})
     assert answer.status_code == 201, answer.text
-    content: dict[str, Any] = answer.json()
-    return content
+    return answer.json()
 
 
 def opened(client: httpx.Client, slug: str) -> dict[str, Any]:
@@ -74,7 +72,7 @@ def erase_pins(store: Store, run_id: str) -> None:
 
 def histories(client: httpx.Client, run_id: str) -> dict[str, bytes]:
     """Everything that shows a run's time histories."""
-    found = {}
+    contents = {}
     for query in (
         "series?strategy=lv,passive",
         "series?strategy=lv&points=300&encoding=base64",
@@ -85,8 +83,8 @@ def histories(client: httpx.Client, run_id: str) -> dict[str, bytes]:
     ):
         answer = client.get(f"/api/v1/runs/{run_id}/{query}")
         assert answer.status_code == 200, (query, answer.text)
-        found[query] = answer.content
-    return found
+        contents[query] = answer.content
+    return contents
 
 
 def test_a_link_opens_the_run_in_the_view_it_was_shared_in(client: httpx.Client, fresh: dict[str, Any]) -> None:
@@ -160,7 +158,7 @@ def test_what_cannot_be_shared_is_named(
 def test_pinned_histories_are_the_computed_ones_to_the_byte(
     service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    made = histories(client, fresh["id"])
+    computed = histories(client, fresh["id"])
     share(client, fresh["id"])
     used = []
     original = service.app.state.workers.call
@@ -170,7 +168,7 @@ def test_pinned_histories_are_the_computed_ones_to_the_byte(
         return await original(function, *arguments)
 
     monkeypatch.setattr(service.app.state.workers, "call", noted)
-    assert histories(client, fresh["id"]) == made
+    assert histories(client, fresh["id"]) == computed
     assert set(used) == {exports.render_pinned, pins.opened}, "none was computed again"
 
 
@@ -180,13 +178,13 @@ def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(
     of_another_core(service.app.state.store, fresh["id"])
     link = share(client, fresh["id"])
     assert link["series_pinned"] is False
-    found = opened(client, link["slug"])
-    assert found["series_pinned"] is False
-    assert found["run"]["strategies"]["lv"]["metrics"] == fresh["strategies"]["lv"]["metrics"]
+    answer = opened(client, link["slug"])
+    assert answer["series_pinned"] is False
+    assert answer["run"]["strategies"]["lv"]["metrics"] == fresh["strategies"]["lv"]["metrics"]
     for path in ("series?strategy=lv", "figures"):
-        gone = client.get(f"/api/v1/runs/{fresh['id']}/{path}")
-        assert gone.status_code == 410
-        assert "no link pinned them" in gone.json()["detail"]
+        refused = client.get(f"/api/v1/runs/{fresh['id']}/{path}")
+        assert refused.status_code == 410
+        assert "no link pinned them" in refused.json()["detail"]
 
 
 def test_a_run_pinned_in_part_gives_that_part(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
@@ -223,8 +221,8 @@ def test_a_link_says_when_it_changed(service: Any, client: httpx.Client, fresh: 
     answer = client.get(address)
     assert answer.headers["cache-control"] == "no-cache"
     tag = answer.headers["etag"]
-    known = client.get(address, headers={"If-None-Match": tag})
-    assert (known.status_code, known.content, known.headers["etag"]) == (304, b"", tag)
+    unchanged = client.get(address, headers={"If-None-Match": tag})
+    assert (unchanged.status_code, unchanged.content, unchanged.headers["etag"]) == (304, b"", tag)
     of_another_core(service.app.state.store, fresh["id"])
     changed = client.get(address, headers={"If-None-Match": tag})
     assert changed.status_code == 200

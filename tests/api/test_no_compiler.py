@@ -49,13 +49,13 @@ def command(bare: Service, capfdbinary: pytest.CaptureFixture[bytes], monkeypatc
 
 
 def test_in_a_run_the_strategy_fails_with_the_remedy(bare: Service, command: Cli, scenario: Path) -> None:
-    found = bare.run(["lv_hil", "passive"], SMALL).json()
-    assert found["strategies"]["passive"]["status"] == "ok"
-    assert {key: found["strategies"]["lv_hil"][key] for key in ("status", "reason")} == {
+    run = bare.run(["lv_hil", "passive"], SMALL).json()
+    assert run["strategies"]["passive"]["status"] == "ok"
+    assert {key: run["strategies"]["lv_hil"][key] for key in ("status", "reason")} == {
         "status": "failed",
         "reason": NO_COMPILER,
     }
-    assert bare.client.get(f"/api/v1/runs/{found['id']}").json()["strategies"].keys() == found["strategies"].keys()
+    assert bare.client.get(f"/api/v1/runs/{run['id']}").json()["strategies"].keys() == run["strategies"].keys()
     again = bare.run(["lv_hil", "passive"], SMALL).json()["strategies"]
     assert (again["lv_hil"]["cached"], again["passive"]["cached"]) == (False, True), "a compiler may come"
     assert bare.live(["lv_hil"], SMALL, points=50).json()["strategies"]["lv_hil"]["reason"] == NO_COMPILER
@@ -103,22 +103,22 @@ def by_verdict(cells: list[dict[str, Any]]) -> dict[str, int]:
 
 @pytest.mark.usefixtures("simulated")
 def test_of_the_paper_the_simulated_cells_stand(bare: Service, command: Cli) -> None:
-    found = paper(bare).json()
-    models.PaperAnswer.model_validate(found)
-    missing = [cell for cell in found["cells"] if cell["verdict"] == "unavailable"]
-    assert found["unavailable"] == {"cells": len(missing), "reason": NO_COMPILER}
+    answer = paper(bare).json()
+    models.PaperAnswer.model_validate(answer)
+    missing = [cell for cell in answer["cells"] if cell["verdict"] == "unavailable"]
+    assert answer["unavailable"] == {"cells": len(missing), "reason": NO_COMPILER}
     assert {(cell["table"], cell["strategy"]) for cell in missing} == {(9, "lv_hil"), (10, "lv_hil")}
-    assert (len(found["cells"]), len(missing), found["total"]) == (48, 8, 40)
+    assert (len(answer["cells"]), len(missing), answer["total"]) == (48, 8, 40)
     for cell in missing:
         assert cell["our_value"] is cell["our_change"] is cell["ci"] is cell["certain"] is None
         assert cell["our_base"] > 0
         assert cell["without_preview"]["verdict"] == "unavailable"
-    assert found["counts"] | {"unavailable": 8} == by_verdict(found["cells"])
-    assert sum(found["without_preview"]["counts"].values()) == 40
+    assert answer["counts"] | {"unavailable": 8} == by_verdict(answer["cells"])
+    assert sum(answer["without_preview"]["counts"].values()) == 40
     lines = command("paper").splitlines()
     assert sum("not available" in line for line in lines[1:49]) == 8
     assert f"8 cells not available here. {NO_COMPILER}" in lines
-    assert lines[-1].startswith(f"{found['reached']} of 40 cells reached")
+    assert lines[-1].startswith(f"{answer['reached']} of 40 cells reached")
 
 
 @pytest.mark.usefixtures("simulated")

@@ -19,8 +19,8 @@ def test_an_old_id_that_begins_with_a_sign_is_an_id(
     for old in (plain, long):
         store.runs.save(replace(known, id=old))
     slug = "-" + "k" * 21
-    made = datetime.now(UTC)
-    store.links.save(StoredLink(slug=slug, kind="run", target=plain, view={}, created_at=made), {})
+    created = datetime.now(UTC)
+    store.links.save(StoredLink(slug=slug, kind="run", target=plain, view={}, created_at=created), {})
     for name in (plain, long, slug):
         out = tmp_path / "out.csv"
         cli("export", "--strategy", "lv", name, "--signals", "speed", "--points", "50", "--out", out)

@@ -27,11 +27,10 @@ ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
-def description(client: httpx.Client) -> dict[str, Any]:
+def description(client: httpx.Client) -> Any:
     response = client.get("/openapi.json")
     assert response.status_code == 200
-    content: dict[str, Any] = response.json()
-    return content
+    return response.json()
 
 
 def test_operations_have_names_of_their_own(description: dict[str, Any]) -> None:
@@ -98,8 +97,8 @@ def test_headers_tags_links_and_names_are_described(description: dict[str, Any])
             assert ("Retry-After" in answer["headers"]) is (status in ("429", "503"))
             assert answer["description"] not in ("", "Successful Response")
         for link in (link for answer in operation["responses"].values() for link in answer.get("links", {}).values()):
-            taken = {parameter["name"] for parameter in operations[link["operationId"]]["parameters"]}
-            assert set(link["parameters"]) <= taken
+            parameters = {parameter["name"] for parameter in operations[link["operationId"]]["parameters"]}
+            assert set(link["parameters"]) <= parameters
     assert all(header["description"] for header in description["components"]["headers"].values())
     schemas = description["components"]["schemas"]
     for name in ("Batch", "Tuning", "TuningItem"):
@@ -121,9 +120,9 @@ def test_the_pages_types_are_made_from_the_description(description: dict[str, An
     source.write_text(json.dumps(description))
     node = shutil.which("node", path=os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))
     assert node is not None, "make development brings node"
-    made = ROOT / committed if os.environ.get("UPDATE_DOCS") else target
-    subprocess.run([node, "frontend/scripts/generate-api.mjs", source, made], cwd=ROOT, check=True, timeout=60)
-    if made == target and target.read_text() != (ROOT / committed).read_text():  # thousands of lines: no diff of them
+    output = ROOT / committed if os.environ.get("UPDATE_DOCS") else target
+    subprocess.run([node, "frontend/scripts/generate-api.mjs", source, output], cwd=ROOT, check=True, timeout=60)
+    if output == target and target.read_text() != (ROOT / committed).read_text():  # thousands of lines: no diff of them
         pytest.fail(f"{committed} is not what the description gives: UPDATE_DOCS=1 writes it anew")
 
 

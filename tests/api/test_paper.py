@@ -21,11 +21,10 @@ pytestmark = pytest.mark.usefixtures("reproduced")
 
 
 @pytest.fixture(scope="module")
-def answer(client: httpx.Client) -> dict[str, Any]:
+def answer(client: httpx.Client) -> Any:
     response = client.get(PAPER)
     assert response.status_code == 200, response.text
-    found: dict[str, Any] = response.json()
-    return found
+    return response.json()
 
 
 def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str, Any]) -> None:
@@ -82,13 +81,13 @@ def test_both_named_sets_stand_beside_each_other_under_any_reading(
 def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
     """Where the RMS are taken changes no run, so nothing is computed for it."""
     query = {"interpretation": "favourable", "window": "to_bump"}
-    found = service.client.get(PAPER, params=query | {"preview": "lookahead"}).json()
-    assert found["interpretation"] is None
-    chosen = {reading["id"]: reading["chosen"] for reading in found["readings"]}
-    assert chosen == found["interpretations"][1]["choices"] | {"window": "to_bump"}
-    assert found["scenario"]["vehicle"]["cg_height"] == 0
+    answer = service.client.get(PAPER, params=query | {"preview": "lookahead"}).json()
+    assert answer["interpretation"] is None
+    choices = {reading["id"]: reading["chosen"] for reading in answer["readings"]}
+    assert choices == answer["interpretations"][1]["choices"] | {"window": "to_bump"}
+    assert answer["scenario"]["vehicle"]["cg_height"] == 0
     full = service.client.get(PAPER, params={"interpretation": "favourable"}).json()
-    for one, other in zip(found["cells"], full["cells"], strict=True):
+    for one, other in zip(answer["cells"], full["cells"], strict=True):
         assert (one["our_value"] == other["our_value"]) == (one["window"] == "bump")
 
 
@@ -102,12 +101,12 @@ def test_other_roads_are_asked_for_by_their_first_seed(service: Service, monkeyp
         return reproduction(choices, roads[:FEW], client, **more)
 
     monkeypatch.setattr(paper, "reproduction", of_few)
-    found = service.client.get(PAPER, params={"first_seed": 21, "seeds": 30}).json()
+    answer = service.client.get(PAPER, params={"first_seed": 21, "seeds": 30}).json()
     assert asked == [range(21, 51)]
-    assert (found["first_seed"], found["seeds"]) == (21, FEW)
+    assert (answer["first_seed"], answer["seeds"]) == (21, FEW)
     (base,) = {
         cell["our_base"]
-        for cell in found["cells"]
+        for cell in answer["cells"]
         if cell["against"] == "passive" and cell["table"] == 5 and cell["signal"] == "rear_tyre_load"
     }
     runs = [service.run(["passive"], {"road": {"seed": seed}}).json() for seed in range(21, 21 + FEW)]
@@ -122,12 +121,12 @@ def test_what_was_computed_once_is_answered_from_the_store(client: httpx.Client,
 
 def test_cells_appear_as_they_come(service: Service) -> None:
     """A partial answer comes at once, and asked again it has more until it is complete."""
-    seen: list[dict[str, Any]] = []
-    while not seen or not seen[-1]["complete"]:
+    answers: list[dict[str, Any]] = []
+    while not answers or not answers[-1]["complete"]:
         roads = range(501, 501 + FEW)
         answering = service.app.state.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)
-        seen.append(service.inside(answering).model_dump())
-    first, last = seen[0], seen[-1]
+        answers.append(service.inside(answering).model_dump())
+    first, last = answers[0], answers[-1]
     assert {cell["verdict"] for cell in first["cells"]} == {"pending"}
     assert first["progress"]["done"] < first["progress"]["total"] == last["progress"]["done"]
     assert last["total"] == 48
@@ -152,23 +151,23 @@ def test_what_cannot_be_chosen_is_refused_by_name(client: httpx.Client, query: d
 
 
 def test_what_each_part_contributes(client: httpx.Client) -> None:
-    found = client.get(f"{PAPER}/attribution").json()
-    models.AttributionAnswer.model_validate(found)
-    rows = {row["id"]: row for row in found["rows"]}
-    assert {row["is"] for row in found["rows"]} == {"passive", "speed_only", "lqr", "lv", None}
-    for share in found["shares"]:
+    attribution = client.get(f"{PAPER}/attribution").json()
+    models.AttributionAnswer.model_validate(attribution)
+    rows = {row["id"]: row for row in attribution["rows"]}
+    assert {row["is"] for row in attribution["rows"]} == {"passive", "speed_only", "lqr", "lv", None}
+    for share in attribution["shares"]:
         assert share["speed"] + share["preview"] + share["switching"] == pytest.approx(100)
     # Driven at constant speed, no suspension changes how long it takes.
     times = {row["travel_time"] for row in rows.values() if row["speed"] == "constant"}
     assert len(times) == 1
-    assert len(found["equal_speed"][0]["cells"]) == len(FIGURES)
+    assert len(attribution["equal_speed"][0]["cells"]) == len(FIGURES)
 
 
 def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
-    found = client.get(f"{PAPER}/figures").json()
-    models.PaperFigures.model_validate(found)
-    assert [figure["number"] for figure in found["figures"]] == [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
-    for item in found["figures"]:
+    figures = client.get(f"{PAPER}/figures").json()
+    models.PaperFigures.model_validate(figures)
+    assert [figure["number"] for figure in figures["figures"]] == [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
+    for item in figures["figures"]:
         assert item["caption"]
         assert item["figure"]["data"], item["number"]
         assert all(len(trace["y"]["bdata"]) > 50 for trace in item["figure"]["data"])

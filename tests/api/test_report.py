@@ -140,10 +140,10 @@ def test_it_is_compressed_where_that_is_taken(
 
 def test_the_client_takes_it_along(client: httpx.Client, run: dict[str, Any], answer: httpx.Response) -> None:
     with Ridelab(str(client.base_url)) as ridelab:
-        found = ridelab.get_run(run["id"])
-        assert b"".join(ridelab.run_report(found)) == answer.content
+        stored = ridelab.get_run(run["id"])
+        assert b"".join(ridelab.run_report(stored)) == answer.content
         with pytest.raises(RidelabAPIError, match="baseline"):
-            b"".join(ridelab.run_report(found, baseline="speed_only"))
+            b"".join(ridelab.run_report(stored, baseline="speed_only"))
 
 
 def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:

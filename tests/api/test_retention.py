@@ -1,6 +1,5 @@
 """Old jobs and results are removed where the operator says so; runs, links and labels keep what they name."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -21,9 +20,8 @@ LONG_AGO = datetime.now(UTC) - timedelta(days=40)
 
 
 @pytest.fixture
-def store(migrated_url: str) -> Iterator[Store]:
+def store(store: Store) -> Store:
     """Runs `plain`, `linked` and `pinned`, jobs `plain`, `labelled` and `linked` with a child, all of them long ago."""
-    store = Store(migrated_url)
     for name in ("plain", "linked"):
         save(store, name, f"{name}-1", "shared")
     link = StoredLink(slug="r" * 22, kind="run", target="linked", view={}, created_at=LONG_AGO)
@@ -41,8 +39,7 @@ def store(migrated_url: str) -> Iterator[Store]:
     with store.writing() as connection:
         connection.execute(update(jobs).values(finished_at=LONG_AGO))
         connection.execute(update(results).values(created_at=LONG_AGO))
-    yield store
-    store.close()
+    return store
 
 
 def apply(store: Store, **limits: float) -> None:

@@ -29,12 +29,11 @@ def post(service: Any, **body: Any) -> Any:
 
 
 @pytest.fixture(scope="module")
-def three(service: Any, scenario: dict[str, Any]) -> dict[str, Any]:
+def three(service: Any, scenario: dict[str, Any]) -> Any:
     """Three roads of two strategies."""
     response = post(service, scenario=scenario, strategies=["passive", "lqr"], roads=3)
     assert response.status_code == 200, response.text
-    answer: dict[str, Any] = response.json()
-    return answer
+    return response.json()
 
 
 def triple(interval: Any) -> dict[str, float]:
@@ -56,9 +55,9 @@ def test_its_figures_are_those_of_the_three_single_runs(
         for window, signal, statistic in itertools.product(WINDOWS, METRIC_SIGNALS, STATISTICS):
             values = [each["metrics"][window][signal][statistic] for each in alone]
             base = [single["strategies"]["passive"]["metrics"][window][signal][statistic] for single in singles]
-            found = entry["metrics"][window][signal][statistic]
-            assert found == pytest.approx(triple(mean_with_interval(values)), rel=1e-12)
-            assert found["mean"] == pytest.approx(fmean(values), rel=1e-12)
+            interval = entry["metrics"][window][signal][statistic]
+            assert interval == pytest.approx(triple(mean_with_interval(values)), rel=1e-12)
+            assert interval["mean"] == pytest.approx(fmean(values), rel=1e-12)
             if name == "lqr":
                 change = three["changes"]["lqr"][window][signal][statistic]
                 expected = triple(change_with_interval(values, base)) if any(base) else None
@@ -87,7 +86,7 @@ def test_asked_again_it_is_stored_under_the_same_id(
 def test_ids_given_out_before_there_were_roads_stay() -> None:
     """The content of an id, written out as it was."""
     scenario, names = Scenario(), ["lqr", "passive"]
-    content = {"core": digest.CORE_VERSION, "scenario": scenario.model_dump(mode="json"), "strategies": names}
+    content = {"core": digest.CORE_VERSION, "scenario": scenario.identity(), "strategies": names}
     before = digest._hash(content)[: digest.RUN_ID_LENGTH]
     assert digest.run_id(scenario, names) == digest.run_id(scenario, names, 1, None) == before
     several = {digest.run_id(scenario, names, roads, baseline) for roads in (2, 3) for baseline in ("passive", "lqr")}
@@ -176,9 +175,9 @@ def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
     async def counted(function: Any, scenario: Scenario, *arguments: Any) -> Any:
         seeds.append(scenario.road.seed)
         at_once.append(len(seeds) - len(done))
-        found = await original(function, scenario, *arguments)
+        result = await original(function, scenario, *arguments)
         done.append(scenario.road.seed)
-        return found
+        return result
 
     done: list[int] = []
     monkeypatch.setattr(workers, "call", counted)

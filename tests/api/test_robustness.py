@@ -12,7 +12,7 @@ from backend.analysis.robustness import FIGURES, UNCERTAINTIES
 from backend.jobs.sweep.models import BatchSummary
 from ridelab.cli.app import run as command
 from sim_core.scenario import dotted
-from tests.api.test_batches import wait_for
+from tests.servers.batches import wait_for
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
 BASE = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -40,17 +40,15 @@ def batch(client: httpx.Client) -> str:
 
 
 @pytest.fixture(scope="module")
-def rows(client: httpx.Client, batch: str) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = client.get(f"/api/v1/batches/{batch}/results").json()["rows"]
-    return found
+def rows(client: httpx.Client, batch: str) -> Any:
+    return client.get(f"/api/v1/batches/{batch}/results").json()["rows"]
 
 
-def read(client: httpx.Client, batch: str, **params: str) -> dict[str, Any]:
+def read(client: httpx.Client, batch: str, **params: str) -> Any:
     answer = client.get(f"/api/v1/batches/{batch}/summary", params=params)
     assert answer.status_code == 200, answer.text
     BatchSummary.model_validate(answer.json())
-    found: dict[str, Any] = answer.json()
-    return found
+    return answer.json()
 
 
 def peaks(rows: list[dict[str, Any]], strategy: str) -> dict[int, tuple[int, float]]:
@@ -64,17 +62,17 @@ def peaks(rows: list[dict[str, Any]], strategy: str) -> dict[int, tuple[int, flo
 
 
 def test_it_says_what_the_exported_rows_say(client: httpx.Client, batch: str, rows: list[dict[str, Any]]) -> None:
-    found = read(client, batch, figures=f"{PEAK},{TRAVEL}")
-    assert (found["points"], found["baseline"], found["state"]) == (24, "lv", "done")
-    assert found["units"] == {PEAK: "m/s^2", TRAVEL: "mm"}
+    summary = read(client, batch, figures=f"{PEAK},{TRAVEL}")
+    assert (summary["points"], summary["baseline"], summary["state"]) == (24, "lv", "done")
+    assert summary["units"] == {PEAK: "m/s^2", TRAVEL: "mm"}
     for strategy in ("lv", "lqr", "passive"):
         runs = peaks(rows, strategy)
         values = [value for _, value in runs.values()]
-        told = found["strategies"][strategy]
-        assert (told["ok"], told["failed"], told["unfinished"]) == (16, 8, 0)
-        assert list(told["reasons"].values()) == [8]
-        assert "road" in next(iter(told["reasons"]))
-        peak = told["figures"][PEAK]
+        of_strategy = summary["strategies"][strategy]
+        assert (of_strategy["ok"], of_strategy["failed"], of_strategy["unfinished"]) == (16, 8, 0)
+        assert list(of_strategy["reasons"].values()) == [8]
+        assert "road" in next(iter(of_strategy["reasons"]))
+        peak = of_strategy["figures"][PEAK]
         cut = statistics.quantiles(values, n=20, method="inclusive")
         expected = [min(values), cut[0], cut[4], cut[9], cut[14], cut[18], max(values)]
         assert peak["quantiles"] == pytest.approx(expected, rel=1e-12)
@@ -85,10 +83,10 @@ def test_it_says_what_the_exported_rows_say(client: httpx.Client, batch: str, ro
 
 def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.Client, batch: str) -> None:
     run = client.post("/api/v1/runs", json={"scenario": BASE, "strategies": ["lv", "passive"]}).json()
-    found = read(client, batch)["strategies"]
-    assert list(found["lv"]["figures"]) == list(FIGURES)
+    strategies = read(client, batch)["strategies"]
+    assert list(strategies["lv"]["figures"]) == list(FIGURES)
     for name in ("lv", "passive"):
-        for key, told in found[name]["figures"].items():
+        for key, told in strategies[name]["figures"].items():
             value: Any = run["strategies"][name] if key.startswith("events") else run["strategies"][name]["metrics"]
             for step in key.split("."):
                 value = value[step]
@@ -100,9 +98,9 @@ def test_a_batch_under_way_is_read_as_far_as_it_is(client: httpx.Client) -> None
     body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
     sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 400}}
     batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]
-    told = read(client, batch)
-    of = told["strategies"]["passive"]
-    assert told["baseline"] == "passive"
+    summary = read(client, batch)
+    of = summary["strategies"]["passive"]
+    assert summary["baseline"] == "passive"
     assert of["ok"] + of["unfinished"] == 400
     assert of["figures"][PEAK]["n"] == of["ok"]
     client.post(f"/api/v1/batches/{batch}/cancel")

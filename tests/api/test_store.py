@@ -43,13 +43,6 @@ def open_store(database_url: str) -> Iterator[OpenStore]:
 
 
 @pytest.fixture
-def store(migrated_url: str) -> Iterator[Store]:
-    store = Store(migrated_url)
-    yield store
-    store.close()
-
-
-@pytest.fixture
 def server_store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
     store = Store(postgres.new_database(migrated_postgres))
     yield store

@@ -141,9 +141,9 @@ def test_a_requests_name_is_kept_where_it_is_harmless(client: httpx.Client) -> N
     for name in ("a", "trace-1_2.3", "x" * 64):
         assert client.get("/healthz", headers={"X-Request-ID": name}).headers["x-request-id"] == name
     for name in ("", "x" * 65, "a b", "a;b", "<script>", "a\tb", "é".encode("latin-1")):
-        made = client.get("/healthz", headers=[(b"X-Request-ID", name if isinstance(name, bytes) else name.encode())])
-        assert SANE.fullmatch(made.headers["x-request-id"])
-        assert made.headers["x-request-id"] not in (name, "a")
+        answer = client.get("/healthz", headers=[(b"X-Request-ID", name if isinstance(name, bytes) else name.encode())])
+        assert SANE.fullmatch(answer.headers["x-request-id"])
+        assert answer.headers["x-request-id"] not in (name, "a")
 
 
 @pytest.fixture
@@ -181,9 +181,9 @@ def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Clien
     text = logged("json")
     client.get("/healthz", headers={"X-Request-ID": "trace-8"})
     client.get(f"/api/v1/runs/{MARK}?{MARK}", headers={"X-Request-ID": "trace-8", "User-Agent": MARK})
-    found = accesses(text, "trace-8")
-    assert len(found) == 1, "health is asked all the time and logged at level debug"
-    line = found[0]
+    entries = accesses(text, "trace-8")
+    assert len(entries) == 1, "health is asked all the time and logged at level debug"
+    line = entries[0]
     assert line.pop("duration_ms") > 0
     assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d+Z", line.pop("timestamp"))
     assert line == {

@@ -81,9 +81,9 @@ def test_a_link_shows_nothing_of_what_it_opens(app: FastAPI) -> None:
 @pytest.mark.parametrize("scheme", ["http", "https"])
 def test_the_page_logs_in_once_and_keeps_a_cookie(app: FastAPI, scheme: str) -> None:
     check(ask(app, "POST", "/api/v1/login", json={"token": "wrong"}), 401, "token-required")
-    given = ask(app, "POST", "/api/v1/login", scheme=scheme, json={"token": ANN})
-    assert given.status_code == 204
-    cookie = given.headers["set-cookie"]
+    logged_in = ask(app, "POST", "/api/v1/login", scheme=scheme, json={"token": ANN})
+    assert logged_in.status_code == 204
+    cookie = logged_in.headers["set-cookie"]
     assert cookie.startswith(f"{COOKIE}={cookie_of(ANN)}; HttpOnly; Max-Age=7776000; Path=/; SameSite=strict")
     assert cookie.endswith("; Secure") is (scheme == "https")
     assert ANN not in cookie

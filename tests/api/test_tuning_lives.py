@@ -48,8 +48,8 @@ def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None
 
 
 def test_cancel_takes_two_seconds_and_resume_loses_nothing(client: httpx.Client) -> None:
-    wanted = {"objectives": [{"kind": "paper"}], "limits": [], "trials": 4000, "scenario": {**SCENARIO, "lqr": {}}}
-    tuning_id = begin(client, **wanted)["id"]
+    options = {"objectives": [{"kind": "paper"}], "limits": [], "trials": 4000, "scenario": {**SCENARIO, "lqr": {}}}
+    tuning_id = begin(client, **options)["id"]
     path = f"/api/v1/tunings/{tuning_id}"
     wait_for(client, tuning_id, generation=2)
     assert client.post(f"{path}/resume").json()["state"] == "running", "it has not ended: nothing to do"
@@ -65,7 +65,7 @@ def test_cancel_takes_two_seconds_and_resume_loses_nothing(client: httpx.Client)
     client.post(f"{path}/resume", params={"trials": done + 8}).raise_for_status()
     resumed = wait_for(client, tuning_id)
     assert (resumed["state"], resumed["trials"]["done"], resumed["own"]) == ("done", done + 8, None)
-    whole = wait_for(client, begin(client, **{**wanted, "trials": done + 8})["id"])
+    whole = wait_for(client, begin(client, **{**options, "trials": done + 8})["id"])
     assert trials(client, tuning_id) == trials(client, whole["id"])
     assert resumed["history"] == whole["history"]
     assert (resumed["knee"], len(resumed["front"]), len(resumed["best"])) == (None, 1, 1)
@@ -111,14 +111,14 @@ def failing(monkeypatch: pytest.MonkeyPatch, *positions: int) -> None:
 
 def test_failed_trials_say_why_and_the_others_count(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
     failing(monkeypatch, 7, 9)  # the second road of the fourth set of weights, and of the fifth
-    found = wait_for(client, begin(client, trials=8)["id"])
-    assert (found["state"], found["trials"]["done"], found["trials"]["failed"]) == ("done", 6, 2)
-    lost = [each for each in trials(client, found["id"]) if each["status"] == "failed"]
+    tuning = wait_for(client, begin(client, trials=8)["id"])
+    assert (tuning["state"], tuning["trials"]["done"], tuning["trials"]["failed"]) == ("done", 6, 2)
+    lost = [each for each in trials(client, tuning["id"]) if each["status"] == "failed"]
     assert [each["number"] for each in lost] == [3, 4]
     assert lost[0]["reason"] == "Road 2: The computation ended unexpectedly, twice"
     assert [lost[0][name] for name in ("feasible", "values", "limits")] == [False, None, None]
     # The comparison runs each set on two training and four validation roads: the next set's second and fourth are lost.
-    paper, other, *_ = found["comparison"]["points"]
+    paper, other, *_ = tuning["comparison"]["points"]
     assert (paper["failures"], [text[:8] for text in other["failures"]]) == ([], ["Road 2: ", "Road 12:"])
     first = other["training"]["objectives.0"]
     assert first["mean"] == first["worst"], "of the one road that is left"
@@ -130,9 +130,9 @@ def test_where_nothing_can_run_the_tuning_fails_with_the_reason(
     client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     failing(monkeypatch, *range(16))
-    found = wait_for(client, begin(client, trials=24)["id"])
+    tuning = wait_for(client, begin(client, trials=24)["id"])
     reason = "No set of weights could be run. Road 1: The computation ended unexpectedly, twice"
-    assert (found["state"], found["reason"], found["generation"]) == ("failed", reason, 0)
+    assert (tuning["state"], tuning["reason"], tuning["generation"]) == ("failed", reason, 0)
 
 
 def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
@@ -167,11 +167,11 @@ def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client
     before = client.get("/api/v1/tunings", params={"limit": 500}).json()
     answer = client.post("/api/v1/tunings", json={**REQUEST, "dry_run": True})
     assert answer.status_code == 200
-    found = answer.json()
-    TypeAdapter(answers.TuningEstimate).validate_python(found)
+    estimate = answer.json()
+    TypeAdapter(answers.TuningEstimate).validate_python(estimate)
     # 24 sets on two roads, at most five compared on four validation roads, and the passive car on all six.
-    assert (found["runs"], found["generations"]) == (24 * 2 + 5 * 4 + 6, 3)
-    assert 0 < found["estimated_seconds"] < math.inf
+    assert (estimate["runs"], estimate["generations"]) == (24 * 2 + 5 * 4 + 6, 3)
+    assert 0 < estimate["estimated_seconds"] < math.inf
     assert client.get("/api/v1/tunings", params={"limit": 500}).json() == before
 
 

@@ -1,6 +1,5 @@
 """Tunings in the store, on both databases: a generation is committed whole and once, whoever drives."""
 
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from datetime import UTC, datetime
 
@@ -40,11 +39,9 @@ def trial(number: int, generation: int, *, ok: bool = True) -> StoredTrial:
 
 
 @pytest.fixture
-def store(migrated_url: str) -> Iterator[Store]:
-    store = Store(migrated_url)
+def store(store: Store) -> Store:
     store.jobs.create(BATCH, rows(), None)
-    yield store
-    store.close()
+    return store
 
 
 @pytest.fixture
@@ -53,16 +50,16 @@ def tuning(store: Store) -> StoredJob:
 
 
 def now(store: Store) -> StoredJob:
-    found = store.jobs.load(TUNING.id)
-    assert found is not None
-    return found
+    loaded = store.jobs.load(TUNING.id)
+    assert loaded is not None
+    return loaded
 
 
 def told(store: Store) -> list[tuple[str, str, int]]:
     events = store.job_events.of(TUNING.id, 0)
     assert [event.number for event in events] == list(range(1, len(events) + 1))
-    found = [(event.kind, orjson.loads(event.data)) for event in events]
-    return [(kind, data["state"], data["generation"]) for kind, data in found]
+    pairs = [(event.kind, orjson.loads(event.data)) for event in events]
+    return [(kind, data["state"], data["generation"]) for kind, data in pairs]
 
 
 def add(store: Store, job: StoredJob, *trials: StoredTrial) -> bool:
@@ -79,16 +76,16 @@ def add(store: Store, job: StoredJob, *trials: StoredTrial) -> bool:
 
 
 def test_a_generation_is_committed_whole_and_once(store: Store, tuning: StoredJob) -> None:
-    made = [trial(0, 0), trial(1, 0, ok=False)]
+    trials = [trial(0, 0), trial(1, 0, ok=False)]
     with ThreadPoolExecutor(6) as threads:  # two services that both believe they drive, and more
-        added = list(threads.map(lambda _: add(store, tuning, *made), range(6)))
+        added = list(threads.map(lambda _: add(store, tuning, *trials), range(6)))
     assert added.count(True) == 1
-    assert store.trials.of(TUNING.id) == made, "to the last bit of each number"
-    found = now(store)
-    assert (found.progress["generation"], found.done) == (1, 1)
+    assert store.trials.of(TUNING.id) == trials, "to the last bit of each number"
+    job = now(store)
+    assert (job.progress["generation"], job.done) == (1, 1)
     assert not store.jobs.advance(tuning, event=None, state="running"), "it is further than this one knows"
-    assert store.jobs.advance(found, event="state", state="running")
-    assert add(store, found, trial(2, 1), trial(3, 1))
+    assert store.jobs.advance(job, event="state", state="running")
+    assert add(store, job, trial(2, 1), trial(3, 1))
     assert [trial.number for trial in store.trials.of(TUNING.id)] == [0, 1, 2, 3]
     assert [each["done"] for each in store.job_events.history(TUNING.id)] == [1, 3]
     assert store.job_events.history(TUNING.id)[0]["best"] == [0.1]

@@ -12,14 +12,13 @@ from tests.api.tuning import FRESH, SCENARIO, SEEDS, begin, events, trials, wait
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
 
 
-def figures(client: httpx.Client, strategy: str, seed: int, weights: Any = None) -> dict[str, Any]:
+def figures(client: httpx.Client, strategy: str, seed: int, weights: Any = None) -> Any:
     """One run alone, through POST /runs."""
     scenario = {**SCENARIO, "road": {**SCENARIO["road"], "seed": seed}}
     if weights is not None:
         scenario["lqr"] = {"weights": weights}
     body = {"scenario": scenario, "strategies": [strategy]}
-    found: dict[str, Any] = client.post("/api/v1/runs", json=body).raise_for_status().json()["strategies"][strategy]
-    return found
+    return client.post("/api/v1/runs", json=body).raise_for_status().json()["strategies"][strategy]
 
 
 def eq_16(ours: dict[str, Any], passive: dict[str, Any]) -> float:
@@ -51,16 +50,16 @@ def tuning(client: httpx.Client) -> dict[str, Any]:
 def test_every_generation_is_there_and_told(client: httpx.Client, tuning: dict[str, Any]) -> None:
     assert tuning["trials"]["total"] == tuning["trials"]["done"] == 24
     assert tuning["generation"] == len(tuning["history"]) == 3
-    found = trials(client, tuning["id"])
-    assert [each["number"] for each in found] == list(range(24))
-    assert [each["generation"] for each in found] == [0] * 8 + [1] * 8 + [2] * 8
-    assert sum(each["feasible"] for each in found) == tuning["trials"]["feasible"] == tuning["history"][-1]["feasible"]
+    every = trials(client, tuning["id"])
+    assert [each["number"] for each in every] == list(range(24))
+    assert [each["generation"] for each in every] == [0] * 8 + [1] * 8 + [2] * 8
+    assert sum(each["feasible"] for each in every) == tuning["trials"]["feasible"] == tuning["history"][-1]["feasible"]
     volumes = [each["hypervolume"] for each in tuning["history"]]
     assert volumes == sorted(volumes)
     assert 0 < volumes[-1] < 1
-    told = events(client, tuning["id"])
-    assert [event["id"] for event in told] == list(range(1, len(told) + 1))
-    kinds = [(event["event"], event["state"], event["step"]) for event in told]
+    heard = events(client, tuning["id"])
+    assert [event["id"] for event in heard] == list(range(1, len(heard) + 1))
+    kinds = [(event["event"], event["state"], event["step"]) for event in heard]
     assert kinds == [
         ("state", "queued", "search"),
         ("state", "running", "search"),
@@ -68,7 +67,7 @@ def test_every_generation_is_there_and_told(client: httpx.Client, tuning: dict[s
         ("state", "running", "comparison"),
         ("state", "done", "comparison"),
     ]
-    assert events(client, tuning["id"], headers={"Last-Event-ID": "4"}) == told[4:]
+    assert events(client, tuning["id"], headers={"Last-Event-ID": "4"}) == heard[4:]
 
 
 def test_the_papers_weights_come_first_then_the_scenarios_own(client: httpx.Client, tuning: dict[str, Any]) -> None:
@@ -87,11 +86,11 @@ def test_values_are_what_runs_alone_give(client: httpx.Client, tuning: dict[str,
 
 
 def test_the_front_keeps_the_limit_and_nothing_betters_it(client: httpx.Client, tuning: dict[str, Any]) -> None:
-    found = trials(client, tuning["id"])
-    beyond = [each for each in found if each["limits"][0] > 2500]
+    every = trials(client, tuning["id"])
+    beyond = [each for each in every if each["limits"][0] > 2500]
     assert beyond, "the limit cuts"
     assert not any(each["feasible"] for each in beyond)
-    feasible = [each for each in found if each["limits"][0] <= 2500]
+    feasible = [each for each in every if each["limits"][0] <= 2500]
     assert all(each["feasible"] for each in feasible)
     for member in tuning["front"]:
         assert member in feasible
@@ -112,15 +111,15 @@ def test_the_comparison_by_hand(client: httpx.Client, tuning: dict[str, Any]) ->
     for point in comparison["points"]:
         ours = by_hand(client, point["weights"]["lqr.weights"], FRESH)
         for index in range(2):
-            found = point["fresh"][f"objectives.{index}"]
-            assert found["mean"] == pytest.approx(fmean(ours[index]), rel=1e-13)
-            assert found["worst"] == pytest.approx(max(ours[index]), rel=1e-13)
+            compared = point["fresh"][f"objectives.{index}"]
+            assert compared["mean"] == pytest.approx(fmean(ours[index]), rel=1e-13)
+            assert compared["worst"] == pytest.approx(max(ours[index]), rel=1e-13)
             if point["verdict"] is None:
-                assert found["change"] is None
+                assert compared["change"] is None
                 continue
             change = 100 * (fmean(ours[index]) / fmean(base[index]) - 1)
-            assert found["change"]["value"] == pytest.approx(change, rel=1e-9)
-            sure = {"better": found["change"]["high"] < 0, "worse": found["change"]["low"] > 0}
+            assert compared["change"]["value"] == pytest.approx(change, rel=1e-9)
+            sure = {"better": compared["change"]["high"] < 0, "worse": compared["change"]["low"] > 0}
             assert sure.get(point["verdict"][index], not any(sure.values()))
 
 
@@ -138,20 +137,20 @@ def test_a_tunings_batches_are_there_but_not_among_those_that_people_handed_in(
 
 def test_a_limit_nothing_keeps_leaves_the_papers_weights_alone(client: httpx.Client) -> None:
     limits = [{"figure": "events.travel_exceeded_mm", "at_most": -1}]
-    found = wait_for(client, begin(client, limits=limits, trials=16)["id"])
-    assert (found["state"], found["trials"]["feasible"], found["trials"]["done"]) == ("done", 0, 16)
-    assert (found["best"], found["front"], found["knee"]) == ([None, None], [], None)
-    assert [point["roles"] for point in found["comparison"]["points"]] == [["paper"], ["scenario"]]
-    assert found["history"][-1]["best"] == [None, None]
-    assert found["history"][-1]["hypervolume"] == 0
+    tuning = wait_for(client, begin(client, limits=limits, trials=16)["id"])
+    assert (tuning["state"], tuning["trials"]["feasible"], tuning["trials"]["done"]) == ("done", 0, 16)
+    assert (tuning["best"], tuning["front"], tuning["knee"]) == ([None, None], [], None)
+    assert [point["roles"] for point in tuning["comparison"]["points"]] == [["paper"], ["scenario"]]
+    assert tuning["history"][-1]["best"] == [None, None]
+    assert tuning["history"][-1]["hypervolume"] == 0
 
 
 def test_the_weights_of_lv_and_of_suspension_control(client: httpx.Client) -> None:
-    wanted = {"limits": [], "trials": 3, "population": 3, "fresh_seeds": [11, 12], "seeds": [1]}
-    chosen = {"mpc.stage_weights.bump.2": [0.5, 50], "mpc.deflection_weight": [1, 9]}
-    found = wait_for(client, begin(client, strategy="lv", search=chosen, **wanted)["id"])
-    assert found["state"] == "done", found["reason"]
-    paper, *others = trials(client, found["id"])
+    options = {"limits": [], "trials": 3, "population": 3, "fresh_seeds": [11, 12], "seeds": [1]}
+    search = {"mpc.stage_weights.bump.2": [0.5, 50], "mpc.deflection_weight": [1, 9]}
+    tuning = wait_for(client, begin(client, strategy="lv", search=search, **options)["id"])
+    assert tuning["state"] == "done", tuning["reason"]
+    paper, *others = trials(client, tuning["id"])
     assert paper["weights"] == {
         "mpc.stage_weights.cruise": [8, 1, 1],
         "mpc.stage_weights.brake": [2, 6, 1],
@@ -165,5 +164,5 @@ def test_the_weights_of_lv_and_of_suspension_control(client: httpx.Client) -> No
         assert 0.5 <= other["weights"]["mpc.stage_weights.bump"][2] <= 50
         assert 1 <= other["weights"]["mpc.deflection_weight"] <= 9
         assert other["values"] != paper["values"]
-    single = wait_for(client, begin(client, strategy="suspension_only", **wanted)["id"])
+    single = wait_for(client, begin(client, strategy="suspension_only", **options)["id"])
     assert set(single["paper"]["weights"]) == {"mpc.road_weights.rough", "mpc.road_weights.bump"}

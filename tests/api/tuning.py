@@ -27,13 +27,12 @@ REQUEST: dict[str, Any] = {
 }
 
 
-def begin(client: httpx.Client, key: str | None = None, **more: Any) -> dict[str, Any]:
+def begin(client: httpx.Client, key: str | None = None, **more: Any) -> Any:
     headers = {"Idempotency-Key": key} if key else {}
     answer = client.post("/api/v1/tunings", json={**REQUEST, **more}, headers=headers)
     assert answer.status_code == 202, answer.text
     assert answer.headers["location"] == f"/api/v1/tunings/{answer.json()['id']}"
-    found: dict[str, Any] = answer.json()
-    return found
+    return answer.json()
 
 
 def get(client: httpx.Client, tuning_id: str, below: str = "") -> Any:
@@ -42,19 +41,18 @@ def get(client: httpx.Client, tuning_id: str, below: str = "") -> Any:
 
 def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000, seconds: float = 120) -> dict[str, Any]:
     """The tuning once it has ended, or has so many generations."""
-    found: dict[str, Any] = {}
+    tuning: dict[str, Any] = {}
 
     def far_enough() -> bool:
-        found.update(get(client, tuning_id))
-        return found["state"] not in ("queued", "running") or found["generation"] >= generation
+        tuning.update(get(client, tuning_id))
+        return tuning["state"] not in ("queued", "running") or tuning["generation"] >= generation
 
     wait_until(far_enough, "the tuning gets there", seconds)
-    return found
+    return tuning
 
 
-def trials(client: httpx.Client, tuning_id: str) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = get(client, tuning_id, "/trials")["trials"]
-    return found
+def trials(client: httpx.Client, tuning_id: str) -> Any:
+    return get(client, tuning_id, "/trials")["trials"]
 
 
 def events(client: httpx.Client, tuning_id: str, **options: Any) -> list[dict[str, Any]]:

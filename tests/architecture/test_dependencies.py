@@ -29,11 +29,11 @@ PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["pa
 
 def locked(name: str) -> dict[str, list[str]]:
     """Versions by package; several where a marker chooses between them."""
-    found: dict[str, list[str]] = {}
+    requested: dict[str, list[str]] = {}
     for line in (ROOT / name).read_text().splitlines():
         if match := re.match(r"([A-Za-z0-9][\w.-]*)(?:\[[^\]]*\])?==([^\s;\\]+)", line):
-            found.setdefault(canonicalize_name(match[1]), []).append(match[2])
-    return found
+            requested.setdefault(canonicalize_name(match[1]), []).append(match[2])
+    return requested
 
 
 @pytest.mark.parametrize(("name", "wanted"), LOCKS.items())

@@ -44,9 +44,9 @@ def test_what_is_raised_is_listed_and_what_is_listed_is_raised() -> None:
 
 
 def test_the_proxys_problems_are_of_the_list() -> None:
-    found = list(proxied())
-    assert {status for status, _ in found} >= {400, 403, 408, 413, 429, 500, 502, 503, 504}
-    for status, content in found:
+    problems = list(proxied())
+    assert {status for status, _ in problems} >= {400, 403, 408, 413, 429, 500, 502, 503, 504}
+    for status, content in problems:
         kind = KINDS[str(content["type"]).removeprefix(TYPES)]
         assert (content["status"], content["title"]) == (status, kind.title)
         assert status in kind.statuses

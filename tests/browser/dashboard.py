@@ -95,11 +95,10 @@ class Dashboard:
         self.entry(name).fill(text)
         self.entry(name).press("Enter")
 
-    def stored_run(self) -> dict[str, Any]:
+    def stored_run(self) -> Any:
         """The run the address names, as the API has it."""
         answer = request("GET", f"{self.url}/api/v1/runs/{self.run_id}")
-        run: dict[str, Any] = answer.raise_for_status().json()
-        return run
+        return answer.raise_for_status().json()
 
     def shown_values(self) -> dict[str, float]:
         """`strategy window.signal.statistic` -> the table's unrounded value."""
@@ -129,8 +128,7 @@ class Dashboard:
 
     def address(self) -> str:
         """What the address bar shows now; `page.url` learns of a change a moment later."""
-        address: str = self.page.evaluate("location.href")
-        return address
+        return str(self.page.evaluate("location.href"))
 
     @contextmanager
     def held(self, pattern: str) -> Iterator[None]:
@@ -159,8 +157,8 @@ class Dashboard:
         for scheme in RULES:
             self.page.emulate_media(color_scheme=scheme)
             expect(self.page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)
-            found = violations(part or self.page.locator("html"), scheme)
-            assert [text for impact, text in found if impact in ("serious", "critical")] == [], scheme
+            violated = violations(part or self.page.locator("html"), scheme)
+            assert [text for impact, text in violated if impact in ("serious", "critical")] == [], scheme
         self.page.emulate_media(color_scheme="light")
 
     def drag(self, slider: Locator, steps: tuple[int, ...]) -> list[Response]:
@@ -186,9 +184,9 @@ def violations(part: Locator, scheme: Scheme) -> list[tuple[str, str]]:
     page = part.page
     if not page.evaluate("Boolean(window.axe)"):
         page.evaluate(AXE.read_text())  # by the debugger, which a page's policy does not bind
-    found: list[tuple[str, str]] = part.evaluate(
+    texts: list[tuple[str, str]] = part.evaluate(
         """async (part, runOnly) => (await axe.run(part, {runOnly})).violations.map(({id, impact, nodes}) =>
            [impact, [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | ')])""",
         RULES[scheme],
     )
-    return found
+    return texts

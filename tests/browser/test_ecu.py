@@ -18,10 +18,9 @@ SHORT = {
 }
 
 
-def run(server: Server, scenario: dict[str, Any]) -> dict[str, Any]:
+def run(server: Server, scenario: dict[str, Any]) -> Any:
     body = {"scenario": scenario, "strategies": ["lv", "lv_hil", "lqr"]}
-    answer: dict[str, Any] = server.post("/runs", body)
-    return answer
+    return server.post("/runs", body)
 
 
 def changes(answer: dict[str, Any]) -> list[float]:
@@ -80,8 +79,8 @@ def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
         expect(card.get_by_role("progressbar", name="Driven")).to_be_visible()
     report = answer.value.json()
     misses = report["misses"]
-    told = "No deadline missed" if misses == 0 else f"{misses} deadline{'' if misses == 1 else 's'} missed"
-    expect(page.get_by_test_id("misses")).to_have_text(f"{told} in {report['steps']} steps")
+    expected = "No deadline missed" if misses == 0 else f"{misses} deadline{'' if misses == 1 else 's'} missed"
+    expect(page.get_by_test_id("misses")).to_have_text(f"{expected} in {report['steps']} steps")
     expect(card.locator(".barlayer .point")).to_have_count(len(report["latency"]["counts"]))
     card.get_by_text("Computing", exact=True).last.click()
     expect(card.get_by_role("img", name="Histogram of computing")).to_be_visible()

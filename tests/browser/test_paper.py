@@ -54,12 +54,11 @@ def open_paper(page: Page, query: str = "") -> None:
     expect(page.get_by_test_id("count")).to_be_visible(timeout=PATIENCE_MS)
 
 
-def answer(page: Page, query: str = "") -> dict[str, Any]:
+def answer(page: Page, query: str = "") -> Any:
     """The API's answer for the same readings."""
     base = re.match(r"https?://[^/]+", page.url)
     assert base is not None
-    found: dict[str, Any] = request("GET", f"{base[0]}/api/v1/paper{query}").raise_for_status().json()
-    return found
+    return request("GET", f"{base[0]}/api/v1/paper{query}").raise_for_status().json()
 
 
 def marks(page: Page, verdict: str) -> int:
@@ -88,9 +87,9 @@ def test_count_and_misprints_are_what_the_tables_show_and_the_api_says(paper: Pa
     expect(paper.get_by_test_id("count")).to_contain_text(f"{api['reached']} of {api['total']} cells reached")
     without = api["without_preview"]["reached"]
     expect(paper.get_by_test_id("count-without")).to_contain_text(f"{without} of {api['total']}")
-    found = [cell for cell in api["cells"] if cell["misprint"]]
-    assert len(found) == 3  # Table 8 rear tyre, Table 9 body acceleration twice: physics.md
-    for cell in found:
+    misprints = [cell for cell in api["cells"] if cell["misprint"]]
+    assert len(misprints) == 3  # Table 8 rear tyre, Table 9 body acceleration twice: physics.md
+    for cell in misprints:
         row = paper.locator(f"#table-{cell['table']}-{cell['strategy']}-{cell['against']}-{cell['signal']}")
         follows = f"{abs(cell['misprint']['follows']):g}"
         expect(row).to_contain_text(re.compile(rf"misprint: [−+]{re.escape(follows)}\s%"))
@@ -113,8 +112,8 @@ def early(paper: dict[str, Any], done: int) -> dict[str, Any]:
     cells = [cell if cell["table"] == 4 else cell | missing for cell in paper["cells"]]
     verdicts = [cell["verdict"] for cell in cells]
     counts = {name: verdicts.count(name) for name in VERDICTS}
-    found = {"cells": cells, "counts": counts, "reached": counts["reached"]}
-    return paper | found | {"complete": False, "progress": {"done": done, "total": 300}}
+    patched = {"cells": cells, "counts": counts, "reached": counts["reached"]}
+    return paper | patched | {"complete": False, "progress": {"done": done, "total": 300}}
 
 
 def test_cells_come_as_they_are_computed_and_nothing_jumps(dashboard: Dashboard) -> None:

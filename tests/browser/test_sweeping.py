@@ -243,8 +243,8 @@ def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: 
 
     def many(route: Route) -> None:
         answer = route.fetch().json()
-        known = answer["columns"]
-        answer["columns"] = {name: [values[0]] * size for name, values in known.items()} | {
+        columns = answer["columns"]
+        answer["columns"] = {name: [values[0]] * size for name, values in columns.items()} | {
             "run": list(range(size)),
             "road.bump.height": [0.05 + 0.1 * index / size for index in range(size)],
             "bump.body_acceleration.peak": [1 + (index % 100) / 100 for index in range(size)],

@@ -27,8 +27,7 @@ def copied(page: Page, item: str) -> str:
     page.get_by_role("button", name="Export").click()
     page.get_by_role("menuitem", name=item).click()
     page.wait_for_function("async () => await navigator.clipboard.readText() !== ''")
-    text: str = page.evaluate("navigator.clipboard.readText()")
-    return text
+    return str(page.evaluate("navigator.clipboard.readText()"))
 
 
 def shell(command: str) -> str:

@@ -15,13 +15,11 @@ SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_dis
 def submit(server: Server, **wish: Any) -> str:
     """A tuning of the LQR on a short road, which is quick, as a script begins it; its id."""
     body = {"scenario": SHORT, "strategy": "lqr", "seeds": [1], "fresh_seeds": [101, 102], "population": 4, **wish}
-    tuning: str = server.post("/tunings", body)["id"]
-    return tuning
+    return str(server.post("/tunings", body)["id"])
 
 
-def stored(server: Server, tuning: str) -> dict[str, Any]:
-    answer: dict[str, Any] = server.get(f"/tunings/{tuning}")
-    return answer
+def stored(server: Server, tuning: str) -> Any:
+    return server.get(f"/tunings/{tuning}")
 
 
 def expect_state(page: Page, text: str) -> None:

@@ -84,10 +84,10 @@ def test_images_are_pinned_by_digest_once_there_is_a_registry(tmp_path: Path) ->
         subprocess.run(command, env=environment, check=True, capture_output=True)
         for file in map(Path, files):
             unpinned = (ROOT / file.name).read_text()
-            found = re.findall(rf"^(?:FROM|    image:) ({IMAGE})", unpinned, re.MULTILINE)
-            assert found
+            images = re.findall(rf"^(?:FROM|    image:) ({IMAGE})", unpinned, re.MULTILINE)
+            assert images
             pinned = file.read_text()
-            assert pinned.count(f"@sha256:{digit * 64}") == len(found) == pinned.count("@sha256:")
+            assert pinned.count(f"@sha256:{digit * 64}") == len(images) == pinned.count("@sha256:")
     docker.write_text("#!/bin/sh\necho no such image\n")
     done = subprocess.run(command, env=environment, capture_output=True, check=False)
     assert done.returncode == 1
@@ -111,8 +111,8 @@ def test_secrets_are_files_and_not_in_the_file(tmp_path: Path) -> None:
                 assert value.removeprefix("/run/secrets/") in service["secrets"], f"{name}: {key}"
             assert not re.search(r"://[^/@]*:[^/@]*@", str(value)), f"{name}: {key} holds a password"
     assert {"/secrets/", ".env"} <= set(ignored())
-    made = make_secrets(tmp_path)
-    assert {secret["file"] for secret in COMPOSE["secrets"].values()} == {f"secrets/{path.name}" for path in made}
+    folder = make_secrets(tmp_path)
+    assert {secret["file"] for secret in COMPOSE["secrets"].values()} == {f"secrets/{path.name}" for path in folder}
 
 
 def ignored() -> list[str]:
@@ -127,16 +127,16 @@ def make_secrets(folder: Path) -> list[Path]:
 
 
 def test_the_script_makes_secrets_that_fit_together_and_keeps_them(tmp_path: Path) -> None:
-    made = {path.name: path.read_bytes() for path in make_secrets(tmp_path)}
+    files = {path.name: path.read_bytes() for path in make_secrets(tmp_path)}
     folder = tmp_path / "secrets"
     assert folder.stat().st_mode & 0o077 == 0, "nobody else looks into the folder"
-    assert len(made["database_password"].strip()) >= 32
+    assert len(files["database_password"].strip()) >= 32
     context = ssl.create_default_context(cafile=str(folder / "dask_ca.pem"))
     context.load_cert_chain(folder / "dask_cert.pem", folder / "dask_key.pem")
     verify = ["openssl", "verify", "-CAfile", f"{folder}/dask_ca.pem", f"{folder}/dask_cert.pem"]
     subprocess.run(verify, check=True, capture_output=True)
     ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(folder / "proxy.pem")
-    assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == made
+    assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == files
 
 
 def test_what_may_be_changed_is_in_the_example_with_its_default() -> None:
@@ -194,5 +194,5 @@ def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions
 
 def test_a_linter_finds_nothing_in_the_dockerfile() -> None:
     linter = Path(sys.executable).with_name("hadolint")
-    found = subprocess.run([linter, ROOT / "Dockerfile"], capture_output=True, text=True, check=False)
-    assert (found.returncode, found.stdout) == (0, ""), found.stdout
+    output = subprocess.run([linter, ROOT / "Dockerfile"], capture_output=True, text=True, check=False)
+    assert (output.returncode, output.stdout) == (0, ""), output.stdout

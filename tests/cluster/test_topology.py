@@ -63,13 +63,11 @@ def submit(client: httpx.Client, first_height: float, runs: int) -> str:
     body = {"scenario": {"road": SHORT}, "strategies": ["lv"], "sweep": sweep}
     response = client.post("/api/v1/batches", json=body, headers={"Idempotency-Key": f"from-{first_height}"})
     assert response.status_code == 202, response.text
-    identifier: str = response.json()["id"]
-    return identifier
+    return str(response.json()["id"])
 
 
-def batch(client: httpx.Client, identifier: str) -> dict[str, Any]:
-    answer: dict[str, Any] = client.get(f"/api/v1/batches/{identifier}").raise_for_status().json()
-    return answer
+def batch(client: httpx.Client, identifier: str) -> Any:
+    return client.get(f"/api/v1/batches/{identifier}").raise_for_status().json()
 
 
 def done(client: httpx.Client, identifier: str) -> int:
@@ -99,7 +97,7 @@ def assert_completes(client: httpx.Client, identifier: str, runs: int) -> None:
 
 def driver(topology: Topology) -> Program:
     """The replica that holds the lock: the database knows who connected."""
-    found: list[Program] = []
+    drivers: list[Program] = []
 
     def look() -> bool:
         for (port,) in topology.ask_database(
@@ -107,11 +105,11 @@ def driver(topology: Topology) -> Program:
             "WHERE locktype = 'advisory' AND objid = %s AND granted",
             LOCK_ID,
         ):
-            found.extend(replica for replica in topology.replicas if port in ports_of(replica))
-        return bool(found)
+            drivers.extend(replica for replica in topology.replicas if port in ports_of(replica))
+        return bool(drivers)
 
     wait_until(look, "a replica drives")
-    return found[0]
+    return drivers[0]
 
 
 def ports_of(program: Program) -> set[int]:

@@ -25,10 +25,9 @@ SCENARIO = {
 
 
 @cache
-def content() -> dict[str, Any]:
+def content() -> Any:
     """The fixture: `revision` of the database's schema, `tables` with their rows, `answers` by path."""
-    read: dict[str, Any] = json.loads(gzip.decompress(Path(__file__).with_name("release_0_2_0.json.gz").read_bytes()))
-    return read
+    return json.loads(gzip.decompress(Path(__file__).with_name("release_0_2_0.json.gz").read_bytes()))
 
 
 def restore(store: Store) -> None:

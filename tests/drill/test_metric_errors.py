@@ -23,9 +23,9 @@ def _errors(task: tuple[Scenario, str]) -> dict[str, float]:
 def judged(scenarios: list[Scenario], strategy: str) -> None:
     """RMS within 0.3 % on every road; peaks within 0.5 % on average, within 1 % on the worst road."""
     with multiprocessing.get_context("spawn").Pool(2) as pool:
-        found = pool.map(_errors, [(scenario, strategy) for scenario in scenarios], chunksize=5)
-    for key in found[0]:
-        sizes = [abs(each[key]) for each in found]
+        errors = pool.map(_errors, [(scenario, strategy) for scenario in scenarios], chunksize=5)
+    for key in errors[0]:
+        sizes = [abs(each[key]) for each in errors]
         if key.endswith(("peak", "peak_power")):
             assert sum(sizes) / len(sizes) < 0.005, key
             assert max(sizes) < 0.01, key

@@ -7,7 +7,7 @@ import psutil
 
 from backend.jobs.cluster import NICE
 from tests.faults.conftest import Process
-from tests.servers.process import wait_until
+from tests.servers.batches import rows, wait_for
 
 # A run of a minute: far longer than the ten seconds in which a cancelled batch has to have stopped.
 HEAVY = {
@@ -23,18 +23,11 @@ def submit(service: Process, scenario: dict[str, Any], runs: int, **headers: str
     return str(answer.json()["id"])
 
 
-def state(service: Process, batch_id: str) -> dict[str, Any]:
-    batch: dict[str, Any] = service.client.get(f"/api/v1/batches/{batch_id}").json()
-    return batch
-
-
 def finished(service: Process, batch_id: str, runs: int) -> None:
     """Wait for its end: every run is there, and none failed."""
-    wait_until(lambda: state(service, batch_id)["state"] not in ("queued", "running"), "the batch ends", 120)
-    batch = state(service, batch_id)
+    batch = wait_for(service.client, batch_id)
     assert (batch["state"], batch["done"], batch["failed"]) == ("done", runs, 0)
-    rows = service.client.get(f"/api/v1/batches/{batch_id}/results").json()["rows"]
-    assert [row["status"] for row in rows] == ["ok"] * runs
+    assert [row["status"] for row in rows(service.client, batch_id)] == ["ok"] * runs
 
 
 def test_batches_open_no_port(service: Process) -> None:
@@ -56,6 +49,6 @@ def test_heavy_runs_stop_when_their_batch_is_cancelled(service: Process) -> None
     assert service.client.post(f"/api/v1/batches/{batch_id}/cancel").json()["state"] == "cancelled"
     assert not psutil.wait_procs([busy], timeout=10)[1]
     print(f"stopped {time.monotonic() - begin:.2f} s after the request to cancel")
-    assert state(service, batch_id)["done"] == 0
+    assert wait_for(service.client, batch_id)["done"] == 0
     # Its successor serves the next batch.
     finished(service, submit(service, {"road": {"length": 127.4}}, 4), 4)

@@ -115,9 +115,8 @@ def series_of(api: Api, run: dict[str, Any]) -> bytes:
     return request("GET", query).raise_for_status().content
 
 
-def tuning_of(api: Api, tuning_id: str) -> dict[str, Any]:
-    tuning: dict[str, Any] = ask(api.url, "GET", f"/tunings/{tuning_id}")
-    return tuning
+def tuning_of(api: Api, tuning_id: str) -> Any:
+    return ask(api.url, "GET", f"/tunings/{tuning_id}")
 
 
 def finished_tuning(api: Api, tuning_id: str) -> tuple[dict[str, Any], list[Any]]:

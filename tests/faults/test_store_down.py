@@ -30,11 +30,11 @@ def service(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Ite
 
 
 def test_while_it_is_away_answers_are_503_and_then_as_before(service: Process, postgres: Postgres) -> None:
-    kept = post(service, 1).json()
+    stored = post(service, 1).json()
     postgres.kill()
     for _ in range(3):
         check_refused(post(service, 2))
-        check_refused(service.client.get(f"/api/v1/runs/{kept['id']}"))
+        check_refused(service.client.get(f"/api/v1/runs/{stored['id']}"))
         refused_batch(service, "when-away")
         assert service.client.get("/healthz").status_code == 200
         assert service.client.get("/api/v1/schema").status_code == 200
@@ -45,9 +45,9 @@ def test_while_it_is_away_answers_are_503_and_then_as_before(service: Process, p
     assert live.status_code == 200, "dragging needs no database"
     postgres.start()
     service.wait_until_ready()
-    again = service.client.get(f"/api/v1/runs/{kept['id']}")
+    again = service.client.get(f"/api/v1/runs/{stored['id']}")
     assert again.status_code == 200
-    assert {**again.json(), "strategies": None} == {**kept, "strategies": None}
+    assert {**again.json(), "strategies": None} == {**stored, "strategies": None}
     assert post(service, 2).status_code == 200
     submit(service, SHORT, 3, **{"Idempotency-Key": "when-away"})
 

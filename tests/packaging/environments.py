@@ -53,8 +53,8 @@ class Environment:
 
     def variables(self, **more: str) -> dict[str, str]:
         """The environment variables of its processes."""
-        kept = {name: value for name, value in os.environ.items() if not name.startswith(("RIDELAB_", "PYTHON"))}
-        return {**kept, "XDG_CACHE_HOME": str(self._folder / "cache"), "RIDELAB_WORKERS": "1", **more}
+        environment = {name: value for name, value in os.environ.items() if not name.startswith(("RIDELAB_", "PYTHON"))}
+        return {**environment, "XDG_CACHE_HOME": str(self._folder / "cache"), "RIDELAB_WORKERS": "1", **more}
 
 
 def pip(*words: str) -> None:
@@ -66,12 +66,12 @@ def pip(*words: str) -> None:
 def _link(one: Distribution, extras: set[str], site: Path, linked: set[str]) -> None:
     """Link what it requires, with these extras, into the folder."""
     for requirement in _requirements(one, extras):
-        found = distribution(requirement.name)
-        if found.metadata["Name"] not in linked:
-            linked.add(found.metadata["Name"])
-            for name in {file.parts[0] for file in found.files or ()} - {"..", "__pycache__"}:
-                (site / name).symlink_to(Path(str(found.locate_file(name))))
-            _link(found, requirement.extras, site, linked)
+        installed = distribution(requirement.name)
+        if installed.metadata["Name"] not in linked:
+            linked.add(installed.metadata["Name"])
+            for name in {file.parts[0] for file in installed.files or ()} - {"..", "__pycache__"}:
+                (site / name).symlink_to(Path(str(installed.locate_file(name))))
+            _link(installed, requirement.extras, site, linked)
 
 
 def _requirements(one: Distribution, extras: set[str]) -> Iterator[Requirement]:

@@ -38,9 +38,9 @@ def address(server: Environment, tmp_path_factory: pytest.TempPathFactory) -> It
         command = [server.program("ridelab"), "serve", "--port", "0"]
         process = subprocess.Popen(command, cwd=folder, env=server.variables(), stdout=out, stderr=out)
     wait_until(lambda: "Ridelab is at " in log.read_text() or process.poll() is not None, "it serves", 60)
-    found = re.search(r"Ridelab is at (\S+)\n", log.read_text())
-    assert found is not None, log.read_text()
-    yield found[1]
+    announced = re.search(r"Ridelab is at (\S+)\n", log.read_text())
+    assert announced is not None, log.read_text()
+    yield announced[1]
     process.terminate()
     assert process.wait(60) is not None
 

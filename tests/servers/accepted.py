@@ -43,9 +43,9 @@ class Accepted:
 
     def waiting(self) -> int:
         """Runs that are not computed yet."""
-        chosen = select(func.count()).where(job_runs.c.job_id.in_(self.batches), job_runs.c.status == "waiting")
+        query = select(func.count()).where(job_runs.c.job_id.in_(self.batches), job_runs.c.status == "waiting")
         with self.engine.connect() as connection:
-            return int(connection.execute(chosen).scalar_one())
+            return int(connection.execute(query).scalar_one())
 
     def await_work(self) -> None:
         """Until results come in again; a service that has just been killed takes some seconds."""
@@ -100,6 +100,6 @@ def _is_right(batch: dict[str, Any], row: dict[str, Any]) -> None:
     changes = {each["name"]: row[each["name"]] for each in batch["fields"]}
     scenario = Scenario.model_validate(dotted.with_changes(batch["scenario"], changes))
     expected = simulate(scenario, row["strategy"]).metrics["bump"]["body_acceleration"]["peak"]
-    found = row["metrics"]["bump"]["body_acceleration"]["peak"]
+    peak = row["metrics"]["bump"]["body_acceleration"]["peak"]
     # Only the blocks a control law is computed in may differ between processes, in their last bits.
-    assert abs(found - expected) <= 1e-9 * expected
+    assert abs(peak - expected) <= 1e-9 * expected

@@ -109,8 +109,7 @@ class Topology:
         value = VARIABLE.sub(lambda match: self._variables.get(match[1], match[2]), value)
         return re.sub("|".join(map(re.escape, here)), lambda match: here[match[0]], value)
 
-    def _image_command(self) -> list[str]:
+    def _image_command(self) -> Any:
         text = (ROOT / "Dockerfile").read_text()
         (command,) = re.findall(r"^CMD (\[.*\])$", text, re.MULTILINE)
-        words: list[str] = yaml.safe_load(command)
-        return words
+        return yaml.safe_load(command)

@@ -25,13 +25,13 @@ def left_running(seconds: float) -> list[str]:
 
 
 def _marked() -> dict[psutil.Process, str]:
-    found = {}
+    commands = {}
     for process in psutil.process_iter():
         try:
             if process.environ().get(MARK) == str(os.getpid()) and process.status() != psutil.STATUS_ZOMBIE:
                 command = " ".join(process.cmdline())
                 if OURS not in command and process.pid != os.getpid():
-                    found[process] = command
+                    commands[process] = command
         except psutil.Error:  # it ended, or is not ours to look at
             continue
-    return found
+    return commands

@@ -33,8 +33,7 @@ def reserved_port() -> int:
     holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     holder.bind(("127.0.0.1", 0))
     _reserved.append(holder)  # as long as this process lives
-    port: int = holder.getsockname()[1]
-    return port
+    return int(holder.getsockname()[1])
 
 
 def request(method: str, url: str, *, timeout: float = 60, **options: Any) -> httpx.Response:

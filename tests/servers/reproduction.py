@@ -66,7 +66,7 @@ def in_order(by_strategy: Mapping[str, Sequence[RowRequest]]) -> list[RowRequest
 
 
 @cache
-def rows() -> dict[str, Any]:
+def rows() -> Any:
     """By key what a service stores for the page; computed where no test process of this checkout has done so yet."""
     path = FOLDER / f"reproduction-{digest()}.json"
     FOLDER.mkdir(exist_ok=True)
@@ -77,8 +77,7 @@ def rows() -> dict[str, Any]:
             beside = path.with_suffix(".part")
             beside.write_bytes(orjson.dumps({row.key: computed(row) for row in requests()}))
             beside.replace(path)
-    cached: dict[str, Any] = orjson.loads(path.read_bytes())
-    return cached
+    return orjson.loads(path.read_bytes())
 
 
 def computed(row: RowRequest) -> Any:
@@ -95,8 +94,8 @@ def store_in(store: Store, *, ecu: bool = True) -> None:
         store: Of the service.
         ecu: With hardware in the loop, which a service without a C compiler has never computed.
     """
-    wanted = [row for row in requests() if ecu or row.strategy != IN_ECU]
-    store_as(store, wanted, [rows()[row.key] for row in wanted])
+    selected = [row for row in requests() if ecu or row.strategy != IN_ECU]
+    store_as(store, selected, [rows()[row.key] for row in selected])
 
 
 def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any]) -> None:

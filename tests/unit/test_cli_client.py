@@ -141,17 +141,17 @@ def test_events_as_the_standard_has_them() -> None:
 def test_rows_come_as_soon_as_they_are_there(size: int) -> None:
     expected = [{"run": 0, "reason": 'a "}],{ é\\'}, {"run": 1, "metrics": {"bump": [1.5e-3, None]}}, {}]
     text = json.dumps({"batch": "b", "units": {"run": "1"}, "rows": expected})
-    taken = 0
+    sent = 0
 
     def pieces() -> Iterator[str]:
-        nonlocal taken
+        nonlocal sent
         for start in range(0, len(text), size):
-            taken = start + size
+            sent = start + size
             yield text[start : start + size]
 
     stream = json_rows(pieces())
     assert next(stream) == expected[0]
-    assert taken <= text.index(', {"run": 1') + size
+    assert sent <= text.index(', {"run": 1') + size
     assert list(stream) == expected[1:]
     assert list(json_rows(['{"rows": [ ]}'])) == []
 
@@ -205,20 +205,20 @@ def follow(handler: Handler) -> list[tuple[str, int]]:
 
 
 def test_a_broken_stream_of_events_goes_on_where_it_was() -> None:
-    asked: list[str | None] = []
+    after: list[str | None] = []
 
     def handler(request: httpx.Request) -> httpx.Response:
         if request.method == "POST":
             return httpx.Response(202, json=batch_answer("queued"))
         if not request.url.path.endswith("/events"):
-            return httpx.Response(200, json=batch_answer("done" if len(asked) > 1 else "running", 2 * len(asked)))
-        asked.append(request.headers.get("Last-Event-ID"))
-        state, done = ("running", 1) if len(asked) == 1 else ("done", 4)
+            return httpx.Response(200, json=batch_answer("done" if len(after) > 1 else "running", 2 * len(after)))
+        after.append(request.headers.get("Last-Event-ID"))
+        state, done = ("running", 1) if len(after) == 1 else ("done", 4)
         data = json.dumps({"state": state, "done": done, "failed": 0, "total": 4})
-        return httpx.Response(200, text=f"id: {10 + len(asked)}\nevent: state\ndata: {data}\n\nid: 99\ndata: cut")
+        return httpx.Response(200, text=f"id: {10 + len(after)}\nevent: state\ndata: {data}\n\nid: 99\ndata: cut")
 
     heard = follow(handler)
-    assert asked == [None, "11"]
+    assert after == [None, "11"]
     assert heard == [("running", 1), ("running", 2), ("done", 4)]
 
 
@@ -263,12 +263,12 @@ def test_a_wait_ends_in_time_and_only_well_where_the_job_is_done() -> None:
 
 
 def test_jobs_are_listed_over_pages(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    asked: list[str] = []
+    paths: list[str] = []
     job = {**batch_answer("done", 4), "created_at": "2026-01-02T03:04:05"}
 
     def handler(request: httpx.Request) -> httpx.Response:
         path = request.url.raw_path.decode().removeprefix("/api/v1")
-        asked.append(path)
+        paths.append(path)
         jobs, more = ([job] * 2, None if "cursor" in path else "c1") if path.startswith("/batches") else ([], None)
         return httpx.Response(200, json={"batches": jobs, "tunings": jobs, "next": more})
 
@@ -276,7 +276,7 @@ def test_jobs_are_listed_over_pages(monkeypatch: pytest.MonkeyPatch, capsys: pyt
         monkeypatch.setattr(Services, "at", lambda *_: ridelab)
         assert app.run(["jobs", "list", "--state", "done", "--limit", "3", "--server", "http://ridelab.test"]) == 0
     assert capsys.readouterr().out.count(f"batch  {'b' * 22}  done") == 3
-    assert asked == [
+    assert paths == [
         "/batches?limit=3&state=done",
         "/batches?limit=1&cursor=c1&state=done",
         "/tunings?limit=3&state=done",

@@ -33,7 +33,7 @@ def services() -> Services:
 
 
 def test_changes_are_set_in_what_is_given(services: Services) -> None:
-    given = {"road": {"length": 130}}
+    scenario_json = {"road": {"length": 130}}
     changes = {
         "road.bump.height": "0.12",
         "road.seed": "4",
@@ -42,13 +42,13 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
         "mpc.stage_weights.brake.1 ": " 5",
         "actuator.bandwidth": "null",
     }
-    wanted = fields.changed(given, [f"{name}={text}" for name, text in changes.items()], services)
-    scenario = Scenario.model_validate(wanted)
+    changed = fields.changed(scenario_json, [f"{name}={text}" for name, text in changes.items()], services)
+    scenario = Scenario.model_validate(changed)
     assert (scenario.road.length, scenario.road.bump.height, scenario.road.seed) == (130, 0.12, 4)
     assert (scenario.mpc.preview, scenario.mpc.stage_weights.cruise) == ("none", (1, 2, 3))
     assert (scenario.mpc.stage_weights.brake, scenario.actuator.bandwidth) == ((2, 5, 1), None)
-    assert given == {"road": {"length": 130}}
-    assert fields.changed(given, [], services) == given
+    assert scenario_json == {"road": {"length": 130}}
+    assert fields.changed(scenario_json, [], services) == scenario_json
 
 
 @pytest.mark.parametrize(
@@ -74,9 +74,9 @@ def test_sweeps() -> None:
         "mpc.preview": ("lookahead,none", ["lookahead", "none"]),
         "mpc.stage_weights.cruise": ("[8,1,1],[2,6,1]", [[8, 1, 1], [2, 6, 1]]),
     }
-    found = fields.grid_of([f"{name}={text}" for name, (text, _) in grid.items()])
-    assert found == {name: values for name, (_, values) in grid.items()}
-    assert all(isinstance(value, int) for value in found["road.seed"])
+    parsed = fields.grid_of([f"{name}={text}" for name, (text, _) in grid.items()])
+    assert parsed == {name: values for name, (_, values) in grid.items()}
+    assert all(isinstance(value, int) for value in parsed["road.seed"])
     ranges = fields.ranges_of(["road.bump.height=0.05:0.1", "road.seed=1:9"], "--range")
     assert ranges == {"road.bump.height": [0.05, 0.1], "road.seed": [1, 9]}
 
@@ -115,9 +115,8 @@ def answer() -> dict[str, Any]:
     return {**head, "strategies": entries}
 
 
-def copy(answer: dict[str, Any]) -> dict[str, Any]:
-    again: dict[str, Any] = json.loads(json.dumps(answer))
-    return again
+def copy(answer: dict[str, Any]) -> Any:
+    return json.loads(json.dumps(answer))
 
 
 def tolerance(relative: float, absolute: float = 0) -> Equal:
@@ -132,14 +131,14 @@ def test_differences_come_largest_first_and_within_the_tolerance_not_at_all(answ
     other["strategies"]["lv"]["events"]["target_reached"] = False
     a, b = RunResult.of(answer), RunResult.of(other)
     assert differences(a, a, ["lv", "passive"], tolerance(0), ["*"]) == []
-    found = differences(a, b, ["lv", "passive"], tolerance(0), ["*"])
-    assert [(item.strategy, item.figure, item.worse) for item in found] == [
+    differing = differences(a, b, ["lv", "passive"], tolerance(0), ["*"])
+    assert [(item.strategy, item.figure, item.worse) for item in differing] == [
         ("lv", "events.target_reached", True),
         ("lv", "bump.pitch_acceleration.rms", False),
         ("lv", "bump.body_acceleration.peak", True),
     ]
-    assert [item.change for item in found] == pytest.approx([math.inf, -0.1, 0.02])
-    assert found[1].unit == "rad/s^2"
+    assert [item.change for item in differing] == pytest.approx([math.inf, -0.1, 0.02])
+    assert differing[1].unit == "rad/s^2"
     assert [item.worse for item in differences(b, a, ["lv"], tolerance(0), ["*"])] == [False, True, False]
     loose = differences(a, b, ["lv"], tolerance(0.05), ["*"])
     assert [item.figure for item in loose] == ["events.target_reached", "bump.pitch_acceleration.rms"]
@@ -249,9 +248,9 @@ def test_no_service_there_is_a_line_and_code_3(
 
 def test_every_command_tells_what_it_does(capsys: pytest.CaptureFixture[str]) -> None:
     assert app.run(["--help"]) == 0
-    told = capsys.readouterr().out
+    printed = capsys.readouterr().out
     for name in (command.__name__.rstrip("_") for command in app.COMMANDS):
-        assert name in told
+        assert name in printed
         assert app.run([name, "--help"]) == 0
         assert f"ridelab {name}" in capsys.readouterr().out
     assert app.run(["--version"]) == 0

@@ -175,12 +175,12 @@ def test_late_answers_are_misses_and_never_taken_for_a_later_step(overslept: boo
 
 
 def test_a_histogram_counts_everything_once() -> None:
-    found = spread([0.0, 1e-5, 1e-3, 5.0], 0.01)
-    assert found is not None
-    assert sum(found.counts) == 4
-    assert len(found.edges) == len(found.counts) + 1
-    assert found.counts[0] == found.counts[-1] == 1
-    assert found.most == 5.0
+    times = spread([0.0, 1e-5, 1e-3, 5.0], 0.01)
+    assert times is not None
+    assert sum(times.counts) == 4
+    assert len(times.edges) == len(times.counts) + 1
+    assert times.counts[0] == times.counts[-1] == 1
+    assert times.most == 5.0
     assert spread([], 0.01) is None
 
 

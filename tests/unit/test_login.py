@@ -77,24 +77,24 @@ def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pyt
     with at(lambda _: httpx.Response(202, json=BATCH)) as ridelab:
         batch = ridelab.get_batch(str(BATCH["id"]))
         assert isinstance(batch, Batch)
-        told = resume_command(batch, Services(ADDRESS, Path("d")))
-    assert f"--server {SHOWN}" in told
+        printed = resume_command(batch, Services(ADDRESS, Path("d")))
+    assert f"--server {SHOWN}" in printed
     for words in (
         ["run", f"{ADDRESS}x"],
         ["run", f"http://ann:{SECRET}@[::1/r/x"],
         ["run", "--server", f"ftp://ann:{SECRET}@host"],
     ):
         assert app.run(words) == 2
-        told += capsys.readouterr().err
-    assert "/lab/x: the address of a result ends with" in told
-    assert SECRET not in told
+        printed += capsys.readouterr().err
+    assert "/lab/x: the address of a result ends with" in printed
+    assert SECRET not in printed
 
 
 def test_an_address_as_it_was_printed_is_asked_with_the_servers_login(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[str] = []
+    addresses: list[str] = []
 
     def refuse(self: Ridelab, _: str) -> None:
-        asked.append(self.address if self._http.client.auth is not None else "without a login")
+        addresses.append(self.address if self._http.client.auth is not None else "without a login")
         raise RidelabClientError
 
     monkeypatch.setattr(Ridelab, "get_run", refuse)
@@ -102,16 +102,16 @@ def test_an_address_as_it_was_printed_is_asked_with_the_servers_login(monkeypatc
         for address in (SHOWN, "https://ridelab.test:8443"):
             with pytest.raises(RidelabClientError):
                 find(f"{address}/r/abc", services)
-    assert asked == [SHOWN, "without a login"]
+    assert addresses == [SHOWN, "without a login"]
 
 
 def test_a_token_goes_to_the_server_that_is_named_and_to_no_other(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    asked: list[tuple[str, str | None]] = []
+    sent: list[tuple[str, str | None]] = []
 
     def refuse(self: Ridelab, _: str) -> None:
-        asked.append((self.address, self._http.client.headers.get("Authorization")))
+        sent.append((self.address, self._http.client.headers.get("Authorization")))
         raise RidelabClientError("no")
 
     monkeypatch.setattr(Ridelab, "get_run", refuse)
@@ -121,7 +121,7 @@ def test_a_token_goes_to_the_server_that_is_named_and_to_no_other(
     for address in ("http://here.test", "http://elsewhere.test"):
         words = ["--token-file", str(file), "run", f"{address}/r/abc", "--server", "http://here.test"]
         assert app.run(words) == 3
-    assert asked == [("http://here.test", f"Bearer {SECRET}"), ("http://elsewhere.test", None)]
+    assert sent == [("http://here.test", f"Bearer {SECRET}"), ("http://elsewhere.test", None)]
     with (
         Ridelab(ADDRESS) as of_environment,
         Ridelab(SHOWN, token=SECRET[1:]) as given,

@@ -104,11 +104,11 @@ def values_of(factor: dict[str, float], spread: float = 0.0) -> paper.Values:
 def test_cells_are_judged_against_what_follows_where_it_is_misprinted() -> None:
     """Table 8 prints -44.0 where -62.6 follows: -50 % reaches the printed change, but not the paper's own absolutes."""
     judged = judge(values_of({"lv": 0.5}))
-    found = {
+    verdicts = {
         (item.cell.table, item.cell.strategy, item.cell.against, item.cell.signal): item.verdict for item in judged
     }
-    assert found[8, "lv", "speed_only", "rear_tyre_load"] is Verdict.SMALLER
-    assert found[8, "lv", "speed_only", "body_acceleration"] is Verdict.REACHED
+    assert verdicts[8, "lv", "speed_only", "rear_tyre_load"] is Verdict.SMALLER
+    assert verdicts[8, "lv", "speed_only", "body_acceleration"] is Verdict.REACHED
     assert sum(paper.count(judged).values()) == len(judged)
 
 
@@ -133,11 +133,11 @@ def test_the_interval_of_a_change_covers_the_truth_as_often_as_it_says() -> None
     common = random.normal(0, 1, (2000, 20))
     base = 10 + 2 * common + 0.3 * random.normal(size=common.shape)
     ours = 8 + 1.6 * common + 0.3 * random.normal(size=common.shape)
-    found = [change_with_interval(one, other) for one, other in zip(ours, base, strict=True)]
-    covered = np.mean([item.low <= -20 <= item.high for item in found])
+    intervals = [change_with_interval(one, other) for one, other in zip(ours, base, strict=True)]
+    covered = np.mean([item.low <= -20 <= item.high for item in intervals])
     assert 0.935 < covered < 0.965
     # Unpaired, the interval would be wider by the roads' own spread.
-    assert np.mean([item.high - item.low for item in found]) < 5
+    assert np.mean([item.high - item.low for item in intervals]) < 5
 
 
 def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() -> None:
@@ -184,8 +184,8 @@ def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
     assert {item.cell.strategy for item in in_ecu} == {"lv_hil"}
     assert {item.verdict for item in in_ecu} == {Verdict.REACHED}
     # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
-    found = paper.agreement(judged)
-    assert (found.cells, found.within, found.in_interval) == (40, 6, 0)
+    agreement = paper.agreement(judged)
+    assert (agreement.cells, agreement.within, agreement.in_interval) == (40, 6, 0)
 
 
 @pytest.mark.parametrize(

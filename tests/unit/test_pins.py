@@ -68,15 +68,15 @@ def rewritten(content: bytes, columns: Mapping[str, str], units: Mapping[str, st
 @pytest.mark.parametrize("points", [None, 60])
 def test_another_catalogue_reads_what_it_knows(breaks: dict[str, list[float]], points: int | None) -> None:
     """Columns in another order, one that today's core does not know, one missing, one in another unit."""
-    kept = [key for key in reversed(SIGNALS) if key not in ("rear_force", "brake_pressure")]
+    signals = [key for key in reversed(SIGNALS) if key not in ("rear_force", "brake_pressure")]
     content = pins.make(SCENARIO, ["lv"])["lv"]
     old = rewritten(
         content,
-        {**{key: key for key in kept}, "tyre_temperature": "speed", "brake_pressure": "brake_pressure"},
+        {**{key: key for key in signals}, "tyre_temperature": "speed", "brake_pressure": "brake_pressure"},
         {"brake_pressure": "bar"},
     )
     (array,) = pins.opened({"lv": old}, breaks, points).values()
-    known = [key for key in SIGNALS if key in kept]
+    known = [key for key in SIGNALS if key in signals]
     rows = [ROWS[key] for key in known]
     expected = decimate(pack(simulate(SCENARIO, "lv"))[rows], points, breaks["lv"])
     np.testing.assert_array_equal(array[rows], expected)

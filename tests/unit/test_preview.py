@@ -40,14 +40,14 @@ def head(text: str) -> tuple[list[str], dict[str, str]]:
     """Its titles, and what its metas say."""
     root = read(text)
     metas = [each.attributes for each in root.all("meta") if "content" in each.attributes]
-    found = {str(each.get("name") or each.get("property")): str(each["content"]) for each in metas}
-    return [each.text for each in root.all("title")], found
+    tags = {str(each.get("name") or each.get("property")): str(each["content"]) for each in metas}
+    return [each.text for each in root.all("title")], tags
 
 
 def test_the_numbers_that_matter_are_told() -> None:
-    found = preview.of_run(run({"lv": entry(5.5, 2), "passive": entry(10, 8)}), {}, WHEN)
-    assert found.title == "LV control against passive: 45 % less peak body acceleration on the bump"
-    assert found.description == (
+    card = preview.of_run(run({"lv": entry(5.5, 2), "passive": entry(10, 8)}), {}, WHEN)
+    assert card.title == "LV control against passive: 45 % less peak body acceleration on the bump"
+    assert card.description == (
         "LV control against passive: 45 % less peak body acceleration, 75 % less peak pitch acceleration on the bump; "
         "bump 0.10 m × 4 m, 50 → 22.5 km/h; Ridelab core 0.1.0, 2026-11-21"
     )
@@ -76,9 +76,9 @@ def test_what_is_told_is_what_the_view_compares(view: dict[str, Any], title: str
     "strategies", [{}, {"lv": {"status": "failed", "reason": "x"}}, {"lv": {"status": "ok", "metrics": {"other": {}}}}]
 )
 def test_a_run_without_those_figures_still_has_a_preview(strategies: dict[str, Any]) -> None:
-    found = preview.of_run(run(strategies), {}, WHEN)
-    assert found.title == "A stored run"
-    assert "0.10 m" in found.description
+    card = preview.of_run(run(strategies), {}, WHEN)
+    assert card.title == "A stored run"
+    assert "0.10 m" in card.description
 
 
 def test_a_batch_tells_how_many_runs_over_what() -> None:
@@ -93,9 +93,9 @@ def test_a_batch_tells_how_many_runs_over_what() -> None:
             {"name": "speed.target_speed_kmh", "title": "Target speed", "unit": "km/h"},
         ],
     }
-    found = preview.of_batch(batch, WHEN)
-    assert found.title == "12 000 runs over bump height × target speed"
-    assert found.description == (
+    card = preview.of_batch(batch, WHEN)
+    assert card.title == "12 000 runs over bump height × target speed"
+    assert card.description == (
         "12 000 runs over bump height × target speed: LV control, Passive; running; 3 failed; "
         "Ridelab core 0.1.0, 2026-11-21"
     )
@@ -123,10 +123,10 @@ def test_a_page_that_is_not_there_has_no_card() -> None:
 def test_hostile_text_stays_text() -> None:
     """No free text is accepted anywhere; were it, it would end up in names and versions."""
     members = {HOSTILE: entry(1, 1), "passive": entry(2, 2)}
-    found = preview.of_run({**run(members), "core_version": HOSTILE}, {"baseline": "passive"}, WHEN)
-    text = preview.page(INDEX, found)
+    card = preview.of_run({**run(members), "core_version": HOSTILE}, {"baseline": "passive"}, WHEN)
+    text = preview.page(INDEX, card)
     titles, metas = head(text)
-    assert titles == [f"{found.title} · Ridelab"]
+    assert titles == [f"{card.title} · Ridelab"]
     assert HOSTILE in metas["description"]
     assert HOSTILE in metas["og:title"]
     assert not list(read(text).all("img"))

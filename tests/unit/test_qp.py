@@ -45,19 +45,19 @@ def test_residual_sees_every_kind_of_wrong_answer() -> None:
 
 def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     """In every QP of a run at its limits, although a slack's price is a thousand in the same gradient."""
-    seen = []
+    residuals = []
 
     def spied(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray) -> float:
         for force in (0, 1):
             off = y.copy()
             off[force] += 1e-4  # kN
-            seen.append(residual(shape, f, b, off, multipliers))
+            residuals.append(residual(shape, f, b, off, multipliers))
         return residual(shape, f, b, y, multipliers)
 
     monkeypatch.setattr(qp, "residual", spied)
     simulate(HARD, "lv")
-    assert len(seen) > 20
-    assert min(seen) > TOLERANCE
+    assert len(residuals) > 20
+    assert min(residuals) > TOLERANCE
 
 
 class _Refusing(QpSolver):

@@ -116,8 +116,8 @@ def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[st
         "qp_fallbacks": 3,
         "qp_failures": 1,
     }
-    told = doubts({**entry, "events": events})
-    assert [text.partition(":")[0] for text in told] == [
+    caveats = doubts({**entry, "events": events})
+    assert [text.partition(":")[0] for text in caveats] == [
         "Airborne",
         "Over travel",
         "Target speed not reached",
@@ -125,10 +125,10 @@ def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[st
         "Solver failures",
         "Solver fallbacks",
     ]
-    assert "94\u00a0ms" in told[0]
-    assert "1.6\u00a0mm" in told[1]
-    assert "41.3\u00a0km/h" in told[2]
-    assert "1 of 79" in told[4]
+    assert "94\u00a0ms" in caveats[0]
+    assert "1.6\u00a0mm" in caveats[1]
+    assert "41.3\u00a0km/h" in caveats[2]
+    assert "1 of 79" in caveats[4]
     assert doubts({"status": "failed", "reason": "no controller"}) == ["It could not run: no controller"]
     page = report(facts(outcomes), compressed=False).content.decode()
     airborne = outcomes["passive"].summary["events"]["airborne_ms"]
@@ -145,8 +145,8 @@ def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
         HOSTILE: {"status": "failed", "compute_ms": 1.0, "reason": HOSTILE},
         "lv": {"status": "ok", "compute_ms": 1.0, **summary},
     }
-    told = facts(outcomes, id=HOSTILE, core_version=HOSTILE, scenario=scenario, strategies=entries)
-    plain = report(replace(told, baseline=HOSTILE), compressed=False).content.decode()
+    shown = facts(outcomes, id=HOSTILE, core_version=HOSTILE, scenario=scenario, strategies=entries)
+    plain = report(replace(shown, baseline=HOSTILE), compressed=False).content.decode()
     root = read(plain)
     check(root)
     assert len(list(root.all("script"))) == 3, "figures, plotly, and what draws them"

@@ -17,21 +17,21 @@ def numbers(value: float) -> Numbers:
 
 def test_the_interval_of_a_known_sample() -> None:
     """Mean 3, s² = 2.5: the half width is t·s/√5."""
-    found = compare({"lv": [numbers(value) for value in (1.0, 2.0, 3.0, 4.0, 5.0)]}, "lv")
+    compared = compare({"lv": [numbers(value) for value in (1.0, 2.0, 3.0, 4.0, 5.0)]}, "lv")
     half = T_4 * sqrt(2.5 / 5)
-    rms, peak = (found.means["lv"]["bump"]["body"][statistic] for statistic in ("rms", "peak"))
+    rms, peak = (compared.means["lv"]["bump"]["body"][statistic] for statistic in ("rms", "peak"))
     assert [rms.value, rms.low, rms.high] == pytest.approx([3, 3 - half, 3 + half], rel=1e-7)
     assert [peak.value, peak.low, peak.high] == pytest.approx([6, 6 - 2 * half, 6 + 2 * half], rel=1e-7)
-    assert found.means["lv"]["comfort"]["dose"].value == 11
-    assert not found.changes, "nothing is compared with itself"
+    assert compared.means["lv"]["comfort"]["dose"].value == 11
+    assert not compared.changes, "nothing is compared with itself"
 
 
 def test_a_change_is_that_of_the_means_and_exact_where_pairs_keep_their_ratio() -> None:
     base = [1.0, 2.0, 4.0, 9.0]
-    found = compare({"a": [numbers(0.6 * value) for value in base], "b": [numbers(value) for value in base]}, "b")
-    change = found.changes["a"]["bump"]["body"]["rms"]
+    compared = compare({"a": [numbers(0.6 * value) for value in base], "b": [numbers(value) for value in base]}, "b")
+    change = compared.changes["a"]["bump"]["body"]["rms"]
     assert [change.value, change.low, change.high] == pytest.approx([-40, -40, -40], abs=1e-9)
-    assert list(found.changes) == ["a"]
+    assert list(compared.changes) == ["a"]
 
 
 def test_roads_follow_the_scenarios_seed_and_every_strategy_drives_them() -> None:

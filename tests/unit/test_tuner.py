@@ -30,8 +30,8 @@ SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_t
 
 
 def trial(number: int, *values: float, feasible: bool = True, **more: Any) -> StoredTrial:
-    known = {"generation": 0, "weights": {}, "status": "ok", "reason": None, "limits": []}
-    return StoredTrial(number=number, feasible=feasible, values=list(values), **(known | more))  # type: ignore[arg-type]  # any field
+    defaults = {"generation": 0, "weights": {}, "status": "ok", "reason": None, "limits": []}
+    return StoredTrial(number=number, feasible=feasible, values=list(values), **(defaults | more))  # type: ignore[arg-type]  # any field
 
 
 def summary(rms: tuple[float, ...], peak: tuple[float, ...] = (1, 1, 1, 1)) -> dict[str, Any]:
@@ -65,7 +65,7 @@ def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> 
     )
 
     def row(position: int, travel_time: float, airborne: float) -> JobRow:
-        found = {**summary((1, 1, 1, 1)), "travel_time": travel_time, "events": {"airborne_ms": airborne}}
+        summarised = {**summary((1, 1, 1, 1)), "travel_time": travel_time, "events": {"airborne_ms": airborne}}
         return JobRow(
             position=position,
             changes="{}",
@@ -73,13 +73,13 @@ def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> 
             status="ok",
             reason=None,
             core_version="1",
-            summary=orjson.dumps(found).decode(),
+            summary=orjson.dumps(summarised).decode(),
             compute_ms=1.0,
         )
 
     runs = {1: aims.measured(row(0, 10, 0), {}), 2: aims.measured(row(1, 13, 9), {})}
-    made = aims.trial(4, 1, {"lqr.weights": [1, 1, 1]}, runs)
-    assert (made.values, made.limits, made.feasible, made.status) == ([11.5], [9.0], False, "ok")
+    measured = aims.trial(4, 1, {"lqr.weights": [1, 1, 1]}, runs)
+    assert (measured.values, measured.limits, measured.feasible, measured.status) == ([11.5], [9.0], False, "ok")
     assert aims.trial(4, 1, {}, {1: runs[1]}).feasible
     failed = aims.trial(4, 1, {}, {1: runs[1], 2: Failure(reason="too steep")})
     assert (failed.status, failed.reason, failed.feasible, failed.values) == (
@@ -141,8 +141,8 @@ def test_what_is_not_searched_keeps_the_scenarios_value() -> None:
     assert papers["mpc.stage_weights.bump"] == [1, 1, 6]
     assert own["mpc.stage_weights.bump"] == [2, 2, 2]
     assert space.point_of(papers, search, scenario) is None, "not in the searched space: bump.0 is held at 2"
-    made = space.weights_of({"mpc.stage_weights.bump.2": 9.99999}, search, own)
-    assert made["mpc.stage_weights.bump"] == [2, 2, 10]
+    weights = space.weights_of({"mpc.stage_weights.bump.2": 9.99999}, search, own)
+    assert weights["mpc.stage_weights.bump"] == [2, 2, 10]
     assert own["mpc.stage_weights.bump"] == [2, 2, 2]
     with_travel = {**search, "mpc.deflection_weight": (1.0, 4.0)}
     assert space.weights_of({"mpc.deflection_weight": 3.14159}, with_travel, own)["mpc.deflection_weight"] == 3.14
@@ -162,18 +162,18 @@ def searched(count: int) -> tuple[Search, list[StoredTrial]]:
         }
         value = sum(math.log(each) ** 2 for each in point.values())
         over = point["lqr.weights.0"]
-        made = space.weights_of(point, search, own)
-        trials.append(trial(number, value, feasible=over <= 4, weights=made, limits=[over]))
+        weights = space.weights_of(point, search, own)
+        trials.append(trial(number, value, feasible=over <= 4, weights=weights, limits=[over]))
     return Search(ranges=search, scenario=PAPER, objectives=1, limits=[4.0], seed=7), trials
 
 
 def test_the_same_trials_lead_to_the_same_next_ones() -> None:
     search, trials = searched(40)
-    asked = ask(search, trials, generation=3, count=8)
-    assert asked == ask(search, trials, generation=3, count=8)
-    assert asked != ask(search, trials, generation=4, count=8)
-    assert asked != ask(search, trials[:20], generation=3, count=8)
-    assert asked[:4] == ask(search, trials, generation=3, count=4)
+    asked_trials = ask(search, trials, generation=3, count=8)
+    assert asked_trials == ask(search, trials, generation=3, count=8)
+    assert asked_trials != ask(search, trials, generation=4, count=8)
+    assert asked_trials != ask(search, trials[:20], generation=3, count=8)
+    assert asked_trials[:4] == ask(search, trials, generation=3, count=4)
 
 
 def test_optuna_is_imported_for_a_tuning_only() -> None:

@@ -39,13 +39,13 @@ def _errors(task: tuple[str, int]) -> tuple[str, dict[str, float]]:
 def main() -> None:
     """Print it: the mean size of the errors, then the largest."""
     with multiprocessing.get_context("spawn").Pool(2) as pool:
-        found = pool.map(_errors, [(strategy, seed) for strategy in STRATEGIES for seed in SEEDS], chunksize=5)
+        errors = pool.map(_errors, [(strategy, seed) for strategy in STRATEGIES for seed in SEEDS], chunksize=5)
     print("| % off, mean (worst road) |", " | ".join(f"`{name}`" for name in STRATEGIES), "|")
     print("|---|" + "---:|" * len(STRATEGIES))
     for label, keys in ROWS.items():
         cells = []
         for name in STRATEGIES:
-            sizes = [abs(each[key]) * 100 for strategy, each in found if strategy == name for key in keys]
+            sizes = [abs(each[key]) * 100 for strategy, each in errors if strategy == name for key in keys]
             cells.append(f"{sum(sizes) / len(sizes):.2f} ({max(sizes):.2f})" if max(sizes) else "")
         print(f"| {label} | " + " | ".join(cells) + " |")
 

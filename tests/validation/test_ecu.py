@@ -30,8 +30,8 @@ SLOWER = Speed(initial_speed_kmh=45, detection_distance=30)
 def test_the_ecus_optimum_is_the_qps() -> None:
     """Random states, roads and previous forces in every stage; DAQP's answers are exact to about 1e-9 N here."""
     scenario = Scenario(mpc=HARD, hil=Hil(compensation="none", iterations=200))
-    chosen, rng = strategy_named("lv_hil"), np.random.default_rng(1)
-    designs = mpc_designs(scenario, chosen, drive(scenario, chosen.speed))
+    strategy, rng = strategy_named("lv_hil"), np.random.default_rng(1)
+    designs = mpc_designs(scenario, strategy, drive(scenario, strategy.speed))
     horizon = scenario.mpc.prediction_horizon
     iterations = []
     for i in range(150):

@@ -26,8 +26,8 @@ def test_a_passive_car_with_other_parameters_is_that_other_car() -> None:
 def test_a_controller_keeps_its_beliefs() -> None:
     """LQR's gains stay those of the believed car: the loop over the real one is that gain on its states."""
     real = simulate(SHORT.model_copy(update={"mismatch": Mismatch(damping=0.6)}), "lqr")
-    told = simulate(SHORT.model_copy(update={"vehicle": Mismatch(damping=0.6).real(Vehicle())}), "lqr")
-    assert not np.array_equal(real.series["front_force"], told.series["front_force"])
+    real_run = simulate(SHORT.model_copy(update={"vehicle": Mismatch(damping=0.6).real(Vehicle())}), "lqr")
+    assert not np.array_equal(real.series["front_force"], real_run.series["front_force"])
 
 
 @pytest.mark.parametrize("strategy", ["lv", "lqr"])

@@ -128,7 +128,7 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
 def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
     """What is cached between runs changes none of them, whatever order they come in and whatever a caller does."""
     first = simulate(BASE, strategy)
-    kept = {name: values.copy() for name, values in first.series.items()}
+    copies = {name: values.copy() for name, values in first.series.items()}
     simulate(with_leaf(("road", "bump", "height")), strategy)
     for other in STRATEGIES:
         simulate(BASE, other)
@@ -136,7 +136,7 @@ def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
         if values.flags.writeable:
             values *= 0
     again = simulate(BASE, strategy)
-    assert all(np.array_equal(again.series[name], kept[name]) for name in kept)
+    assert all(np.array_equal(again.series[name], copies[name]) for name in copies)
 
 
 def test_a_fresh_process_gives_the_same_bits() -> None:

@@ -19,10 +19,10 @@ def paper(seed: int) -> Scenario:
 @pytest.fixture(scope="module")
 def figures() -> dict[str, np.ndarray]:
     """strategy → (seed, [rough-road RMS, bump peak], signal)."""
-    found = {}
+    peaks = {}
     for name in ("passive", "speed_only", "suspension_only", "lv", "lqr"):
         runs = [simulate(paper(seed), name).metrics for seed in SEEDS]
-        found[name] = np.array(
+        peaks[name] = np.array(
             [
                 [
                     [run[window][signal][statistic] for signal in PAPER_SIGNALS]
@@ -31,7 +31,7 @@ def figures() -> dict[str, np.ndarray]:
                 for run in runs
             ]
         )
-    return found
+    return peaks
 
 
 @pytest.mark.parametrize("strategy", ["speed_only", "suspension_only", "lv", "lqr"])

@@ -1,4 +1,4 @@
-"""Handing in a job and waiting for it, so that Ctrl-C loses nothing that is finished and SIGTERM names what goes on."""
+"""Submitting a job and waiting for it, so that Ctrl-C loses nothing that is finished and SIGTERM names what goes on."""
 
 import shlex
 import uuid
@@ -35,7 +35,7 @@ def detached_service(services: Services) -> Ridelab:
 
 
 def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
-    """Hand it in under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends."""
+    """Submit it under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends."""
     key = uuid.uuid4().hex
     try:
         return submit(key)
@@ -47,7 +47,7 @@ def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: st
 def follow_to_end(job: Job, services: Services, *options: str, ours: bool = True, timeout: float | None = None) -> int:
     """Wait for a job with a progress bar, `timeout` [s] at most.
 
-    Ctrl-C cancels a job that is `ours`, handed in by this command; another's goes on. SIGTERM cancels none. `options`
+    Ctrl-C cancels a job that is `ours`, submitted by this command; another's goes on. SIGTERM cancels none. `options`
     are those of the command that takes its results later.
 
     Returns:
@@ -77,7 +77,7 @@ def file_options(out: str | None, file_format: str | None) -> list[str]:
 
 
 def show_detached(job: Job, services: Services, *options: str, as_json: bool) -> None:
-    """Say which job was handed in and how to come back to it."""
+    """Say which job was submitted and how to come back to it."""
     print_json(job.answer) if as_json else typer.echo(job.id)
     note(f"{job.total} {'trials' if isinstance(job, Tuning) else 'runs'}; {resume_command(job, services, *options)}")
 

@@ -51,7 +51,7 @@ Changes = Annotated[list[str] | None, option("FIELD=VALUE", _CHANGE, "--set", co
 Strategies = Annotated[list[str] | None, option("ID", _IDS, "--strategy", "-s", completes="strategies")]
 Baseline = Annotated[str | None, option("ID", "Strategy that changes refer to.", completes="strategies")]
 Format = Annotated[str | None, option("csv|parquet|json", "Instead of the file name's end.", "--format")]
-Detach = Annotated[bool, flag("Hand it in and leave; needs --server.", "--detach")]
+Detach = Annotated[bool, flag("Submit it and end; needs --server.", "--detach")]
 Label = Annotated[str | None, option("TEXT", "Call the job so; lists find it by that.")]
 DryRun = Annotated[bool, flag("Only say how many runs and how long.", "--dry-run")]
 AsJson = Annotated[bool, flag("All of it, as JSON.", "--json")]

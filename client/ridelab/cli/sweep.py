@@ -6,17 +6,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options, targets
-from ridelab.cli.following import (
-    detached_service,
-    file_options,
-    follow_to_end,
-    resume_command,
-    say_end,
-    show_detached,
-    show_estimate,
-    submit_job,
-)
+from ridelab.cli import fields, following, options, targets
 from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
@@ -67,26 +57,29 @@ def sweep(
     else:
         ranges = fields.ranges_of(latin_hypercube or [], "--latin-hypercube")
         swept = {"latin_hypercube": {"ranges": ranges, "samples": samples, "seed": seed}}
-    ridelab, names = detached_service(services) if detach else services.at(), options.listed(strategy) or ["lv"]
+    ridelab, names = (
+        following.detached_service(services) if detach else services.at(),
+        options.listed(strategy) or ["lv"],
+    )
     start = fields.scenario_of(scenario, changes, services)
     if dry_run:
-        show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
+        following.show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
-    again = file_options(out, file_format)
-    batch = submit_job(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
+    again = following.file_options(out, file_format)
+    batch = following.submit_job(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
     if detach:
-        show_detached(batch, services, *again, as_json=as_json)
+        following.show_detached(batch, services, *again, as_json=as_json)
         return
-    code = follow_to_end(batch, services, *again)
+    code = following.follow_to_end(batch, services, *again)
     if out is not None and kind is not None:
-        _write(batch, kind, out, resume_command(batch, services, *again))
+        _write(batch, kind, out, following.resume_command(batch, services, *again))
     elif code:
-        note(f"For its rows: {resume_command(batch, services)}")
+        note(f"For its rows: {following.resume_command(batch, services)}")
     elif not as_json:
         _preview(batch, services)
     if as_json:
         print_json(batch.answer)
-    raise typer.Exit(code or say_end(batch))
+    raise typer.Exit(code or following.say_end(batch))
 
 
 def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:

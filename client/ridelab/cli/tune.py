@@ -8,16 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options
-from ridelab.cli.following import (
-    detached_service,
-    follow_to_end,
-    resume_command,
-    say_end,
-    show_detached,
-    show_estimate,
-    submit_job,
-)
+from ridelab.cli import fields, following, options
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
 from ridelab.cli.service import Services
@@ -61,7 +52,7 @@ def tune(
 
     Ctrl-C cancels; --resume goes on where it stopped. With several objectives --out takes the front's knee.
     """
-    ridelab = services.at() if not detach else detached_service(services)
+    ridelab = services.at() if not detach else following.detached_service(services)
     if resume is not None:
         tuning = ridelab.get_tuning(resume)
         if tuning.state != "done" or trials not in (None, tuning.total):  # else it is only shown
@@ -81,24 +72,24 @@ def tune(
         request = {"scenario": start, "strategy": strategy, "seed": seed}
         request |= {name: value for name, value in asked.items() if value is not None}
         if dry_run:
-            show_estimate(ridelab.estimate_tuning(request), "runs", "generations", as_json=as_json)
+            following.show_estimate(ridelab.estimate_tuning(request), "runs", "generations", as_json=as_json)
             return
-        tuning = submit_job(lambda key: ridelab.tune(request, key), services)
+        tuning = following.submit_job(lambda key: ridelab.tune(request, key), services)
     if detach:
-        show_detached(tuning, services, as_json=as_json)
+        following.show_detached(tuning, services, as_json=as_json)
         return
-    if code := follow_to_end(tuning, services):
-        note(f"To go on: {resume_command(tuning, services)}")
+    if code := following.follow_to_end(tuning, services):
+        note(f"To go on: {following.resume_command(tuning, services)}")
         raise typer.Exit(code)
     if tuning.state != "done":
-        raise typer.Exit(say_end(tuning))
+        raise typer.Exit(following.say_end(tuning))
     print_json(tuning.answer) if as_json else _show(tuning, services.names)
     best = tuning.knee or tuning.best[0]
     if out is not None and best is not None:
         tuned = fields.with_values(tuning.answer["scenario"], best["weights"])
         save([json.dumps(tuned, indent=1).encode() + b"\n"], out)
         note(f"{out} has the weights of trial {best['number']}")
-    say_end(tuning)
+    following.say_end(tuning)
     raise typer.Exit(DIFFERENT * (best is None))
 
 

@@ -1,0 +1,18 @@
+"""What becomes of a batch, asked over HTTP."""
+
+from typing import Any
+
+import httpx
+
+
+def wait_for(client: httpx.Client, batch_id: str, seconds: float = 120) -> Any:
+    """The batch once it has ended."""
+    client.get(f"/api/v1/batches/{batch_id}/events", timeout=seconds).raise_for_status()  # a stream that ends with it
+    batch = client.get(f"/api/v1/batches/{batch_id}").json()
+    assert batch["state"] not in ("queued", "running")
+    return batch
+
+
+def rows(client: httpx.Client, batch_id: str) -> Any:
+    """Its runs, in order."""
+    return client.get(f"/api/v1/batches/{batch_id}/results").raise_for_status().json()["rows"]
