@@ -68,7 +68,7 @@ def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str
     rate = log((actuator.rate_limit or _NO_RATE) * mpc.sample_time / force)
     damping = log((vehicle.front_damping + vehicle.rear_damping) / 2)
     softness, underdamping = max(0.0, 1 - mismatch.springs), max(0.0, 1 - mismatch.damping)
-    if strategy.suspension is SuspensionPolicy.LQR:
+    if not strategy.suspension.predictive:
         weights, preview, deflection_weight = scenario.lqr.weights, scenario.lqr.preview, scenario.lqr.deflection_weight
     else:
         by_stage = strategy.suspension is not SuspensionPolicy.MPC_BY_ROAD
@@ -78,7 +78,7 @@ def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str
     restoring = log((deflection_weight + 0.1) / (weights[0] + 1e-3))
     no_preview, wheelbase_preview = float(preview == "none"), float(preview == "wheelbase")
     unstable = (1.0, softness, underdamping, restoring, softness * restoring)
-    if strategy.suspension is SuspensionPolicy.LQR:
+    if not strategy.suspension.predictive:
         law = (1.0, force_margin, no_preview, wheelbase_preview, damping, comfort)
         return {"lqr": law, "lqr actuator": (1.0, saturation, rate), "lqr unstable": unstable}
     horizon, limit = log(mpc.control_horizon * mpc.sample_time), log(mpc.deflection_limit)

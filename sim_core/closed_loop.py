@@ -116,8 +116,9 @@ def drive_controller(
     """
     actuator = Actuator() if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.actuator
     before = road_input.drive.before
-    car = on_road(scenario.real_vehicle, actuator, road_input.step, road_input.disturbance, before)
     controller = make_controller(scenario, strategy, motion, road_input)
+    disturbance, clipped = road_input.disturbance, controller.clipped
+    car = on_road(scenario.real_vehicle, actuator, road_input.step, disturbance, before, clipped=clipped)
     most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * road_input.step
     most_force = np.inf if actuator.saturation is None else actuator.saturation
     loop = ClosedLoop(controller, car, most_change, most_force)

@@ -3,6 +3,7 @@
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller, PassiveController
 from sim_core.control.cost import CostTerms
+from sim_core.control.hooks import HookController, hook_gain
 from sim_core.control.lqr import LqrController, feedforward, regulator
 from sim_core.control.mpc import Horizon, MpcController, MpcDesign, design
 from sim_core.drive.preview import preview, preview_windows
@@ -11,6 +12,9 @@ from sim_core.drive.speed_profile import Drive
 from sim_core.drive.stages import coordinated_weights
 from sim_core.scenario import Scenario, Weights
 from sim_core.strategies import Strategy, SuspensionPolicy
+
+# Which share of skyhook each of the laws has; None is the scenario's.
+HOOKS = {SuspensionPolicy.SKYHOOK: 1.0, SuspensionPolicy.GROUNDHOOK: 0.0, SuspensionPolicy.HYBRID: None}
 
 
 def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_input: RoadInput) -> Controller:
@@ -21,6 +25,10 @@ def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_
     """
     if strategy.suspension is SuspensionPolicy.PASSIVE:
         return PassiveController()
+    if strategy.suspension in HOOKS:
+        share = HOOKS[strategy.suspension]
+        gain = hook_gain(scenario.vehicle, scenario.hook, scenario.hook.alpha if share is None else share)
+        return HookController(scenario.vehicle, gain, scenario.mpc.force_limit, semi_active=scenario.hook.semi_active)
     mpc, lqr, wheelbase = scenario.mpc, scenario.lqr, scenario.vehicle.wheelbase
     if strategy.suspension is SuspensionPolicy.LQR:
         terms = _terms(scenario, motion, lqr.weights, lqr.deflection_weight)

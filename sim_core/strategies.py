@@ -23,6 +23,14 @@ class SuspensionPolicy(StrEnum):
     MPC_BY_ROAD = "mpc_by_road"
     MPC_BY_STAGE = "mpc_by_stage"
     ECU = "ecu"
+    SKYHOOK = "skyhook"
+    GROUNDHOOK = "groundhook"
+    HYBRID = "hybrid"
+
+    @property
+    def predictive(self) -> bool:
+        """Whether it is a model predictive control, in the simulation or as an ECU's program."""
+        return self in (SuspensionPolicy.MPC_BY_ROAD, SuspensionPolicy.MPC_BY_STAGE, SuspensionPolicy.ECU)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,6 +73,8 @@ _MPC = (
 )
 _LQR = (*_PREVIEW, "actuator", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
 
+_HOOK = ("actuator", "mpc.sample_time", "mpc.force_limit", "hook.semi_active")
+
 STRATEGIES: dict[str, Strategy] = {
     strategy.id: strategy
     for strategy in (
@@ -91,6 +101,30 @@ STRATEGIES: dict[str, Strategy] = {
             speed=SpeedPolicy.PLANNED,
             suspension=SuspensionPolicy.LQR,
             reads=(*_ROAD, *_SPEED, *_LQR),
+        ),
+        Strategy(
+            id="skyhook",
+            label="Skyhook",
+            description="Damps the body against the sky, on the same speed plan as LV.",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.SKYHOOK,
+            reads=(*_ROAD, *_SPEED, *_HOOK, "hook.skyhook_damping"),
+        ),
+        Strategy(
+            id="groundhook",
+            label="Groundhook",
+            description="Damps the wheels against the ground, on the same speed plan as LV.",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.GROUNDHOOK,
+            reads=(*_ROAD, *_SPEED, *_HOOK, "hook.groundhook_damping"),
+        ),
+        Strategy(
+            id="hybrid",
+            label="Hybrid hook",
+            description="A share of skyhook and the rest of groundhook, on the same speed plan as LV.",
+            speed=SpeedPolicy.PLANNED,
+            suspension=SuspensionPolicy.HYBRID,
+            reads=(*_ROAD, *_SPEED, *_HOOK, "hook.skyhook_damping", "hook.groundhook_damping", "hook.alpha"),
         ),
         Strategy(
             id="suspension_only",
@@ -140,7 +174,7 @@ def part_read(scenario: Scenario, name: str) -> dict[str, Any]:
         *parts, last = path.split(".")
         part = identity
         for key in parts:
-            part = part[key]
+            part = part.get(key, {})
         if last in part:
             values[path] = part[last]
     return values

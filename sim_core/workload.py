@@ -10,6 +10,7 @@ from math import sqrt
 from sim_core.binding_limits import LimitShares, expected_limits
 from sim_core.car.nonlinear import substeps
 from sim_core.control.qp import OsqpSolver
+from sim_core.controllers import HOOKS
 from sim_core.drive.sampling import fine_step
 from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
@@ -93,7 +94,7 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
     mpc, policy = scenario.mpc, strategy.suspension
     counts = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
-    if not scenario.real_vehicle.linear:
+    if not scenario.real_vehicle.linear or (policy in HOOKS and scenario.hook.semi_active):
         step = fine_step(scenario, strategy)
         counts["nonlinear steps"] = counts["fine steps"] * substeps(scenario.real_vehicle, scenario.actuator, step)
     if strategy.speed is SpeedPolicy.PLANNED:
@@ -103,7 +104,7 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     steps = time / mpc.sample_time
     limited = expected.limited * steps
     counts |= {"design": 1.0, "limited steps": limited}
-    if policy is SuspensionPolicy.LQR:
+    if not policy.predictive:
         return counts
     checks, inputs = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
     counts["design entries"] = checks * inputs**2
@@ -143,6 +144,6 @@ def _fields(strategy: Strategy) -> tuple[str, ...]:
         fields += ("speed.target_speed_kmh",)
     if strategy.suspension is not SuspensionPolicy.PASSIVE:
         fields += ("mpc.sample_time",)
-    if strategy.suspension not in (SuspensionPolicy.PASSIVE, SuspensionPolicy.LQR):
+    if strategy.suspension.predictive:
         fields += ("mpc.prediction_horizon", "mpc.control_horizon")
     return fields

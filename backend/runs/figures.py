@@ -28,11 +28,15 @@ class Style:
 
 
 # 0.13 or more apart in OKLab with normal, protan and deutan vision, and each 3:1 or more on white and on #1a1b1e (a
-# search under these bounds; Okabe and Ito's colours come as near as 0.03 there). A dash of its own besides.
+# search under these bounds; Okabe and Ito's colours come as near as 0.03 there); the three hook laws 0.1 with normal
+# vision. A dash of its own besides.
 STYLES: dict[str, Style] = {
     "lv": Style(colour="#1C5FDF", dash="solid"),
     "lv_hil": Style(colour="#C0300C", dash="longdashdot"),
     "lqr": Style(colour="#FF5F00", dash="dash"),
+    "skyhook": Style(colour="#C93AA0", dash="dash"),
+    "groundhook": Style(colour="#8B5E3C", dash="dashdot"),
+    "hybrid": Style(colour="#0090A8", dash="longdash"),
     "suspension_only": Style(colour="#16A87C", dash="dashdot"),
     "speed_only": Style(colour="#A882D9", dash="longdash"),
     "passive": Style(colour="#666873", dash="dot"),

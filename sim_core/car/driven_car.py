@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from math import inf
 
 from sim_core.arrays import FloatArray
 from sim_core.car.half_car import FORCES, STATES
@@ -11,9 +12,15 @@ MEASURED = STATES + FORCES  # what a law multiplies: the state, then the previou
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LinearLaw:
-    """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10)."""
+    """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10).
+
+    Where a car is stepped one control step after another (`on_road`), it meets these limits itself: the force is within
+    `force_limit` [N] and, if `dissipative`, none where it would put energy in (u·ḋ > 0).
+    """
 
     gain: FloatArray
+    force_limit: float = inf
+    dissipative: bool = False
 
 
 class DrivenCar(ABC):

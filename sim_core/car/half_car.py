@@ -43,16 +43,27 @@ class LinearModel:
     F: FloatArray
 
 
+def _arms(vehicle: Vehicle) -> FloatArray:
+    """Of both axles about the centre of gravity [m]: ż_bi = ż_b + arm_i θ̇."""
+    return np.array([-vehicle.cg_to_front, vehicle.cg_to_rear])
+
+
+def deflection_speeds(vehicle: Vehicle) -> FloatArray:
+    """The rates of both suspension deflections as rows on the state (2, 8)."""
+    eye = np.eye(2)
+    return np.hstack([np.zeros((2, 4)), np.ones((2, 1)), _arms(vehicle)[:, None], -eye])
+
+
 @lru_cache(maxsize=128)
 def half_car(vehicle: Vehicle) -> LinearModel:
     """The continuous model of a vehicle (Eq. 7; wheel, body and pitch equations in docs/physics.md)."""
     m, inertia = vehicle.body_mass, vehicle.pitch_inertia
-    arm = np.array([-vehicle.cg_to_front, vehicle.cg_to_rear])  # ż_bi = ż_b + arm_i θ̇
+    arm = _arms(vehicle)
     wheel_mass = np.array([vehicle.front_wheel_mass, vehicle.rear_wheel_mass])
     tyre = np.array([vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness])
     eye = np.eye(2)
 
-    deflection_speed = np.hstack([np.zeros((2, 4)), np.ones((2, 1)), arm[:, None], -eye])
+    deflection_speed = deflection_speeds(vehicle)
     force_x = np.diag([vehicle.front_spring, vehicle.rear_spring]) @ np.eye(2, STATES)
     force_x = force_x + np.diag([vehicle.front_damping, vehicle.rear_damping]) @ deflection_speed  # F_i = k d + c ḋ - u
     tyre_load = np.hstack([np.zeros((2, 2)), -np.diag(tyre), np.zeros((2, 4))])

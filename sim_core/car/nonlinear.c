@@ -99,7 +99,7 @@ static void hold(const struct car *car, int fine, int substeps, double h, const 
 }
 
 void ridelab_drive(const struct car *car, int states, int steps, int fine, int substeps, double h, const double *gain,
-                   const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
+                   double limit, int dissipative, const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
 {
     int width = states + 2;
     for (int step = 0; step < steps; step++, column++) {
@@ -108,6 +108,9 @@ void ridelab_drive(const struct car *car, int states, int steps, int fine, int s
             command[axle] = feed[2 * step + axle];
             for (int i = 0; i < STATE; i++)
                 command[axle] += gain[STATE * axle + i] * now[i < FORCE ? i : states + i - FORCE];
+            if (dissipative && command[axle] * travel_speed(car, axle, now) > 0)
+                command[axle] = 0;
+            command[axle] = command[axle] > limit ? limit : command[axle] < -limit ? -limit : command[axle];
         }
         for (int i = 0; i < STATE; i++)
             x[i] = i < states ? now[i] : command[i - FORCE];

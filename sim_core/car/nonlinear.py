@@ -54,7 +54,7 @@ def _library() -> ctypes.CDLL:
     library.ridelab_drive.restype = None
     library.ridelab_drive.argtypes = [
         *(ctypes.POINTER(_Car), integer, integer, integer, integer, ctypes.c_double),
-        *(array, array, array, array, array, integer, integer),
+        *(array, ctypes.c_double, integer, array, array, array, array, integer, integer),
     ]
     return library
 
@@ -79,7 +79,8 @@ class NonlinearCar(DrivenCar):
         loop = np.empty((steps + 1, self.size + FORCES))
         loop[0] = start
         self._drive(
-            *(self._car, self.size, steps, *self._sizes, np.ascontiguousarray(law.gain), np.ascontiguousarray(feed)),
+            *(self._car, self.size, steps, *self._sizes),
+            *(np.ascontiguousarray(law.gain), law.force_limit, law.dissipative, np.ascontiguousarray(feed)),
             *(self._disturbance[first : first + steps], loop, self._table, first - self._before, self._table.shape[2]),
         )
         return loop

@@ -9,7 +9,15 @@ from sim_core.car.plant import plant
 from sim_core.scenario import Actuator, Vehicle
 
 
-def on_road(vehicle: Vehicle, actuator: Actuator, step: float, disturbance: FloatArray, before: int) -> DrivenCar:
+def on_road(
+    vehicle: Vehicle,
+    actuator: Actuator,
+    step: float,
+    disturbance: FloatArray,
+    before: int,
+    *,
+    clipped: bool = False,
+) -> DrivenCar:
     """A car on its road.
 
     Args:
@@ -18,10 +26,11 @@ def on_road(vehicle: Vehicle, actuator: Actuator, step: float, disturbance: Floa
         step: Control step [s].
         disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `RoadInput.disturbance`.
         before: Control steps before those on record.
+        clipped: Whether the law's limits shape the force in most steps, so that blocks of free steps gain nothing.
 
     Raises:
-        RidelabError: The car is nonlinear, and the part that steps such a car is not built.
+        RidelabError: The part that steps such a car is not built.
     """
-    if vehicle.linear:
+    if vehicle.linear and not clipped:
         return LinearCar(plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES), disturbance, before)
     return NonlinearCar(vehicle, actuator, step, disturbance, before)

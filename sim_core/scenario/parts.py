@@ -253,8 +253,31 @@ class Lqr(Part):
     )
 
 
+class Hook(Part):
+    """Skyhook, groundhook and hybrid: dampers against sky and ground, beside the car's own (docs/physics.md)."""
+
+    ADDED: ClassVar = frozenset({"skyhook_damping", "groundhook_damping", "alpha", "semi_active"})
+
+    skyhook_damping: float = quantity(
+        4000, "N·s/m", "Skyhook damping", "Of the body over each axle (ours).", soft=(0, 10_000), ge=0, le=500_000
+    )
+    groundhook_damping: float = quantity(
+        2000, "N·s/m", "Groundhook damping", "Of each wheel (ours).", soft=(0, 10_000), ge=0, le=500_000
+    )
+    alpha: float = quantity(
+        0.5, "1", "Share of skyhook", "Of hybrid; the rest is groundhook (ours).", soft=(0, 1), ge=0, le=1
+    )
+    semi_active: bool = Field(
+        False,
+        title="Semi-active",
+        description="The actuator only takes energy out, as a damper whose force is set: what would put some in is 0.",
+    )
+
+
 class Scenario(Part):
     """Everything a run depends on; an omitted part or field takes the paper's default."""
+
+    ADDED: ClassVar = frozenset({"hook"})
 
     vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
     road: Road = Field(Road(), title="Road")
@@ -264,6 +287,7 @@ class Scenario(Part):
     mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")
     mpc: Mpc = Field(Mpc(), title="MPC")
     lqr: Lqr = Field(Lqr(), title="LQR")
+    hook: Hook = Field(Hook(), title="Skyhook and groundhook")
     hil: Hil = Field(Hil(), title="Hardware in the loop")
 
     @property

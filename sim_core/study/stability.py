@@ -21,6 +21,9 @@ from sim_core.strategies import Strategy, SuspensionPolicy, strategy_named
 JUDGED = {
     SuspensionPolicy.PASSIVE,
     SuspensionPolicy.LQR,
+    SuspensionPolicy.SKYHOOK,
+    SuspensionPolicy.GROUNDHOOK,
+    SuspensionPolicy.HYBRID,
     SuspensionPolicy.MPC_BY_ROAD,
     SuspensionPolicy.MPC_BY_STAGE,
 }

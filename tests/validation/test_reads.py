@@ -63,7 +63,7 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
         place = place[key]
     place[path[-1]] = altered(place[path[-1]])
     if path[0] == "actuator":
-        place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 1200.0}[path[-1]]
+        place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 300.0}[path[-1]]
     if path == ("vehicle", "bump_stop_clearance"):
         place[path[-1]] = 0.02
     if path == ("hil", "jitter"):  # whole milliseconds count

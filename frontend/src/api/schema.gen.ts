@@ -1012,7 +1012,7 @@ export interface components {
              */
             state: "queued" | "running" | "done" | "cancelled" | "failed";
             /** Strategies */
-            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[];
             /** Sweep */
             sweep: {
                 [key: string]: unknown;
@@ -1099,7 +1099,7 @@ export interface components {
              */
             state: "queued" | "running" | "done" | "cancelled" | "failed";
             /** Strategies */
-            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[];
             /** Total */
             total: number;
         };
@@ -1258,6 +1258,12 @@ export interface components {
              *           1
              *         ]
              *       },
+             *       "hook": {
+             *         "alpha": 0.5,
+             *         "groundhook_damping": 2000,
+             *         "semi_active": false,
+             *         "skyhook_damping": 4000
+             *       },
              *       "hil": {
              *         "bits": 12,
              *         "compensation": "predict",
@@ -1271,7 +1277,7 @@ export interface components {
              */
             scenario: components["schemas"]["Scenario-Input"];
             /** Strategies */
-            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[];
             sweep: components["schemas"]["Sweep"];
         };
         /**
@@ -1329,7 +1335,7 @@ export interface components {
              * Strategy
              * @enum {string}
              */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
         };
         /**
          * BatchSummary
@@ -1340,7 +1346,7 @@ export interface components {
              * Baseline
              * @enum {string}
              */
-            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            baseline: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             /** Batch */
             batch: string;
             /**
@@ -1729,7 +1735,7 @@ export interface components {
              * Strategy
              * @enum {string}
              */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             /** Table */
             table: number;
             /**
@@ -1780,7 +1786,7 @@ export interface components {
              * Strategy
              * @enum {string}
              */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
         };
         /**
          * CombinationRow
@@ -2092,6 +2098,12 @@ export interface components {
              *           1
              *         ]
              *       },
+             *       "hook": {
+             *         "alpha": 0.5,
+             *         "groundhook_damping": 2000,
+             *         "semi_active": false,
+             *         "skyhook_damping": 4000
+             *       },
              *       "hil": {
              *         "bits": 12,
              *         "compensation": "predict",
@@ -2213,7 +2225,7 @@ export interface components {
              * Baseline
              * @enum {string}
              */
-            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            baseline: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             /**
              * Changes
              * @description By strategy; not of the baseline, nor of failures
@@ -2558,6 +2570,36 @@ export interface components {
             seed: number;
         };
         /**
+         * Hook
+         * @description Skyhook, groundhook and hybrid: dampers against sky and ground, beside the car's own (docs/physics.md).
+         */
+        Hook: {
+            /**
+             * Share of skyhook
+             * @description Of hybrid; the rest is groundhook (ours).
+             * @default 0.5
+             */
+            alpha: number;
+            /**
+             * Groundhook damping
+             * @description Of each wheel (ours).
+             * @default 2000
+             */
+            groundhook_damping: number;
+            /**
+             * Semi-active
+             * @description The actuator only takes energy out, as a damper whose force is set: what would put some in is 0.
+             * @default false
+             */
+            semi_active: boolean;
+            /**
+             * Skyhook damping
+             * @description Of the body over each axle (ours).
+             * @default 4000
+             */
+            skyhook_damping: number;
+        };
+        /**
          * Interpretation
          * @description A named set of readings, and what the cells come to under it, on the same roads.
          */
@@ -2776,7 +2818,7 @@ export interface components {
              * Baseline
              * @description What changes in % are against.
              */
-            baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+            baseline?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
             /**
              * Cursor
              * @description Place on the x axis, [m] or [s]; null is none.
@@ -2786,12 +2828,12 @@ export interface components {
              * Hidden
              * @description Of those shown, the ones switched off in the plots.
              */
-            hidden?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
+            hidden?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[] | null;
             /**
              * Strategies
              * @description Shown, in this order.
              */
-            strategies?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[] | null;
+            strategies?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[] | null;
             /**
              * X
              * @description Of a batch only: the field on the x axis, dotted.
@@ -2956,6 +2998,12 @@ export interface components {
              *           1
              *         ]
              *       },
+             *       "hook": {
+             *         "alpha": 0.5,
+             *         "groundhook_damping": 2000,
+             *         "semi_active": false,
+             *         "skyhook_damping": 4000
+             *       },
              *       "hil": {
              *         "bits": 12,
              *         "compensation": "predict",
@@ -2974,7 +3022,7 @@ export interface components {
              */
             signals?: ("time" | "position" | "speed" | "front_road" | "rear_road" | "brake_pressure" | "brake_deceleration" | "body_acceleration" | "pitch_acceleration" | "front_tyre_load" | "rear_tyre_load" | "front_deflection" | "rear_deflection" | "front_force" | "rear_force")[] | null;
             /** Strategies */
-            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[];
         };
         /**
          * LiveResult
@@ -3870,7 +3918,7 @@ export interface components {
              * Baseline
              * @enum {string}
              */
-            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            baseline: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             /**
              * Changes
              * @description By strategy; not of the baseline, nor of failures
@@ -3947,7 +3995,7 @@ export interface components {
              * Baseline
              * @enum {string}
              */
-            baseline: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            baseline: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             /** Figures */
             figures: string[];
             /** Ranges */
@@ -3955,7 +4003,7 @@ export interface components {
             /** Samples */
             samples: number;
             /** Strategies */
-            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[];
         };
         /**
          * Run
@@ -4001,7 +4049,7 @@ export interface components {
              * Baseline
              * @description What the changes over several roads refer to, one of the strategies; null is passive, or the first strategy where passive does not run
              */
-            baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+            baseline?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
             /**
              * Roads
              * @description Seeds road.seed, road.seed + 1, …; each strategy drives all
@@ -4122,6 +4170,12 @@ export interface components {
              *           1
              *         ]
              *       },
+             *       "hook": {
+             *         "alpha": 0.5,
+             *         "groundhook_damping": 2000,
+             *         "semi_active": false,
+             *         "skyhook_damping": 4000
+             *       },
              *       "hil": {
              *         "bits": 12,
              *         "compensation": "predict",
@@ -4135,7 +4189,7 @@ export interface components {
              */
             scenario: components["schemas"]["Scenario-Input"];
             /** Strategies */
-            strategies: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive")[];
+            strategies: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[];
         };
         /**
          * Scenario
@@ -4172,6 +4226,16 @@ export interface components {
              *     }
              */
             hil: components["schemas"]["Hil"];
+            /**
+             * Skyhook and groundhook
+             * @default {
+             *       "skyhook_damping": 4000,
+             *       "groundhook_damping": 2000,
+             *       "alpha": 0.5,
+             *       "semi_active": false
+             *     }
+             */
+            hook: components["schemas"]["Hook"];
             /**
              * LQR
              * @default {
@@ -4328,6 +4392,16 @@ export interface components {
              *     }
              */
             hil: components["schemas"]["Hil"];
+            /**
+             * Skyhook and groundhook
+             * @default {
+             *       "skyhook_damping": 4000,
+             *       "groundhook_damping": 2000,
+             *       "alpha": 0.5,
+             *       "semi_active": false
+             *     }
+             */
+            hook: components["schemas"]["Hook"];
             /**
              * LQR
              * @default {
@@ -4490,7 +4564,7 @@ export interface components {
              * Strategy
              * @enum {string}
              */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             /** Units */
             units: {
                 [key: string]: string;
@@ -5105,7 +5179,7 @@ export interface components {
              * Strategy
              * @enum {string}
              */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             trials: components["schemas"]["TrialCounts"];
         };
         /**
@@ -5207,7 +5281,7 @@ export interface components {
              * Strategy
              * @enum {string}
              */
-            strategy: "lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive";
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             trials: components["schemas"]["TrialCounts"];
         };
         /**
@@ -5404,6 +5478,12 @@ export interface components {
              *           1,
              *           1
              *         ]
+             *       },
+             *       "hook": {
+             *         "alpha": 0.5,
+             *         "groundhook_damping": 2000,
+             *         "semi_active": false,
+             *         "skyhook_damping": 4000
              *       },
              *       "hil": {
              *         "bits": 12,
@@ -6538,7 +6618,7 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description Strategy; without one LV, else the first */
-                baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+                baseline?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
                 /** @description Keys with commas; without any the paper's eight, travel exceeded and airborne */
                 figures?: string;
             };
@@ -8744,7 +8824,7 @@ export interface operations {
         parameters: {
             query?: {
                 /** @description Whose figures the changes refer to; omitted is passive */
-                baseline?: ("lv" | "lv_hil" | "lqr" | "suspension_only" | "speed_only" | "passive") | null;
+                baseline?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
                 /** @description What is on the x axis */
                 x?: "position" | "time";
             };

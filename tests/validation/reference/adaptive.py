@@ -27,11 +27,16 @@ NAMES = (*OUTPUTS, "front_force", "rear_force")
 
 @dataclass(frozen=True)
 class Run:
-    """A strategy's run: the core's result and commands (steps, 2) [N]."""
+    """A strategy's run: the core's result, and its states and commands at the control instants."""
 
     scenario: Scenario
     result: StrategyResult
-    commands: Array
+    trajectory: Trajectory
+
+    @property
+    def commands(self) -> Array:
+        """(steps, 2) [N]."""
+        return self.trajectory.commands
 
 
 def run(scenario: Scenario, name: str) -> Run:
@@ -44,7 +49,7 @@ def run(scenario: Scenario, name: str) -> Run:
         return caught[-1]
 
     with patch.object(ClosedLoop, "run", caught_run):
-        return Run(scenario, simulate(scenario, name), caught[0].commands)
+        return Run(scenario, simulate(scenario, name), caught[0])
 
 
 def errors(runs: list[Run]) -> list[dict[str, float]]:

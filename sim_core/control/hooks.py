@@ -1,0 +1,52 @@
+"""Skyhook, groundhook and hybrid damping, active or semi-active.
+
+Skyhook damps the body against the sky (Karnopp, Crosby and Harwood 1974, J. Eng. Ind. 96), groundhook the wheel against
+the ground, hybrid is a share of both (Ahmadian 1997, ASME DETC97/VIB-4147). Each axle has its own: the force lifts the
+body and presses the wheel down, so u_i = -c_sky ż_bi and u_i = c_ground ż_wi.
+"""
+
+import numpy as np
+
+from sim_core.arrays import BoolArray, FloatArray
+from sim_core.car.driven_car import LinearLaw
+from sim_core.car.half_car import FORCES, STATES, deflection_speeds
+from sim_core.control.controller import Controller
+from sim_core.scenario import Hook, Vehicle
+
+
+def hook_gain(vehicle: Vehicle, hook: Hook, alpha: float) -> FloatArray:
+    """The law on [state; previous command] (2, 10) in N: `alpha` of skyhook, the rest of groundhook."""
+    gain = np.zeros((FORCES, STATES + FORCES))
+    wheel = np.eye(FORCES, STATES, k=6)
+    body = deflection_speeds(vehicle) + wheel
+    gain[:, :STATES] = (1 - alpha) * hook.groundhook_damping * wheel - alpha * hook.skyhook_damping * body
+    return gain
+
+
+class HookController(Controller):
+    """One of these laws within the force limit; semi-active, a force that would put energy in is none."""
+
+    def __init__(self, vehicle: Vehicle, gain: FloatArray, force_limit: float, *, semi_active: bool) -> None:
+        super().__init__()
+        self._law = LinearLaw(gain=gain, force_limit=force_limit, dissipative=semi_active)
+        self.clipped = semi_active
+        self._speeds = deflection_speeds(vehicle)
+
+    def law(self, stage: str) -> LinearLaw:
+        """The same in every stage."""
+        return self._law
+
+    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
+        """Where its forces are within the limit and, semi-active, take energy out."""
+        within = (np.abs(commands) <= self._law.force_limit).all(axis=1)
+        if self._law.dissipative:
+            within &= (commands * (measured[:, :STATES] @ self._speeds.T) <= 0).all(axis=1)
+        return np.asarray(within)
+
+    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
+        """The law's force, clipped."""
+        wanted = self._law.gain[:, :STATES] @ state
+        force = np.clip(wanted, -self._law.force_limit, self._law.force_limit)
+        if self._law.dissipative:
+            force = np.where(force * (self._speeds @ state) > 0, 0.0, force)
+        return force, not np.array_equal(force, wanted)
