@@ -192,6 +192,12 @@ class LiveResult(CachedResult):
     series: dict[str, TypedArray] = keys_of(SIGNALS, "The same samples for every signal; SI units")
 
 
+class WithId(Answer):
+    """What has an id; as the last base its id stands first."""
+
+    id: str
+
+
 class RunBase(Answer):
     """What every form of a run has."""
 
@@ -199,19 +205,17 @@ class RunBase(Answer):
     scenario: Scenario
 
 
-class Run(RunBase):
+class Run(RunBase, WithId):
     """A stored run; it never changes."""
 
-    id: str
     strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"
     )
 
 
-class CreatedRun(RunBase):
+class CreatedRun(RunBase, WithId):
     """A run as the request that made it sees it."""
 
-    id: str
     strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"
     )

@@ -4,7 +4,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, create_model
 
-from backend.models import STRATEGY_IDS, Answer, CachedFailure, DriveResult, RunBase, StrategyFailure, keys_of
+from backend.models import STRATEGY_IDS, Answer, CachedFailure, DriveResult, RunBase, StrategyFailure, WithId, keys_of
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, WINDOWS
 
 
@@ -59,10 +59,9 @@ class CachedRoadsResult(RoadsResult):
     cached: bool = Field(description="No road was computed for this request")
 
 
-class RoadsRunBase(RunBase):
+class RoadsRunBase(RunBase, WithId):
     """What every form of a run over several roads has."""
 
-    id: str
     roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
     baseline: str
     changes: dict[str, StrategyChanges] = keys_of(STRATEGY_IDS, "By strategy; not of the baseline, nor of failures")
