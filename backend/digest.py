@@ -20,16 +20,16 @@ from sim_core.strategies import STRATEGIES, SuspensionPolicy, part_read, strateg
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
 
-def passing_key() -> str:
+def uncacheable_key() -> str:
     """Key of a result that nobody shall find by what it depends on: a failure that may be none the next time."""
     return secrets.token_urlsafe(32)
 
 
 def random_id() -> str:
     """Id of what its content does not name: 128 random bits; begins as every id does."""
-    while not (made := secrets.token_urlsafe(16))[0].isalnum():
+    while not (text := secrets.token_urlsafe(16))[0].isalnum():
         pass
-    return made
+    return text
 
 
 def canonical(value: Any) -> bytes:

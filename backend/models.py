@@ -34,20 +34,20 @@ class Answer(BaseModel):
     model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
 
 
-def _known_strategy(name: str) -> str:
+def _check_strategy(name: str) -> str:
     if name not in STRATEGIES:
         raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, STRATEGY_IDS)})
     return name
 
 
-def _known_signal(name: str) -> str:
+def _check_signal(name: str) -> str:
     if name not in SIGNALS:
         raise PydanticCustomError("unknown_signal", "{said}", {"said": unknown_name("signal", name, list(SIGNALS))})
     return name
 
 
-StrategyName = Annotated[str, AfterValidator(_known_strategy), Field(json_schema_extra={"enum": STRATEGY_IDS})]
-SignalName = Annotated[str, AfterValidator(_known_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
+StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema_extra={"enum": STRATEGY_IDS})]
+SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
 Points = Annotated[int, Field(ge=2, le=MAX_POINTS, description="About how many samples; peaks survive.")]
 
 

@@ -222,7 +222,7 @@ def _check_certificates(files: Mapping[str, Path | None]) -> None:
 
 
 def _unknown(name: int | str) -> str:
-    similar = [_variable(known) for known in get_close_matches(str(name), Settings.model_fields)]
+    similar = [_variable(field) for field in get_close_matches(str(name), Settings.model_fields)]
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
     return f"there is no such setting{perhaps}; docs/operations.md lists all"
 

@@ -28,9 +28,9 @@ def pointer(path: Path) -> str:
     return "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in path)
 
 
-def unknown_name(what: str, name: str | int, known: Sequence[str]) -> str:
+def unknown_name(what: str, name: str | int, offered: Sequence[str]) -> str:
     """Such as `Unknown field hight, perhaps height; there are shape, height, width`."""
     message = f"Unknown {what} {name}" if is_name(name) else f"Unknown {what}"
-    similar = get_close_matches(str(name), known) if is_name(name) else []
+    similar = get_close_matches(str(name), offered) if is_name(name) else []
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
-    return f"{message}{perhaps}; there are {', '.join(known) or 'none'}"
+    return f"{message}{perhaps}; there are {', '.join(offered) or 'none'}"

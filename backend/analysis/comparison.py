@@ -20,14 +20,14 @@ def roles(trials: Sequence[StoredTrial], objectives: int, *, own: bool) -> dict[
         objectives: How many there are.
         own: Whether the scenario has weights of its own.
     """
-    found = {0: [PAPER]}
+    roles_by_number = {0: [PAPER]}
     if own:
-        found[1] = [SCENARIO]
+        roles_by_number[1] = [SCENARIO]
     named = [(f"best.{index}", front.best(trials, index)) for index in range(objectives)]
     for role, trial in [*named, (KNEE, front.knee(front.front(trials)))]:
         if trial is not None:
-            found.setdefault(trial.number, []).append(role)
-    return found
+            roles_by_number.setdefault(trial.number, []).append(role)
+    return roles_by_number
 
 
 def columns(aims: Aims) -> list[ComparedFigure]:

@@ -15,12 +15,12 @@ def best(trials: Sequence[StoredTrial], objective: int) -> StoredTrial | None:
 
 def front(trials: Sequence[StoredTrial]) -> list[StoredTrial]:
     """Feasible trials that no other one betters in an objective without being worse in another; equal ones once."""
-    found: list[StoredTrial] = []
+    members: list[StoredTrial] = []
     # In this order nothing that comes later can dominate what is there.
     for trial in sorted(_feasible(trials), key=lambda trial: (*_values(trial), trial.number)):
-        if not any(all(a <= b for a, b in zip(_values(each), _values(trial), strict=True)) for each in found):
-            found.append(trial)
-    return found
+        if not any(all(a <= b for a, b in zip(_values(each), _values(trial), strict=True)) for each in members):
+            members.append(trial)
+    return members
 
 
 def knee(members: Sequence[StoredTrial]) -> StoredTrial | None:

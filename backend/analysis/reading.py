@@ -71,18 +71,18 @@ class _Gathered:
             self._status[point, index] = row.status
             if not index:
                 self.changes.append(row.changes)
-            found = orjson.loads(row.summary) if row.summary is not None else {}
+            result = orjson.loads(row.summary) if row.summary is not None else {}
             if row.status == "failed":
-                self._reasons[row.strategy][row.reason or found.get("reason") or "unknown"] += 1
+                self._reasons[row.strategy][row.reason or result.get("reason") or "unknown"] += 1
             if row.status == "ok":
                 for key in self._figures:
-                    value = METRICS[key].of(found)
+                    value = METRICS[key].of(result)
                     self._values[key][point, index] = np.nan if value is None else value
 
     def ran(self) -> list[int]:
         """The points at which some strategy has succeeded."""
-        found: list[int] = np.flatnonzero((self._status == "ok").any(axis=1)).tolist()
-        return found
+        result: list[int] = np.flatnonzero((self._status == "ok").any(axis=1)).tolist()
+        return result
 
     def study(
         self,
@@ -102,6 +102,8 @@ class _Gathered:
             fields={name: [change.get(name) for change in changes] for name in fields},
             read={name: robustness.read(name, fields, scenario) for name in names},
             damping=np.where(self._status == "ok", damping, np.nan),
-            nominal={name: {key: METRICS[key].of(found) for key in self._figures} for name, found in summaries.items()},
+            nominal={
+                name: {key: METRICS[key].of(result) for key in self._figures} for name, result in summaries.items()
+            },
             nominal_damping=nominal_damping,
         )

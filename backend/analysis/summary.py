@@ -144,16 +144,16 @@ def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) 
 
 def _distribution(study: Study, index: int, values: FloatArray, numbers: Numbers) -> dict[str, Any]:
     """The fields of `SensitiveDistribution`, of what is finite."""
-    there = np.flatnonzero(np.isfinite(values))
-    if not len(there):
+    defined = np.flatnonzero(np.isfinite(values))
+    if not len(defined):
         return {"n": 0, "mean": None, "quantiles": None, "lowest": None, "highest": None, "sensitivity": []}
-    finite = values[there]
+    finite = values[defined]
     return {
-        "n": len(there),
+        "n": len(defined),
         "mean": float(finite.mean()),
         "quantiles": np.percentile(finite, QUANTILES, method="linear").tolist(),
-        "lowest": _place(study, index, values, int(there[finite.argmin()])),
-        "highest": _place(study, index, values, int(there[finite.argmax()])),
+        "lowest": _place(study, index, values, int(defined[finite.argmin()])),
+        "highest": _place(study, index, values, int(defined[finite.argmax()])),
         "sensitivity": _sensitivity(values, numbers),
     }
 
@@ -195,8 +195,8 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[Sensitivity]:
 
     rows = []
     for name, column in numbers.items():
-        there = np.isfinite(values) & np.isfinite(column)
-        x, y = column[there], values[there]
+        defined = np.isfinite(values) & np.isfinite(column)
+        x, y = column[defined], values[defined]
         if len(x) < LEAST_POINTS or np.ptp(x) == 0 or np.ptp(y) == 0:
             continue
         rho, (effect, chance) = spearmanr(x, y), _effect(x, y)

@@ -58,11 +58,11 @@ async def create_batch(
     idempotency_key: jobs.IdempotencyKey = None,
 ) -> Response:
     """Submit a sweep; 202 comes after the commit: what was accepted completes, whatever crashes."""
-    asked = (body.scenario, body.strategies, body.sweep)
+    batch = (body.scenario, body.strategies, body.sweep)
     if body.dry_run:
-        return json_answer(await cancel_on_disconnect(request, service.estimate(*asked, client)))
+        return json_answer(await cancel_on_disconnect(request, service.estimate(*batch, client)))
     creating = service.create(
-        *asked, client=client, key=jobs.key_of(owner, idempotency_key), label=body.label, owner=owner
+        *batch, client=client, key=jobs.key_of(owner, idempotency_key), label=body.label, owner=owner
     )
     job = await cancel_on_disconnect(request, creating)
     return api.accepted(await service.answer(job), job)
@@ -137,14 +137,14 @@ async def get_robustness_defaults() -> Response:
     return json_answer(robustness.defaults())
 
 
-def _figures(text: str, known: Iterable[str]) -> list[str]:
+def _figures(text: str, offered: Iterable[str]) -> list[str]:
     """The figures named, each once.
 
     Raises:
         InvalidError: One is unknown.
     """
     names = [name.strip() for name in text.split(",") if name.strip()]
-    if not set(names) <= set(known):
-        message = f"Unknown figure; there are {', '.join(known)}"
+    if not set(names) <= set(offered):
+        message = f"Unknown figure; there are {', '.join(offered)}"
         raise InvalidError(message, parameter="figures")
     return list(dict.fromkeys(names))

@@ -149,7 +149,7 @@ async def get_run_report(
     return html_answer(report, f"ridelab-{run_id}.html")
 
 
-def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str] | None:
+def _names(parameter: str, text: str | None, offered: dict[str, Any]) -> list[str] | None:
     """The names in a comma-separated parameter; None where it was omitted.
 
     Raises:
@@ -158,7 +158,7 @@ def _names(parameter: str, text: str | None, known: dict[str, Any]) -> list[str]
     if text is None:
         return None
     names = [name.strip() for name in text.split(",")]
-    if not set(names) <= set(known):
-        message = f"Unknown name; there are {', '.join(known)}"
+    if not set(names) <= set(offered):
+        message = f"Unknown name; there are {', '.join(offered)}"
         raise InvalidError(message, parameter=parameter)
     return names

@@ -81,10 +81,10 @@ def add_site(app: FastAPI, dist: Path) -> None:
         _check_built(index)
         if app.state.tokens is not None and caller is None:
             return await page()  # which asks for a token; nothing of what is shared is in it
-        found = await service.preview(slug)
-        text = preview.page(index.read_text(encoding="utf-8"), found or Preview(), shared=found is not None)
+        of_link = await service.preview(slug)
+        text = preview.page(index.read_text(encoding="utf-8"), of_link or Preview(), shared=of_link is not None)
         headers = {"Cache-Control": "no-cache", "X-Robots-Tag": "noindex"}
-        return HTMLResponse(text, 200 if found is not None else 404, headers)
+        return HTMLResponse(text, 200 if of_link is not None else 404, headers)
 
     @site.get("/docs")
     async def docs() -> Response:

@@ -155,17 +155,17 @@ class Database:
             command.upgrade(config, revision)
 
     def _check_origin(self, connection: Connection, script: ScriptDirectory) -> None:
-        known = {step.revision for step in script.walk_revisions()}
+        revisions = {step.revision for step in script.walk_revisions()}
         stored = MigrationContext.configure(connection).get_current_revision()
         if stored is None and self._is_sqlite and inspect(connection).get_table_names():
             raise UnusableDatabaseError(f"{self._name} is another program's database")
-        if stored is not None and stored < min(known):
+        if stored is not None and stored < min(revisions):
             raise UnusableDatabaseError(
                 f"{self._name} is of a version of Ridelab before 0.2.0 (schema {stored}): start 0.2.0 on it once"
             )
-        if stored is not None and stored not in known:
+        if stored is not None and stored not in revisions:
             raise UnusableDatabaseError(
-                f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {max(known)}): "
+                f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {max(revisions)}): "
                 "upgrade, or put the backup from before in its place"
             )
 

@@ -150,8 +150,8 @@ async def _http(request: Request, error: Exception) -> Response:
     if error.status_code == 405:
         # It names the methods of one route, and an address may have several.
         described = request.app.openapi()["paths"].get(getattr(request.scope.get("route"), "path", None), {})
-        known = {name.strip() for name in headers.get("allow", headers.get("Allow", "")).split(",") if name}
-        headers = {"Allow": ", ".join(sorted(known | {method.upper() for method in described}))}
+        allowed = {name.strip() for name in headers.get("allow", headers.get("Allow", "")).split(",") if name}
+        headers = {"Allow": ", ".join(sorted(allowed | {method.upper() for method in described}))}
     return problem(OF_STATUS[error.status_code].name, headers=headers)
 
 

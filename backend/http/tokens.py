@@ -81,10 +81,10 @@ class Tokens:
 
     def _look(self) -> tuple[int, int, int] | None:
         try:
-            found = self._path.stat()
+            status = self._path.stat()
         except OSError:
             return None
-        return found.st_mtime_ns, found.st_size, found.st_ino
+        return status.st_mtime_ns, status.st_size, status.st_ino
 
     def _refresh(self) -> None:
         stamp = self._look()
@@ -156,8 +156,8 @@ def _digest(text: str) -> str:
 
 def _find(names: dict[str, str], digest: str) -> str | None:
     """In a time that tells nothing of how much of a digest was right; all are of equal length."""
-    found = None
+    match = None
     for each, name in names.items():
         if hmac.compare_digest(each.encode(), digest.encode()):
-            found = name
-    return found
+            match = name
+    return match

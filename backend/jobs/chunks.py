@@ -52,7 +52,7 @@ class Chunks:
 
     def send(self, cluster: "Cluster", handed_out: HandOut, runs: list[WaitingRun]) -> None:
         """Have these runs computed and stored."""
-        handed_out.on_their_way += 1
+        handed_out.under_way += 1
         _keep(self._computing, self._compute(cluster, handed_out, runs))
 
     async def wait_until_computed(self, seconds: float) -> None:
@@ -135,7 +135,7 @@ class Chunks:
                 return
 
     def _end(self, handed_out: HandOut) -> None:
-        handed_out.on_their_way -= 1
+        handed_out.under_way -= 1
         self.returned.set()
 
 

@@ -25,7 +25,7 @@ class HandOut:
         group: Of its chunks.
         position: Runs up to this one are computed or on their way.
         returned: Chunks to hand out (again) before new ones are cut.
-        on_their_way: How many chunks are not yet stored.
+        under_way: How many chunks are not yet stored.
         exhausted: Whether no run behind `position` waits, as far as is known.
         turn: When it was last given a place.
         run_seconds: How long a run takes, by the chunks so far [s].
@@ -36,7 +36,7 @@ class HandOut:
     group: str = field(default_factory=digest.random_id)
     position: int = -1
     returned: list[list[WaitingRun]] = field(default_factory=list)
-    on_their_way: int = 0
+    under_way: int = 0
     exhausted: bool = False
     turn: int = 0
     run_seconds: float | None = None

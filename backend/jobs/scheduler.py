@@ -155,7 +155,7 @@ class Scheduler:
     async def _end_sweep(self, job_id: str) -> None:
         self._rekeyed.discard(job_id)  # what was cancelled meanwhile has its old keys
         stopped = self._handed_out.pop(job_id)
-        if stopped.on_their_way and self._cluster is not None:
+        if stopped.under_way and self._cluster is not None:
             await self._cluster.stop(stopped.group)
 
     async def _begin(self, job: StoredJob) -> None:
@@ -181,14 +181,14 @@ class Scheduler:
             waiting = [each for each in self._handed_out.values() if each.job.id not in looked_at]
             if not waiting:
                 return
-            handed_out = min(waiting, key=lambda each: (each.on_their_way, each.turn))
+            handed_out = min(waiting, key=lambda each: (each.under_way, each.turn))
             runs = await handed_out.next_chunk(self._store, places)
             if runs:
                 handed_out.turn = next(self._turns)
                 self._chunks.send(cluster, handed_out, runs)
             else:
                 looked_at.add(handed_out.job.id)
-                if not handed_out.on_their_way and not handed_out.returned:  # one may have come back meanwhile
+                if not handed_out.under_way and not handed_out.returned:  # one may have come back meanwhile
                     await self._finish(handed_out)
 
     async def _finish(self, handed_out: HandOut) -> None:

@@ -80,10 +80,10 @@ class Jobs:
     ) -> tuple[list[StoredJob], str | None]:
         """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
         before = None if cursor is None else _place(cursor)
-        found = await self._store.read(
+        page = await self._store.read(
             self._store.jobs.page, self._kind, limit + 1, before=before, state=state, label=label
         )
-        more, shown = len(found) > limit, found[:limit]
+        more, shown = len(page) > limit, page[:limit]
         return shown, _cursor(shown[-1]) if more else None
 
     async def position(self, job: StoredJob) -> int:

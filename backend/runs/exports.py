@@ -45,8 +45,8 @@ def render(scenario: Scenario, export: Export) -> bytes:
 def render_pinned(pinned: Mapping[str, bytes], breaks: Mapping[str, Sequence[float]], export: Export) -> bytes:
     """Render what is pinned (arguments as for `pins.opened`); signals that were not pinned are left out."""
     members = pins.opened(pinned, breaks, export.points)
-    there = [key for key in export.signals if not any(np.isnan(array[ROWS[key]]).all() for array in members.values())]
-    return _rendered(members, replace(export, signals=there))
+    present = [key for key in export.signals if not any(np.isnan(array[ROWS[key]]).all() for array in members.values())]
+    return _rendered(members, replace(export, signals=present))
 
 
 def _rendered(members: Mapping[str, SeriesArray], export: Export) -> bytes:

@@ -56,8 +56,8 @@ class Histories:
         pinned = await self._pinned(keys)
         scenario = Scenario.model_validate(stored.scenario)
         if pinned is None:
-            found = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
-            return {strategy: item.outcome for strategy, item in found.items()}
+            results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
+            return {strategy: item.outcome for strategy, item in results.items()}
         with self._admission.computing(client, scenario, ()):
             arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
         return {
@@ -84,8 +84,8 @@ class Histories:
 
     async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
         """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
-        found = await self._store.read(self._store.links.load_pins, keys.values())
-        return {name: found[key] for name, key in keys.items()} if set(keys.values()) <= set(found) else None
+        pinned = await self._store.read(self._store.links.load_pins, keys.values())
+        return {name: pinned[key] for name, key in keys.items()} if set(keys.values()) <= set(pinned) else None
 
 
 def _breaks(stored: StoredRun) -> dict[str, list[float]]:

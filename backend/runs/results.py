@@ -116,7 +116,7 @@ class Results:
         for outcome in outcomes.values():
             count_run("interactive", outcome.status, outcome.summary)
         for name, key in fresh.items():  # those without series too: until they are committed nothing else has them
-            if outcomes[name].lasting:
+            if outcomes[name].cacheable:
                 self._memory.put(key, outcomes[name])
         return outcomes
 

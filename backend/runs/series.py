@@ -19,10 +19,10 @@ ROWS = {key: row for row, key in enumerate(SIGNALS)}
 ALWAYS = ("time", "position")
 
 
-def chosen(signals: Iterable[str] | None) -> list[str]:
+def ordered_signals(signals: Iterable[str] | None) -> list[str]:
     """The signals asked for in the catalogue's order, always with time and position; None is all."""
-    wanted = set(SIGNALS if signals is None else signals) | set(ALWAYS)
-    return [key for key in SIGNALS if key in wanted]
+    keys = set(SIGNALS if signals is None else signals) | set(ALWAYS)
+    return [key for key in SIGNALS if key in keys]
 
 
 def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
@@ -68,12 +68,12 @@ def _extremes(series: SeriesArray, breaks: Sequence[float]) -> NDArray[np.int64]
     """Indices of each signal's extremes in each window between the breaks."""
     cuts = np.searchsorted(series[0], np.asarray(breaks, dtype=np.float32))
     edges = np.unique(np.concatenate([[0], cuts, [series.shape[1]]]))
-    found = [
+    extremes = [
         start + extreme(series[:, start:end], axis=1)
         for start, end in itertools.pairwise(edges)
         for extreme in (np.argmin, np.argmax)
     ]
-    return np.concatenate(found)
+    return np.concatenate(extremes)
 
 
 def packed(values: NDArray[np.float32]) -> dict[str, str]:

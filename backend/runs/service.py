@@ -77,7 +77,7 @@ class Runs:
             CACHE.labels("hit").inc(len(names) * roads)
             return created_answer(stored, dict.fromkeys(names, True))
         results, outcomes = await self._computed(scenario, names, roads, client)
-        if not all(item.outcome.lasting for each in results for item in each.values()):  # asked again: tried again
+        if not all(item.outcome.cacheable for each in results for item in each.values()):  # asked again: tried again
             run_id = digest.random_id()
         run = StoredRun(
             id=run_id,
@@ -105,10 +105,10 @@ class Runs:
         """Figures and decimated time histories of that scenario; nothing is stored."""
         names = ordered(strategies)
         self._admission.check(scenario, names)
-        found = await self._results.get(scenario, names, client, points=points)
-        keys = series.chosen(signals)
-        outcomes = {name: item.outcome for name, item in found.items()}
-        fields: dict[str, JsonObject] = {name: {"cached": item.cached} for name, item in found.items()}
+        results = await self._results.get(scenario, names, client, points=points)
+        keys = series.ordered_signals(signals)
+        outcomes = {name: item.outcome for name, item in results.items()}
+        fields: dict[str, JsonObject] = {name: {"cached": item.cached} for name, item in results.items()}
         for name, outcome in outcomes.items():
             if outcome.series is not None:
                 fields[name]["series"] = series.as_json(outcome.series, keys, "base64")
@@ -149,7 +149,7 @@ class Runs:
             raise InvalidError(message, parameter="strategy")
         export = exports.Export(
             strategies=names,
-            signals=series.chosen(signals),
+            signals=series.ordered_signals(signals),
             points=points,
             file_format=file_format,
             encoding=encoding,
@@ -245,8 +245,8 @@ class Runs:
 
 def ordered(strategies: Iterable[str]) -> list[str]:
     """Each once, in the catalogue's order."""
-    asked = set(strategies)
-    return [name for name in STRATEGIES if name in asked]
+    requested = set(strategies)
+    return [name for name in STRATEGIES if name in requested]
 
 
 def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
@@ -263,7 +263,7 @@ def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
 
 def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:
     return StoredResult(
-        key=digest.result_key(scenario, name) if outcome.lasting else digest.passing_key(),
+        key=digest.result_key(scenario, name) if outcome.cacheable else digest.uncacheable_key(),
         strategy=name,
         status=outcome.status,
         summary=outcome.summary,

@@ -27,7 +27,7 @@ class Outcome:
     Attributes:
         summary: `StrategyResult.summary()` as plain JSON values, or `refusal` where the core refused.
         compute_ms: The worker's own time [ms]; work shared between strategies is counted at the first.
-        lasting: Whether the scenario is to blame for a failure; else it is not kept, and tried again when asked again.
+        cacheable: Whether the scenario is to blame for a failure; else it is not stored, and tried again next time.
         points: About how many samples `series` has; None where none were asked for.
         series: See `backend.runs.series`; None where none were asked for, or where it failed.
     """
@@ -35,7 +35,7 @@ class Outcome:
     status: str
     summary: JsonObject
     compute_ms: float
-    lasting: bool = True
+    cacheable: bool = True
     points: int | None = None
     series: SeriesArray | None = None
 
@@ -61,9 +61,9 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
-        elapsed, lasting = elapsed_ms(begin), not isinstance(error, EcuUnavailableError)
+        elapsed, cacheable = elapsed_ms(begin), not isinstance(error, EcuUnavailableError)
         summary = refusal(error)
-        return Outcome(status="failed", summary=summary, compute_ms=elapsed, lasting=lasting, points=points)
+        return Outcome(status="failed", summary=summary, compute_ms=elapsed, cacheable=cacheable, points=points)
     summary = orjson.loads(summary_json(result))
     elapsed = elapsed_ms(begin)
     series = None if points is None else pack(result, points)

@@ -41,13 +41,13 @@ class JobEventStore:
         return events, state not in UNFINISHED and len(events) < PAGE
 
     def history(self, job_id: str) -> list[JsonObject]:
-        """What its progress events told since it last began anew."""
+        """The data of its progress events since it last began anew."""
         events = self.of(job_id, 0, limit=1_000_000)
         begun = max((event.number for event in events if event.kind == "restart"), default=0)
         return [orjson.loads(event.data) for event in events if event.kind == "progress" and event.number > begun]
 
 
-def tell(connection: Connection, job_id: str, kind: str, told: JsonObject | None = None) -> None:
+def add_event(connection: Connection, job_id: str, kind: str, details: JsonObject | None = None) -> None:
     """Add an event with the job as this transaction leaves it."""
     columns = (jobs.c.state, jobs.c.done, jobs.c.failed, jobs.c.total, jobs.c.progress)
     job = connection.execute(select(*columns).where(jobs.c.id == job_id)).one()
@@ -55,7 +55,7 @@ def tell(connection: Connection, job_id: str, kind: str, told: JsonObject | None
         select(func.coalesce(func.max(job_events.c.number), 0)).where(job_events.c.job_id == job_id)
     ).scalar_one()
     counts = {"state": job.state, "done": job.done, "failed": job.failed, "total": job.total}
-    data = orjson.dumps({**counts, **job.progress, **(told or {})}).decode()
+    data = orjson.dumps({**counts, **job.progress, **(details or {})}).decode()
     connection.execute(insert(job_events), {"job_id": job_id, "number": last + 1, "kind": kind, "data": data})
 
 

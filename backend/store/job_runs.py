@@ -10,7 +10,7 @@ from sqlalchemy import Connection, Select, Update, bindparam, select, update
 from backend.db.database import Database
 from backend.db.tables import job_runs, jobs, results
 from backend.jobs.chunk import ComputedRun, WaitingRun
-from backend.store.job_events import tell
+from backend.store.job_events import add_event
 from backend.store.jobs import lock
 from backend.store.runs import EXPIRED, insert_results
 
@@ -48,13 +48,13 @@ class JobRunStore:
             ]
             keys = [run.key for run in runs]
             stored = select(results.c.key).where(results.c.key.in_(keys), results.c.status != EXPIRED)
-            there = set(connection.execute(stored).scalars())
-        if there:
+            stored_keys = set(connection.execute(stored).scalars())
+        if stored_keys:
             with self._database.writing() as connection:
                 lock(connection, job_id)
-                _settle(connection, job_id, sorted(there))
+                _settle(connection, job_id, sorted(stored_keys))
             self._database.changed()
-        return (runs[-1].position if runs else None), [run for run in runs if run.key not in there]
+        return (runs[-1].position if runs else None), [run for run in runs if run.key not in stored_keys]
 
     def save(
         self,
@@ -141,4 +141,4 @@ def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> No
         return
     changed = {"done": jobs.c.done + done, "failed": jobs.c.failed + failed}
     connection.execute(update(jobs).where(jobs.c.id == job_id).values(**changed))
-    tell(connection, job_id, "progress")
+    add_event(connection, job_id, "progress")

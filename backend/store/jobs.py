@@ -16,7 +16,7 @@ from backend.db.tables import job_events, job_runs, jobs, links, trials
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
-from backend.store.job_events import tell
+from backend.store.job_events import add_event
 from backend.store.trials import StoredTrial
 
 
@@ -62,7 +62,7 @@ class JobStore:
                 connection.execute(insert(jobs), row)
                 if runs:
                     connection.execute(insert(job_runs), [run.row(job.id) for run in runs])
-                tell(connection, job.id, "state")
+                add_event(connection, job.id, "state")
         except IntegrityError:
             existing = None if idempotency_key is None else self.by_idempotency_key(job.kind, idempotency_key)
             if existing is None:
@@ -178,7 +178,7 @@ class JobStore:
         job: StoredJob,
         *,
         event: str | None,
-        told: JsonObject | None = None,
+        details: JsonObject | None = None,
         new_trials: Sequence[StoredTrial] = (),
         drop_trials: bool = False,
         **values: Any,
@@ -188,7 +188,7 @@ class JobStore:
         Args:
             job: As it was when the step began.
             event: What to tell; None tells nothing.
-            told: With the event, beside the counts and the progress.
+            details: With the event, beside the counts and the progress.
             new_trials: To add.
             drop_trials: Whether those that are there go.
             values: Columns to change.
@@ -204,12 +204,12 @@ class JobStore:
                 connection.execute(insert(trials), [trial.row(job.id) for trial in new_trials])
             connection.execute(update(jobs).where(jobs.c.id == job.id).values(**values))
             if event is not None:
-                tell(connection, job.id, event, told)
+                add_event(connection, job.id, event, details)
         self._database.changed()
         return True
 
     def note_progress(self, job_id: str, **progress: Any) -> None:
-        """Change what it keeps of how far it is, where it has not ended; nothing is told."""
+        """Change what it keeps of how far it is, where it has not ended, without an event."""
         with self._database.writing() as connection:
             running = (jobs.c.id == job_id) & jobs.c.state.in_(UNFINISHED)
             connection.execute(update(jobs).where(running).values(progress=progress))
@@ -262,7 +262,7 @@ def change_state(connection: Connection, job_id: str, before: Sequence[str], sta
     matching = update(jobs).where(jobs.c.id == job_id, jobs.c.state.in_(before))
     if not connection.execute(matching.values(state=state, **values)).rowcount:
         return False
-    tell(connection, job_id, "state")
+    add_event(connection, job_id, "state")
     return True
 
 

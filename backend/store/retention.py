@@ -32,13 +32,13 @@ class RetentionStore:
         return int(sum(sizes))
 
     def oldest(self) -> datetime | None:
-        """When the last of the oldest page of what may be removed was made; None where nothing may."""
+        """When the last of the oldest page of what may be removed was stored; None where nothing may."""
         with self._database.reading() as connection:
             pages = [
-                connection.execute(select(func.max(page.c.made))).scalar_one()
+                connection.execute(select(func.max(page.c.created))).scalar_one()
                 for page in (_removable_jobs(None).subquery(), _removable_results(None).subquery())
             ]
-        return min((made for made in pages if made is not None), default=None)
+        return min((created for created in pages if created is not None), default=None)
 
     def remove_jobs(self, before: datetime) -> int:
         """Remove a page of jobs that ended before then, with what they submitted; how many."""
@@ -60,11 +60,11 @@ class RetentionStore:
         with self._database.writing() as connection:
             keys = list(connection.execute(select(_removable_results(before).subquery().c.key)).scalars())
             in_runs = select(run_results.c.result_key).where(run_results.c.result_key.in_(keys))
-            kept = list(connection.execute(in_runs.distinct()).scalars())
+            in_use = list(connection.execute(in_runs.distinct()).scalars())
             connection.execute(
-                update(results).where(results.c.key.in_(kept)).values(status=EXPIRED, summary="{}", compute_ms=0)
+                update(results).where(results.c.key.in_(in_use)).values(status=EXPIRED, summary="{}", compute_ms=0)
             )
-            connection.execute(delete(results).where(results.c.key.in_(set(keys) - set(kept))))
+            connection.execute(delete(results).where(results.c.key.in_(set(keys) - set(in_use))))
         return len(keys)
 
 
@@ -76,18 +76,18 @@ def _removable_jobs(before: datetime | None) -> Select[tuple[str, datetime]]:
         exists().where(links.c.job_id == member.c.id),
     )
     family = or_(member.c.id == jobs.c.id, member.c.parent_id == jobs.c.id)
-    query = select(jobs.c.id, jobs.c.finished_at.label("made")).where(
+    query = select(jobs.c.id, jobs.c.finished_at.label("created")).where(
         jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), ~exists().where(family, named)
     )
-    return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("made").limit(PAGE)
+    return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("created").limit(PAGE)
 
 
 def _removable_results(before: datetime | None) -> Select[tuple[str, datetime]]:
     shown = exists().where(and_(links.c.run_id == run_results.c.run_id, run_results.c.result_key == results.c.key))
-    query = select(results.c.key, results.c.created_at.label("made")).where(
+    query = select(results.c.key, results.c.created_at.label("created")).where(
         results.c.status != EXPIRED,
         ~exists().where(job_runs.c.result_key == results.c.key),
         ~exists().where(pinned_series.c.result_key == results.c.key),
         ~shown,
     )
-    return (query if before is None else query.where(results.c.created_at < before)).order_by("made").limit(PAGE)
+    return (query if before is None else query.where(results.c.created_at < before)).order_by("created").limit(PAGE)

@@ -68,7 +68,7 @@ def add(store: Store, job: StoredJob, *trials: StoredTrial) -> bool:
     return store.jobs.advance(
         job,
         event="progress",
-        told=TOLD,
+        details=TOLD,
         new_trials=trials,
         progress=job.progress | {"generation": generation},
         done=job.done + sum(each.status == "ok" for each in trials),

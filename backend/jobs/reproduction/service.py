@@ -70,8 +70,8 @@ class Paper:
         requests = [await _requests(each, roads) for each in sets]
         rows = await self._get(client, *requests, patience=PATIENCE)
         values = [
-            work.figures_by_strategy(rows.by_key, wanted, each[paper.WINDOW])
-            for wanted, each in zip(requests, sets, strict=True)
+            work.figures_by_strategy(rows.by_key, row_requests, each[paper.WINDOW])
+            for row_requests, each in zip(requests, sets, strict=True)
         ]
         needed = set(paper.SIMULATED if rows.reason is not None else paper.STRATEGIES)
         base = paper.judge(values[0])
@@ -116,11 +116,11 @@ class Paper:
             return await in_thread(partial(report, page, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
-        wanted = work.requests_of_study(study, roads)
-        rows = await self._get(client, {study: wanted}, patience=None)
-        if len(rows.by_key) < len(wanted):
+        row_requests = work.requests_of_study(study, roads)
+        rows = await self._get(client, {study: row_requests}, patience=None)
+        if len(rows.by_key) < len(row_requests):
             raise BusyError(f"Not every road could be driven. {rows.reason or 'The computation was called off'}.")
-        return [rows.by_key[request.key] for request in wanted]
+        return [rows.by_key[request.key] for request in row_requests]
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's worth of runs has to be within what a request may cost."""

@@ -41,17 +41,17 @@ class RowRequest:
         return PlannedRun(position, self.changes, self.strategy, self.key)
 
 
-def requests_under(chosen: Mapping[str, str], roads: range) -> dict[str, tuple[RowRequest, ...]]:
+def requests_under(choices: Mapping[str, str], roads: range) -> dict[str, tuple[RowRequest, ...]]:
     """By strategy the rows under these readings (reading -> choice), road by road."""
     # Where the RMS are taken changes no run.
-    return _requests(tuple(sorted((name, choice) for name, choice in chosen.items() if name != WINDOW)), roads)
+    return _requests(tuple(sorted((name, choice) for name, choice in choices.items() if name != WINDOW)), roads)
 
 
 @lru_cache(256)
-def _requests(chosen: tuple[tuple[str, str], ...], roads: range) -> dict[str, tuple[RowRequest, ...]]:
-    changes = [{**changes_of(dict(chosen)), "road.seed": seed} for seed in roads]
+def _requests(choices: tuple[tuple[str, str], ...], roads: range) -> dict[str, tuple[RowRequest, ...]]:
+    changes = [{**changes_of(dict(choices)), "road.seed": seed} for seed in roads]
     texts = [orjson.dumps(each).decode() for each in changes]
-    scenarios = [scenario_for(dict(chosen), seed) for seed in roads]
+    scenarios = [scenario_for(dict(choices), seed) for seed in roads]
     return {
         name: tuple(
             RowRequest(key=digest.figures_key(scenario, name), strategy=f"{PREFIX}{name}", changes=text)
@@ -98,9 +98,9 @@ def figures_by_strategy(
         window: The choice of that reading.
     """
     complete = {
-        name: [rows[each.key] for each in wanted]
-        for name, wanted in requests.items()
-        if all(each.key in rows for each in wanted)
+        name: [rows[each.key] for each in row_requests]
+        for name, row_requests in requests.items()
+        if all(each.key in rows for each in row_requests)
     }
     return {
         name: {figure: [run[window][index] for run in runs] for index, figure in enumerate(FIGURES)}

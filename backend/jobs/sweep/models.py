@@ -69,10 +69,10 @@ class BatchItem(Answer):
     @classmethod
     def of(cls, job: StoredJob, position: int) -> Self:
         """A stored sweep with its place in the queue."""
-        known = dotted.fields()
+        described = dotted.fields()
         fields = [
-            BatchField(name=name, title=known[name].title, unit=known[name].unit)
-            if name in known
+            BatchField(name=name, title=described[name].title, unit=described[name].unit)
+            if name in described
             else BatchField(name=name, title=name, unit="1")
             for name in job.request["fields"]
         ]

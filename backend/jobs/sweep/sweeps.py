@@ -104,17 +104,17 @@ def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[Changes]]:
     """
     errors: list[tuple[list[str | int], str]] = []
     if sweep.grid is not None:
-        names, found = list(sweep.grid), _grid(sweep.grid, errors)
+        names, draw = list(sweep.grid), _grid(sweep.grid, errors)
     elif sweep.latin_hypercube is not None:
-        names, found = list(sweep.latin_hypercube.ranges), _latin_hypercube(sweep.latin_hypercube, errors)
+        names, draw = list(sweep.latin_hypercube.ranges), _latin_hypercube(sweep.latin_hypercube, errors)
     else:
         listed = sweep.points or []
         names = list(dict.fromkeys(itertools.chain(*listed)))
-        found = _list(listed, names, base, errors)
+        draw = _list(listed, names, base, errors)
     _no_overlap(names, errors)
     if errors:
         raise SweepError(errors[:MOST_ERRORS])
-    return names, list(found())
+    return names, list(draw())
 
 
 Errors = list[tuple[list[str | int], str]]
@@ -140,27 +140,27 @@ def _list(listed: Sequence[JsonObject], names: Sequence[str], base: JsonObject, 
     return lambda: ({name: point.get(name, unchanged[name]) for name in names} for point in named)
 
 
-def _latin_hypercube(wanted: LatinHypercube, errors: Errors) -> Points:
-    for name, ends in wanted.ranges.items():
+def _latin_hypercube(cube: LatinHypercube, errors: Errors) -> Points:
+    for name, ends in cube.ranges.items():
         path: list[str | int] = ["latin_hypercube", "ranges", name]
         if len(ends) != 2 or not ends[0] < ends[1]:
             errors.append((path, "A range is [lowest, highest], the first smaller than the second"))
             continue
-        known = _known(name, path, errors)
-        if known is not None and known.kind not in ("number", "integer"):
+        field = _field(name, path, errors)
+        if field is not None and field.kind not in ("number", "integer"):
             errors.append((path, "A range needs a field that takes a number"))
-        elif known is not None:
+        elif field is not None:
             for index, end in enumerate(ends):
-                _checked(name, _whole(end) if known.kind == "integer" else end, [*path, index], errors)
+                _checked(name, _whole(end) if field.kind == "integer" else end, [*path, index], errors)
 
     def draw() -> Iterator[Changes]:
         from scipy.stats import qmc  # takes half a second: most processes never draw
 
-        names = list(wanted.ranges)
-        unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(wanted.seed)).random(wanted.samples)
+        names = list(cube.ranges)
+        unit = qmc.LatinHypercube(d=len(names), rng=np.random.default_rng(cube.seed)).random(cube.samples)
         for row in unit:
             values = zip(names, row, strict=True)
-            yield {name: _scaled(name, float(value), wanted.ranges[name]) for name, value in values}
+            yield {name: _scaled(name, float(value), cube.ranges[name]) for name, value in values}
 
     return draw
 
@@ -176,7 +176,7 @@ def _whole(value: float) -> float | int:
     return int(value) if float(value).is_integer() else value
 
 
-def _known(name: str, path: list[str | int], errors: Errors) -> dotted.DottedField | None:
+def _field(name: str, path: list[str | int], errors: Errors) -> dotted.DottedField | None:
     try:
         return dotted.field(name)
     except RidelabError:
@@ -187,11 +187,11 @@ def _known(name: str, path: list[str | int], errors: Errors) -> dotted.DottedFie
 
 
 def _checked(name: str, value: Any, path: list[str | int], errors: Errors) -> Any:
-    known = _known(name, path if path[0] == "list" else path[:-1], errors)
-    if known is None:
+    field = _field(name, path if path[0] == "list" else path[:-1], errors)
+    if field is None:
         return None
     try:
-        return known.checked(_whole(value) if known.kind == "integer" and isinstance(value, float) else value)
+        return field.checked(_whole(value) if field.kind == "integer" and isinstance(value, float) else value)
     except RidelabError as error:
         errors.append((path, error.message))
         return None

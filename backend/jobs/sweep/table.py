@@ -29,17 +29,17 @@ def units(batch: StoredJob) -> dict[str, str]:
 def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> dict[str, list[Any]]:
     """Some rows column by column: the fixed ones, the swept fields `names`, and `figures` (keys of `METRICS`)."""
     changes = [orjson.loads(row.changes) for row in rows]
-    found = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
+    summaries = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
     table: dict[str, list[Any]] = {
         "run": [row.position for row in rows],
         "strategy": [row.strategy for row in rows],
         "status": [row.status for row in rows],
-        "reason": [_reason(row, summary) for row, summary in zip(rows, found, strict=True)],
+        "reason": [_reason(row, summary) for row, summary in zip(rows, summaries, strict=True)],
         "core_version": [row.core_version for row in rows],
     }
     table |= {name: [change.get(name) for change in changes] for name in names}
     for key in figures:
-        table[key] = [METRICS[key].of(summary) for summary in found]
+        table[key] = [METRICS[key].of(summary) for summary in summaries]
     return table
 
 
@@ -130,12 +130,12 @@ def _reason(row: JobRow, summary: JsonObject) -> str | None:
 def _schema(batch: StoredJob) -> pa.Schema:
     types = {"run": pa.int64(), **{name: _field_type(name) for name in batch.request["fields"]}}
     types |= {key: pa.bool_() if metric.flag else pa.float64() for key, metric in METRICS.items()}
-    known = units(batch)
+    unit_of = units(batch)
     fields = [
         pa.field(
-            f"{name} [{known[name]}]" if name in known else name,
+            f"{name} [{unit_of[name]}]" if name in unit_of else name,
             types.get(name, pa.string()),
-            metadata={"key": name, **({"unit": known[name]} if name in known else {})},
+            metadata={"key": name, **({"unit": unit_of[name]} if name in unit_of else {})},
         )
         for name in (*FIXED, *batch.request["fields"], *METRICS, "batch")
     ]

@@ -65,14 +65,14 @@ class Generation(Answer):
     )
 
     @classmethod
-    def of(cls, told: JsonObject) -> Self:
-        """From what its event told, which counts the generations that are complete."""
+    def of(cls, event: JsonObject) -> Self:
+        """From its event, which counts the generations that are complete."""
         return cls(
-            generation=told["generation"] - 1,
-            trials=told["done"] + told["failed"],
-            feasible=told["feasible"],
-            best=told["best"],
-            hypervolume=told["hypervolume"],
+            generation=event["generation"] - 1,
+            trials=event["done"] + event["failed"],
+            feasible=event["feasible"],
+            best=event["best"],
+            hypervolume=event["hypervolume"],
         )
 
 
@@ -121,10 +121,10 @@ class TuningItem(Answer):
         request, progress, aims = job.request, job.progress, Aims.of(job.request)
         times = ("created_at", "started_at", "finished_at")
         same = ("id", "state", "reason", "label", "core_version", "estimated_cost", *times)
-        asked = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
+        of_request = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
         return {
             **{name: getattr(job, name) for name in same},
-            **{name: request[name] for name in asked},
+            **{name: request[name] for name in of_request},
             "position": 0,
             "step": progress["step"],
             "generation": progress["generation"],
@@ -149,7 +149,7 @@ class Tuning(TuningItem):
 
     @classmethod
     def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:
-        """A stored tuning with its trials and what the events of its generations told."""
+        """A stored tuning with its trials and the events of its generations."""
         request = job.request
         own = len(first_weights(request["scenario"], request["strategy"], request["search"])) > 1
         members = front.front(trials)
@@ -161,7 +161,7 @@ class Tuning(TuningItem):
             best=[front.best(trials, index) for index in range(len(request["objectives"]))],
             knee=front.knee(members),
             front=members,
-            history=[Generation.of(told) for told in history],
+            history=[Generation.of(event) for event in history],
             comparison=job.answer,
         )
 

@@ -18,7 +18,7 @@ MOST_POPULATION = 256
 MOST_SEEDS = 64
 
 
-def _known_figure(name: str) -> str:
+def _check_figure(name: str) -> str:
     if name not in NUMBERS:
         raise PydanticCustomError("unknown_figure", "Unknown figure; there are {names}", {"names": ", ".join(NUMBERS)})
     return name
@@ -36,7 +36,7 @@ def _each_once(seeds: list[int]) -> list[int]:
     return seeds
 
 
-def _known_weights(search: Any) -> Any:
+def _check_weights(search: Any) -> Any:
     """Names first: what an unknown one holds is of no use."""
     for name in search if isinstance(search, dict) else ():
         if name not in WEIGHTS:
@@ -46,7 +46,7 @@ def _known_weights(search: Any) -> Any:
 
 
 WEIGHTS = list(dict.fromkeys(name for strategy in STRATEGIES for name in searchable(strategy)))
-Figure = Annotated[str, AfterValidator(_known_figure), Field(json_schema_extra={"enum": list(NUMBERS)})]
+Figure = Annotated[str, AfterValidator(_check_figure), Field(json_schema_extra={"enum": list(NUMBERS)})]
 Coefficient = Annotated[float, Field(ge=0, le=1000)]
 End = Annotated[float, Field(gt=0, le=LARGEST)]
 Range = Annotated[tuple[End, End], Field(strict=False), AfterValidator(_increasing)]
@@ -125,7 +125,7 @@ class TuningRequest(RequestModel):
     strategy: Literal[tuple(STRATEGIES)] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})  # type: ignore[valid-type]  # from space.py
     objectives: list[Objective] = Field([Objective(kind="paper")], min_length=1, max_length=3)
     limits: list[Limit] = Field([], max_length=8)
-    search: Annotated[dict[str, Range] | None, BeforeValidator(_known_weights)] = Field(
+    search: Annotated[dict[str, Range] | None, BeforeValidator(_check_weights)] = Field(
         None,
         min_length=1,
         max_length=16,
@@ -152,16 +152,16 @@ class TuningRequest(RequestModel):
         written = [objective.stored() for objective in self.objectives]
         if any(each in written[:index] for index, each in enumerate(written)):
             raise _at("objectives", "Each objective may be there once")
-        known = searchable(self.strategy)
-        if self.search is not None and not set(self.search) <= set(known):
-            raise _at("search", f"The weights of this strategy are {', '.join(known)}")
+        weights = searchable(self.strategy)
+        if self.search is not None and not set(self.search) <= set(weights):
+            raise _at("search", f"The weights of this strategy are {', '.join(weights)}")
         return self
 
     @property
     def ranges(self) -> dict[str, Range]:
         """What is searched, the default written out, in the strategy's order."""
-        wanted = default_search(self.strategy) if self.search is None else self.search
-        return {name: wanted[name] for name in searchable(self.strategy) if name in wanted}
+        ranges = default_search(self.strategy) if self.search is None else self.search
+        return {name: ranges[name] for name in searchable(self.strategy) if name in ranges}
 
     def stored(self) -> JsonObject:
         """All written out, without the number of trials, which resuming may change."""

@@ -51,11 +51,13 @@ def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count
     for trial in trials:
         point = point_of(trial.weights, search.ranges, search.scenario)
         if point is not None:
-            study.add_trial(_known(optuna, trial, point, space, search.limits))
+            study.add_trial(_frozen_trial(optuna, trial, point, space, search.limits))
     return [dict(study.ask(space).params) for _ in range(count)]
 
 
-def _known(optuna: Any, trial: StoredTrial, point: Point, space: Mapping[str, object], limits: Sequence[float]) -> Any:
+def _frozen_trial(
+    optuna: Any, trial: StoredTrial, point: Point, space: Mapping[str, object], limits: Sequence[float]
+) -> Any:
     """A trial as Optuna knows it; it may do what its constraints' values, at most 0, allow."""
     placed = {"params": point, "distributions": space}
     if trial.values is None or trial.limits is None:

@@ -69,16 +69,16 @@ def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> dict[str
 
 def weights_of(point: Mapping[str, float], search: Ranges, own: Weights) -> Weights:
     """The strategy's weights at a point of the searched space, rounded; what is not searched is the scenario's own."""
-    made: Weights = {name: list(value) if isinstance(value, list) else value for name, value in own.items()}
+    weights: Weights = {name: list(value) if isinstance(value, list) else value for name, value in own.items()}
     for name, value in point.items():
         low, high = search[name]
         rounded = min(max(float(f"{value:.{DIGITS}g}"), low), high)
         triple, _, index = name.rpartition(".")
-        if triple in made:
-            made[triple][int(index)] = rounded
+        if triple in weights:
+            weights[triple][int(index)] = rounded
         else:
-            made[name] = rounded
-    return made
+            weights[name] = rounded
+    return weights
 
 
 def _flat(weights: Weights) -> dict[str, float]:

@@ -121,7 +121,7 @@ class TuningSteps:
         await self._advance(
             job,
             event="progress",
-            told=await asyncio.to_thread(_quality, [*trials, *new], len(aims.objectives)),
+            details=await asyncio.to_thread(_quality, [*trials, *new], len(aims.objectives)),
             new_trials=new,
             progress=_waiting_for(job, "search", sweep) | {"generation": generation + 1, "feasible": feasible},
             done=job.done + succeeded,
@@ -143,8 +143,8 @@ class TuningSteps:
             limits=aims.most,
             seed=request["seed"],
         )
-        asked = partial(ask, search, trials, generation=job.progress["generation"], count=count - len(first))
-        points = await asyncio.get_running_loop().run_in_executor(self._asking, asked)
+        proposing = partial(ask, search, trials, generation=job.progress["generation"], count=count - len(first))
+        points = await asyncio.get_running_loop().run_in_executor(self._asking, proposing)
         own = weights_at(scenario, strategy, ranges)
         return [*first, *(weights_of(point, ranges, own) for point in points)]
 
@@ -199,14 +199,14 @@ class TuningSteps:
         seeds = _roads(job)
         sweep = await self._existing(job, "passive") or await self._submit(job, "passive", "passive", [{}], seeds)
         await self._wait_for(sweep)
-        found: dict[int, Summary] = {}
+        summaries: dict[int, Summary] = {}
         async for rows in self._sweeps.rows(sweep.id):
             for row in rows:
                 summary = orjson.loads(row.summary or "{}")
                 if row.status != "ok":
                     raise JobFailedError(f"The passive car failed. {row.reason or summary.get('reason')}")
-                found[seeds[row.position]] = summary
-        return found
+                summaries[seeds[row.position]] = summary
+        return summaries
 
     async def _existing(self, job: StoredJob, name: str) -> StoredJob | None:
         return await self._store.read(self._store.jobs.by_idempotency_key, "sweep", _key(job, name))

@@ -26,7 +26,7 @@ def _ascending(ends: tuple[float, float]) -> tuple[float, float]:
     return ends
 
 
-def _known_column(name: str) -> str:
+def _check_column(name: str) -> str:
     if name not in METRICS:
         raise PydanticCustomError(
             "unknown_column",
@@ -55,7 +55,7 @@ class LinkView(RequestModel):
     )
     cursor: Finite | None = Field(None, description="Place on the x axis, [m] or [s]; null is none.")
     x: str | None = Field(None, max_length=255, description="Of a batch only: the field on the x axis, dotted.")
-    y: Annotated[str, AfterValidator(_known_column)] | None = Field(
+    y: Annotated[str, AfterValidator(_check_column)] | None = Field(
         None, description="Of a batch only: the figure on the y axis, window.signal.statistic."
     )
 

@@ -29,21 +29,21 @@ def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
 
     Args:
         run: As `Run` or `RoadsRun`, its scenario today's.
-        view: As `LinkView`: what it shows and compares is what is told.
+        view: As `LinkView`: the title names what it shows and compares.
         computed_at: When it was computed.
     """
     entries = {name: entry for name, entry in run["strategies"].items() if entry["status"] == "ok"}
     main, baseline = _compared(list(entries), view)
     window = BUMP if run["scenario"]["road"]["bump"]["height"] else WHOLE
-    told = [
+    phrases = [
         text
         for signal in SIGNALS_SHOWN
-        if main is not None and (text := _told(entries[main], entries.get(baseline or ""), window, signal))
+        if main is not None and (text := _phrase(entries[main], entries.get(baseline or ""), window, signal))
     ]
     where = " on the bump" if window == BUMP else ""
     who = label(main or "") + ("" if baseline is None else f" against {inside(label(baseline))}")
-    title = f"{who}: {told[0]}{where}" if told else "A stored run"
-    facts = ", ".join(told)
+    title = f"{who}: {phrases[0]}{where}" if phrases else "A stored run"
+    facts = ", ".join(phrases)
     return Preview(
         title=title,
         description="; ".join(
@@ -103,7 +103,7 @@ def page(index: str, preview: Preview, *, shared: bool = True) -> str:
 
 
 def _compared(names: Sequence[str], view: JsonObject) -> tuple[str | None, str | None]:
-    """The strategy that is told about and the one it is compared with, of those that succeeded."""
+    """The strategy that the title names and the one it is compared with, of those that succeeded."""
     baseline = view.get("baseline") or "passive"
     shown = [name for name in view.get("strategies") or names if name in names]
     visible = [name for name in shown if name not in (view.get("hidden") or [])] or shown or list(names)
@@ -111,7 +111,7 @@ def _compared(names: Sequence[str], view: JsonObject) -> tuple[str | None, str |
     return main, baseline if baseline in names and baseline != main else None
 
 
-def _told(entry: JsonObject, against: JsonObject | None, window: str, signal: str) -> str | None:
+def _phrase(entry: JsonObject, against: JsonObject | None, window: str, signal: str) -> str | None:
     """`45 % less peak body acceleration`, or the peak itself where there is nothing to compare it with."""
     quantity = SIGNALS[signal]
     what = f"peak {quantity.label.lower()}"

@@ -47,9 +47,11 @@ class Links:
         present = await self._store.read(self._store.links.pinned, keys.values())
         missing = {name: key for name, key in keys.items() if key not in present}
         self._admission.linking(client, pinned=len(missing))
-        made = await self._pin(stored, missing, client)
-        slug = await self._save("run", run_id, view, made)
-        return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(keys) and set(missing.values()) <= made.keys())
+        series = await self._pin(stored, missing, client)
+        slug = await self._save("run", run_id, view, series)
+        return CreatedLink(
+            slug=slug, url=url(slug), series_pinned=bool(keys) and set(missing.values()) <= series.keys()
+        )
 
     async def share_batch(self, batch_id: str, view: LinkView, client: str) -> CreatedLink:
         """A new link to a batch.
@@ -103,14 +105,16 @@ class Links:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
         with self._admission.computing(client, scenario, missing):
-            made = await self._workers.call(pins.make, scenario, list(missing))
-        return {missing[name]: content for name, content in made.items()}
+            series = await self._workers.call(pins.make, scenario, list(missing))
+        return {missing[name]: content for name, content in series.items()}
 
-    async def _save(self, kind: Literal["run", "batch"], target: str, view: LinkView, made: Mapping[str, bytes]) -> str:
+    async def _save(
+        self, kind: Literal["run", "batch"], target: str, view: LinkView, series: Mapping[str, bytes]
+    ) -> str:
         slug = digest.random_id()
         sent = view.model_dump(mode="json", exclude_unset=True)
         link = StoredLink(slug=slug, kind=kind, target=target, view=sent, created_at=datetime.now(UTC))
-        await self._store.write(self._store.links.save, link, made)
+        await self._store.write(self._store.links.save, link, series)
         return slug
 
     async def _load(self, slug: str) -> StoredLink | None:

@@ -1,7 +1,7 @@
 """What makes a result one that no real car would have, or that says less than it seems, in plain words."""
 
 from backend.json_types import JsonObject
-from backend.runs.reports.numbers import NOTHING, amount, told, with_unit
+from backend.runs.reports.numbers import NOTHING, amount, in_words, with_unit
 from sim_core.catalogue import EVENTS
 
 
@@ -20,18 +20,18 @@ def doubts(entry: JsonObject) -> list[str]:
             f"Over travel: the suspension goes {exceeded} beyond its travel limit. The model has no bump stops."
         )
     if events.get("target_reached") is False:
-        speed = with_unit(told(entry["arrival_speed_kmh"]), "km/h")
+        speed = with_unit(in_words(entry["arrival_speed_kmh"]), "km/h")
         sentences.append(f"Target speed not reached: the car meets the bump at {speed}.")
     if events.get("bump_complete") is False:
         sentences.append(
             "The road ends before the rear axle has left the bump: the peaks there are those up to the end."
         )
-    solves = f"of {told(events.get('qp_solves'))} QPs were"
+    solves = f"of {in_words(events.get('qp_solves'))} QPs were"
     if events.get("qp_failures"):
-        failures = f"{told(events['qp_failures'])} {solves} not solved"
+        failures = f"{in_words(events['qp_failures'])} {solves} not solved"
         sentences.append(f"Solver failures: {failures}; the last safe force was held there.")
     if events.get("qp_fallbacks"):
-        fallbacks = f"{told(events['qp_fallbacks'])} {solves} solved by the other solver"
+        fallbacks = f"{in_words(events['qp_fallbacks'])} {solves} solved by the other solver"
         sentences.append(f"Solver fallbacks: {fallbacks}, after the first gave no verified solution.")
     return sentences
 

@@ -76,7 +76,7 @@ def plus_minus(shown: str, half: float) -> str:
     return f"{shown} ± {significant(half, 1) if float(text) == 0 or '×' in shown else text}"
 
 
-def told(value: Any) -> str:
+def in_words(value: Any) -> str:
     """A figure of a result: yes, no, a count with every digit, or three digits of a measure."""
     if isinstance(value, bool):
         return "yes" if value else "no"

@@ -16,11 +16,11 @@ from backend.runs.reports.numbers import (
     NOTHING,
     SAME,
     exact,
+    in_words,
     percent,
     plus_minus,
     pretty_unit,
     significant,
-    told,
     with_unit,
 )
 from backend.runs.reports.page import Report, render
@@ -95,7 +95,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "seed": answer["scenario"]["road"]["seed"],
         "parts": inputs.parts(answer["scenario"]),
         "command": inputs.command(answer["scenario"], list(entries), roads, facts.baseline),
-        "doubts": [(label(name), found) for name, entry in entries.items() if (found := doubts(entry))],
+        "doubts": [(label(name), sentences) for name, entry in entries.items() if (sentences := doubts(entry))],
         "ran": [key_of(name) for name in ran],
         "tables": {
             title: [(signal, SIGNALS[signal].label, *_shown_unit(signal)) for signal in signals]
@@ -156,7 +156,7 @@ class Numbers:
         metric = METRICS[key]
         value, half = _estimate(metric.of(self.ran[strategy]))
         number = isinstance(value, int | float) and not isinstance(value, bool)
-        shown = told(value) if scale is None else significant(value * scale) if number else NO_VALUE
+        shown = in_words(value) if scale is None else significant(value * scale) if number else NO_VALUE
         change = None
         if strategy != self.baseline and self.baseline in self.ran and key not in NOT_COMPARED:
             paired = self.changes.get(strategy, {})
