@@ -8,6 +8,7 @@ from sim_core.control.lqr import LqrController, feedforward, regulator
 from sim_core.control.mpc import Horizon, MpcController, MpcDesign, design
 from sim_core.drive.preview import preview, preview_windows
 from sim_core.drive.sampling import RoadInput
+from sim_core.drive.sensed_road import expected_errors
 from sim_core.drive.speed_profile import Drive
 from sim_core.drive.stages import coordinated_weights
 from sim_core.scenario import Scenario, Weights
@@ -29,18 +30,15 @@ def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_
         share = HOOKS[strategy.suspension]
         gain = hook_gain(scenario.vehicle, scenario.hook, scenario.hook.alpha if share is None else share)
         return HookController(scenario.vehicle, gain, scenario.mpc.force_limit, semi_active=scenario.hook.semi_active)
-    mpc, lqr, wheelbase = scenario.mpc, scenario.lqr, scenario.vehicle.wheelbase
+    mpc, lqr = scenario.mpc, scenario.lqr
+    ahead = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(mpc)
     if strategy.suspension is SuspensionPolicy.LQR:
         terms = _terms(scenario, motion, lqr.weights, lqr.deflection_weight)
         if lqr.preview == "none":
             return LqrController(regulator(terms), mpc.force_limit)
-        seen = preview_windows(
-            lqr.preview, scenario.road, motion, road_input, lqr.preview_horizon, wheelbase, scenario.mismatch
-        )
+        seen = preview_windows(lqr.preview, scenario.road, motion, road_input, lqr.preview_horizon, *ahead)
         return LqrController(regulator(terms), mpc.force_limit, seen @ feedforward(terms, lqr.preview_horizon).T)
-    windows = preview(
-        mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, wheelbase, scenario.mismatch
-    )
+    windows = preview(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, *ahead)
     return MpcController(mpc_designs(scenario, strategy, motion), windows, mpc)
 
 

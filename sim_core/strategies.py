@@ -56,7 +56,15 @@ _ROAD = (
     "mismatch.tyres",
     "mismatch.rebound_ratio",
 )
-_PREVIEW = ("mismatch.preview_offset", "mismatch.preview_gain", "mismatch.preview_noise", "mismatch.preview_delay")
+_PREVIEW = (
+    "mismatch.preview_offset",
+    "mismatch.preview_gain",
+    "mismatch.preview_noise",
+    "mismatch.preview_resolution",
+    "mismatch.preview_delay",
+    "mpc.expected_offset",
+    "mpc.expected_noise",
+)
 _SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")
 _MPC = (
     *_PREVIEW,

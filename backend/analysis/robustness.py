@@ -62,6 +62,6 @@ def read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str
     parts = KNOWN[strategy].reads
     named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
     whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
-    if whose in fields or dotted.value(scenario, whose) == "lookahead":
-        return named
-    return [name for name in named if not name.startswith("mismatch.preview_")]
+    preview = "lookahead" if whose in fields else dotted.value(scenario, whose)
+    unread = {"lookahead": (), "obstacle": ("mismatch.preview_noise",)}.get(preview, ("mismatch.preview_",))
+    return [name for name in named if not name.startswith(unread)]

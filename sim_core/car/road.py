@@ -41,6 +41,11 @@ def grid_samples(length: float) -> int:
     return int((length + _BEFORE + _AFTER) / GRID) + 2
 
 
+def grid_positions(samples: int) -> FloatArray:
+    """Positions [m] of a road's first so many roughness samples."""
+    return GRID * np.arange(samples, dtype=np.float64) - _BEFORE
+
+
 def grid_between(first: float, last: float) -> FloatArray:
     """Positions [m] of the roughness samples strictly between two positions, where the road's slope changes."""
     numbers = np.arange(floor((first + _BEFORE) / GRID) + 1, ceil((last + _BEFORE) / GRID), dtype=np.float64)

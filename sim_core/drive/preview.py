@@ -2,6 +2,7 @@
 
 none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
+obstacle: of that road they give the bump alone.
 """
 
 from dataclasses import dataclass
@@ -12,13 +13,13 @@ from numpy.lib.stride_tricks import sliding_window_view
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.road import GridPlace, grid_place
+from sim_core.car.road import GridPlace, RoadProfile, grid_place
 from sim_core.drive.sampling import RoadInput, SampledDrive
+from sim_core.drive.sensed_road import ExpectedErrors, sensed_road
 from sim_core.drive.speed_profile import Drive
 from sim_core.scenario import Mismatch, Preview, Road
 
-EXACT = Mismatch()
-_NOISE_STREAM = 2  # a generator of its own beside the road's
+EXACT, NO_ERRORS = Mismatch(), ExpectedErrors()
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -45,9 +46,10 @@ def preview_windows(
     horizon: int,
     wheelbase: float,
     mismatch: Mismatch = EXACT,
+    expected: ExpectedErrors = NO_ERRORS,
 ) -> FloatArray:
     """The windows of `preview`, flattened: (steps, 3 · horizon)."""
-    return flattened(preview(mode, road, drive, road_input, horizon, wheelbase, mismatch).windows)
+    return flattened(preview(mode, road, drive, road_input, horizon, wheelbase, mismatch, expected).windows)
 
 
 def flattened(windows: FloatArray) -> FloatArray:
@@ -63,20 +65,25 @@ def preview(
     horizon: int,
     wheelbase: float,
     mismatch: Mismatch = EXACT,
+    expected: ExpectedErrors = NO_ERRORS,
 ) -> Forecast:
     """The disturbances over the horizon as expected at each control step.
 
     Args:
-        mode: none, wheelbase or lookahead.
+        mode: none, wheelbase, lookahead or obstacle.
         road: The road.
         drive: How it is driven.
         road_input: The same, sampled.
         horizon: Prediction horizon.
         wheelbase: L [m].
         mismatch: How the sensors that look ahead err.
+        expected: How they are expected to.
     """
-    if mode == "lookahead":
-        return _by_sensors(road, drive, road_input, horizon, wheelbase, mismatch)
+    if mode in ("lookahead", "obstacle"):
+        surface = road_input.surface
+        if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != NO_ERRORS:
+            surface = sensed_road(surface, road, mismatch, expected, obstacle_alone=mode == "obstacle")
+        return _by_sensors(surface, drive, road_input, horizon, wheelbase, mismatch)
     return _without_sensors(mode, road, drive, road_input, horizon, wheelbase)
 
 
@@ -97,16 +104,13 @@ def sliding_forecast(disturbances: FloatArray, horizon: int) -> Forecast:
 
 @cached
 def _by_sensors(
-    road: Road, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float, mismatch: Mismatch
+    surface: RoadProfile, drive: Drive, road_input: RoadInput, horizon: int, wheelbase: float, mismatch: Mismatch
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
-    sampled, surface = road_input.drive, road_input.surface
+    sampled = road_input.drive
     offset, delay, samples = mismatch.preview_offset, mismatch.preview_delay, len(surface.roughness)
     axles, place, braking = _ahead(drive, sampled, horizon, wheelbase, offset, delay, samples)
     height = mismatch.preview_gain * surface.height_along(axles, place)
-    if mismatch.preview_noise:
-        generator = np.random.default_rng((road.seed, _NOISE_STREAM))
-        height += mismatch.preview_noise * generator.standard_normal(height.shape)
     return sliding_forecast(np.vstack([np.diff(height) / sampled.step, braking]), horizon)
 
 

@@ -9,6 +9,7 @@ from sim_core.control.mpc import CENTI
 from sim_core.controllers import mpc_designs
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import RoadInput
+from sim_core.drive.sensed_road import expected_errors
 from sim_core.drive.speed_profile import Drive, drive
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
 from sim_core.ecu.channels import STAGES
@@ -69,6 +70,7 @@ def drive_ecu(
         calibration.preview_length,
         scenario.vehicle.wheelbase,
         scenario.mismatch,
+        expected_errors(scenario.mpc),
     )
     rate, most = scenario.actuator.rate_limit, scenario.mpc.force_limit
     saturation = scenario.actuator.saturation

@@ -46,7 +46,7 @@ class Mismatch(Part):
     The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
     """
 
-    ADDED: ClassVar = frozenset({"rebound_ratio"})
+    ADDED: ClassVar = frozenset({"rebound_ratio", "preview_resolution"})
 
     body_mass: float = quantity(
         1,
@@ -75,25 +75,40 @@ class Mismatch(Part):
         0,
         "m",
         "Preview offset",
-        "The sensors place the road ahead so much too far away (lookahead).",
+        "The sensors place the road ahead so much too far away (lookahead, obstacle).",
         soft=(-0.5, 0.5),
         ge=-10,
         le=10,
     )
     preview_gain: float = quantity(
-        1, "1", "Preview gain", "Height the sensors see over the true height (lookahead).", soft=(0.7, 1.3), ge=0, le=3
+        1,
+        "1",
+        "Preview gain",
+        "Height seen over the true one (lookahead, obstacle).",
+        soft=(0.7, 1.3),
+        ge=0,
+        le=3,
     )
     preview_noise: float = quantity(
         0,
         "m",
         "Preview noise",
-        "Standard deviation of each height the sensors give, one height a control step (lookahead).",
+        "Standard deviation of each height the sensors give, one each 10 mm of the road (lookahead).",
         soft=(0, 0.005),
         ge=0,
         le=0.1,
     )
+    preview_resolution: float = quantity(
+        0,
+        "m",
+        "Preview resolution",
+        "Length of road over which the sensors average each height (lookahead, obstacle).",
+        soft=(0, 0.3),
+        ge=0,
+        le=2,
+    )
     preview_delay: float = quantity(
-        0, "s", "Preview delay", "The road ahead comes so late (lookahead).", soft=(0, 0.05), ge=0, le=1
+        0, "s", "Preview delay", "The road ahead comes so late (lookahead, obstacle).", soft=(0, 0.05), ge=0, le=1
     )
 
     def real(self, vehicle: Vehicle) -> Vehicle:

@@ -191,11 +191,13 @@ class RoadWeights(Part):
     bump: Weights = weights((3, 1, 6), "Bump", "Bumpy pavement.")
 
 
-Preview = Literal["none", "wheelbase", "lookahead"]
+Preview = Literal["none", "wheelbase", "lookahead", "obstacle"]
 
 
 class Mpc(Part):
     """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
+
+    ADDED: ClassVar = frozenset({"expected_offset", "expected_noise"})
 
     sample_time: float = quantity(
         0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05
@@ -205,8 +207,27 @@ class Mpc(Part):
     preview: Preview = Field(
         "lookahead",
         title="Preview",
-        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the "
-        "sensors see (lookahead).",
+        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the "
+        "sensors see (lookahead), or of that the bump alone (obstacle).",
+    )
+    expected_offset: float = quantity(
+        0,
+        "m",
+        "Expected preview offset",
+        "Standard deviation of the offset that the controllers, LQR too, expect of the sensors: the more, the less "
+        "of the roughness seen they trust (lookahead).",
+        soft=(0, 0.5),
+        ge=0,
+        le=10,
+    )
+    expected_noise: float = quantity(
+        0,
+        "m",
+        "Expected preview noise",
+        "Standard deviation of the noise that the controllers, LQR too, expect of each height (lookahead).",
+        soft=(0, 0.005),
+        ge=0,
+        le=0.1,
     )
     deflection_limit: float = quantity(
         0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from sim_core.car import road
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import sample_road
+from sim_core.drive.sensed_road import ExpectedErrors, trusted
 from sim_core.drive.speed_profile import drive
-from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import SpeedPolicy
 
@@ -40,11 +42,11 @@ def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
     assert ample.metrics == simulate(SHORT, strategy).metrics
 
 
-def windows(mismatch: Mismatch, road: Road = SHORT.road) -> np.ndarray:
-    scenario = SHORT.model_copy(update={"road": road})
+def windows(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
+    scenario = SHORT.model_copy(update={"road": driven})
     motion = drive(scenario, SpeedPolicy.CONSTANT)
-    road_input = sample_road(road, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
-    return preview_windows("lookahead", road, motion, road_input, 10, scenario.vehicle.wheelbase, mismatch)
+    road_input = sample_road(driven, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
+    return preview_windows(mode, driven, motion, road_input, 10, scenario.vehicle.wheelbase, mismatch)
 
 
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:
@@ -59,8 +61,66 @@ def test_preview_gain_and_noise_scale_the_heights() -> None:
     exact = windows(Mismatch())
     assert np.allclose(windows(Mismatch(preview_gain=0.8)), 0.8 * exact)
     noisy = windows(Mismatch(preview_noise=0.001), Road(roughness=0, length=60, bump=Bump(height=0, start=40, width=3)))
-    # A velocity is the difference of two heights over Ts: √2 times the noise. 5 standard errors of some 700 samples.
-    assert noisy[:, 0].std() == pytest.approx(np.sqrt(2) * 0.001 / 0.01, rel=0.15)
+    # A velocity is the difference of two heights over Ts, each linear between two samples: √(2 · 2/3) times the noise.
+    assert noisy[:, 0].std() == pytest.approx(np.sqrt(4 / 3) * 0.001 / 0.01, rel=0.15)  # 5 standard errors of some 700
+
+
+def test_noise_lies_in_the_road() -> None:
+    """The rear axle is told of a place what the front was, and a place has its noise at any speed."""
+    flat = Road(roughness=0, length=60, bump=Bump(height=0, start=40, width=3))
+    scenario = SHORT.model_copy(update={"road": flat, "vehicle": Vehicle(cg_to_front=1.0, cg_to_rear=1.0)})
+    speed = SHORT.speed.initial_speed_kmh / 3.6
+    step = 2.0 / speed / 12  # the wheelbase is twelve control steps long
+    motion = drive(scenario, SpeedPolicy.CONSTANT)
+    road_input = sample_road(flat, 2.0, motion, step, 0.001)
+    seen = preview_windows("lookahead", flat, motion, road_input, 5, 2.0, Mismatch(preview_noise=0.002))
+    front, rear = seen[:, 0], seen[:, 5]
+    assert np.abs(front).max() > 0.05
+    np.testing.assert_allclose(rear[12:], front[:-12], atol=1e-9)
+
+
+def test_resolution_averages_the_road() -> None:
+    """A sine of wavelength l through a mean over w shrinks by sin(π w/l)/(π w/l)."""
+    wave = Road(roughness=0, length=60, bump=Bump(shape="cosine", height=0.02, width=1, start=25, count=15, spacing=1))
+    exact, blurred = windows(Mismatch(), wave), windows(Mismatch(preview_resolution=0.4), wave)
+    inside = slice(np.flatnonzero(exact[:, 0])[0] + 20, np.flatnonzero(exact[:, 0])[-1] - 20)
+    share = blurred[inside, 0].std() / exact[inside, 0].std()
+    assert share == pytest.approx(np.sinc(0.41 / 1), rel=0.02)  # 41 samples 10 mm apart
+
+
+def test_obstacle_is_the_bump_without_the_roughness() -> None:
+    smooth = SHORT.road.model_copy(update={"roughness": 0.0})
+    errors = Mismatch(preview_offset=0.1, preview_gain=0.9, preview_delay=0.01)
+    alone = windows(errors, smooth)
+    assert np.abs(alone[:, :20]).max() > 0.1
+    np.testing.assert_allclose(windows(errors, mode="obstacle"), alone, atol=1e-12)
+
+
+def test_trust_is_the_best_linear_estimate() -> None:
+    """Its mean square error is ∫ S N / (S + N) dn (Wiener): less than all trust and than none leave."""
+    roughness, noise, count = 64e-6, 0.003, 2**16
+    true, _ = road._roughness(roughness, 7, count * road.GRID - 47)
+    rng = np.random.default_rng(3)
+    seen = true + noise * rng.standard_normal(len(true))
+    estimate = trusted(seen, roughness, ExpectedErrors(noise=noise))
+    n = np.linspace(0, 0.5 / road.GRID, 200_001)
+    S, N = roughness * 0.01 / (n**2 + 0.011**2), 2 * noise**2 * road.GRID
+    best = np.trapezoid(S * N / (S + N), n)
+    error = np.mean((estimate - true)[1000:-1000] ** 2)
+    assert error == pytest.approx(best, rel=0.1)
+    assert error < 0.3 * np.mean((seen - true) ** 2)
+    assert trusted(seen, roughness, ExpectedErrors()) is seen
+
+
+def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() -> None:
+    """A sine of wave number n keeps exp(-(2π n s)²/2) of its height: the mean of a sine seen at a normal offset."""
+    position = road.GRID * np.arange(20_000)
+    for wavelength in (1.0, 2.0, 10.0):
+        sine = np.sin(2 * np.pi * position / wavelength)
+        estimate = trusted(sine, 64e-6, ExpectedErrors(offset=0.3))
+        assert estimate[5000:15_000].std() / sine[5000:15_000].std() == pytest.approx(
+            np.exp(-((2 * np.pi * 0.3 / wavelength) ** 2) / 2), abs=0.01
+        )
 
 
 def test_preview_lqr_is_the_mpc_without_limits() -> None:

@@ -64,8 +64,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
     place[path[-1]] = altered(place[path[-1]])
     if path[0] == "actuator":
         place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 300.0}[path[-1]]
-    if path == ("vehicle", "bump_stop_clearance"):
-        place[path[-1]] = 0.02
+    if path in (("vehicle", "bump_stop_clearance"), ("mismatch", "preview_resolution")):
+        place[path[-1]] = {"bump_stop_clearance": 0.02, "preview_resolution": 0.2}[path[-1]]
     if path == ("hil", "jitter"):  # whole milliseconds count
         place[path[-1]] = 0.006
     return Scenario.model_validate(document)

@@ -1203,6 +1203,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "preview_resolution": 0,
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
@@ -1211,6 +1212,8 @@ export interface components {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
              *         "deflection_weight": 3,
+             *         "expected_noise": 0,
+             *         "expected_offset": 0,
              *         "force_change_weight": 1e-10,
              *         "force_limit": 5000,
              *         "force_weight": 1e-9,
@@ -2043,6 +2046,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "preview_resolution": 0,
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
@@ -2051,6 +2055,8 @@ export interface components {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
              *         "deflection_weight": 3,
+             *         "expected_noise": 0,
+             *         "expected_offset": 0,
              *         "force_change_weight": 1e-10,
              *         "force_limit": 5000,
              *         "force_weight": 1e-9,
@@ -2943,6 +2949,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "preview_resolution": 0,
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
@@ -2951,6 +2958,8 @@ export interface components {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
              *         "deflection_weight": 3,
+             *         "expected_noise": 0,
+             *         "expected_offset": 0,
              *         "force_change_weight": 1e-10,
              *         "force_limit": 5000,
              *         "force_weight": 1e-9,
@@ -3151,7 +3160,7 @@ export interface components {
              * @default none
              * @enum {string}
              */
-            preview: "none" | "wheelbase" | "lookahead";
+            preview: "none" | "wheelbase" | "lookahead" | "obstacle";
             /**
              * Preview horizon
              * @description In steps; nothing is known beyond.
@@ -3233,28 +3242,34 @@ export interface components {
             damping: number;
             /**
              * Preview delay
-             * @description The road ahead comes so late (lookahead).
+             * @description The road ahead comes so late (lookahead, obstacle).
              * @default 0
              */
             preview_delay: number;
             /**
              * Preview gain
-             * @description Height the sensors see over the true height (lookahead).
+             * @description Height seen over the true one (lookahead, obstacle).
              * @default 1
              */
             preview_gain: number;
             /**
              * Preview noise
-             * @description Standard deviation of each height the sensors give, one height a control step (lookahead).
+             * @description Standard deviation of each height the sensors give, one each 10 mm of the road (lookahead).
              * @default 0
              */
             preview_noise: number;
             /**
              * Preview offset
-             * @description The sensors place the road ahead so much too far away (lookahead).
+             * @description The sensors place the road ahead so much too far away (lookahead, obstacle).
              * @default 0
              */
             preview_offset: number;
+            /**
+             * Preview resolution
+             * @description Length of road over which the sensors average each height (lookahead, obstacle).
+             * @default 0
+             */
+            preview_resolution: number;
             /**
              * Rebound over compression
              * @description Real over believed ratio, both dampers, at the same mean.
@@ -3308,6 +3323,18 @@ export interface components {
              */
             deflection_weight: number;
             /**
+             * Expected preview noise
+             * @description Standard deviation of the noise that the controllers, LQR too, expect of each height (lookahead).
+             * @default 0
+             */
+            expected_noise: number;
+            /**
+             * Expected preview offset
+             * @description Standard deviation of the offset that the controllers, LQR too, expect of the sensors: the more, the less of the roughness seen they trust (lookahead).
+             * @default 0
+             */
+            expected_offset: number;
+            /**
              * Force change weight
              * @description On the moves of the force (ours).
              * @default 1e-10
@@ -3333,11 +3360,11 @@ export interface components {
             prediction_horizon: number;
             /**
              * Preview
-             * @description What is known of the road ahead: nothing, what the front axle has passed (wheelbase), or what the sensors see (lookahead).
+             * @description What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the sensors see (lookahead), or of that the bump alone (obstacle).
              * @default lookahead
              * @enum {string}
              */
-            preview: "none" | "wheelbase" | "lookahead";
+            preview: "none" | "wheelbase" | "lookahead" | "obstacle";
             /**
              * Single suspension control's weights per road
              * @default {
@@ -4115,6 +4142,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "preview_resolution": 0,
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
@@ -4123,6 +4151,8 @@ export interface components {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
              *         "deflection_weight": 3,
+             *         "expected_noise": 0,
+             *         "expected_offset": 0,
              *         "force_change_weight": 1e-10,
              *         "force_limit": 5000,
              *         "force_weight": 1e-9,
@@ -4261,6 +4291,7 @@ export interface components {
              *       "preview_offset": 0,
              *       "preview_gain": 1,
              *       "preview_noise": 0,
+             *       "preview_resolution": 0,
              *       "preview_delay": 0
              *     }
              */
@@ -4272,6 +4303,8 @@ export interface components {
              *       "prediction_horizon": 30,
              *       "control_horizon": 20,
              *       "preview": "lookahead",
+             *       "expected_offset": 0,
+             *       "expected_noise": 0,
              *       "deflection_limit": 0.08,
              *       "force_limit": 5000,
              *       "deflection_weight": 3,
@@ -4427,6 +4460,7 @@ export interface components {
              *       "preview_offset": 0,
              *       "preview_gain": 1,
              *       "preview_noise": 0,
+             *       "preview_resolution": 0,
              *       "preview_delay": 0
              *     }
              */
@@ -4438,6 +4472,8 @@ export interface components {
              *       "prediction_horizon": 30,
              *       "control_horizon": 20,
              *       "preview": "lookahead",
+             *       "expected_offset": 0,
+             *       "expected_noise": 0,
              *       "deflection_limit": 0.08,
              *       "force_limit": 5000,
              *       "deflection_weight": 3,
@@ -5424,6 +5460,7 @@ export interface components {
              *         "preview_gain": 1,
              *         "preview_noise": 0,
              *         "preview_offset": 0,
+             *         "preview_resolution": 0,
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
@@ -5432,6 +5469,8 @@ export interface components {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
              *         "deflection_weight": 3,
+             *         "expected_noise": 0,
+             *         "expected_offset": 0,
              *         "force_change_weight": 1e-10,
              *         "force_limit": 5000,
              *         "force_weight": 1e-9,
