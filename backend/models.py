@@ -34,6 +34,11 @@ class Answer(BaseModel):
     model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
 
 
+def inconsistent(field: str, message: str) -> PydanticCustomError:
+    """An error of a whole request that belongs to one field, dotted."""
+    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})
+
+
 def _check_strategy(name: str) -> str:
     if name not in STRATEGIES:
         raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, STRATEGY_IDS)})

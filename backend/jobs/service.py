@@ -86,12 +86,8 @@ class Jobs:
         more, shown = len(page) > limit, page[:limit]
         return shown, _cursor(shown[-1]) if more else None
 
-    async def position(self, job: StoredJob) -> int:
-        """How many runs of jobs that were accepted before it wait; 0 for one that runs or has ended."""
-        return (await self.positions([job]))[job.id]
-
-    async def positions(self, jobs: Sequence[StoredJob]) -> dict[str, int]:
-        """The same of several, by id."""
+    async def positions(self, *jobs: StoredJob) -> dict[str, int]:
+        """By id how many runs of jobs that were accepted before it wait; 0 for one that runs or has ended."""
         unfinished = []
         if any(job.state == "queued" for job in jobs):
             unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]

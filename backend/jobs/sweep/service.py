@@ -126,12 +126,12 @@ class Sweeps:
 
     async def answer(self, job: StoredJob) -> Batch:
         """The batch as it is answered."""
-        return Batch.of(job, await self.jobs.position(job))
+        return Batch.of(job, (await self.jobs.positions(job))[job.id])
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Batches:
         """The newest batches, without their sweeps."""
         jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
-        positions = await self.jobs.positions(jobs)
+        positions = await self.jobs.positions(*jobs)
         return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
 
     async def resume(self, job_id: str) -> StoredJob:

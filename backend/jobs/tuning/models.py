@@ -9,7 +9,7 @@ from backend.analysis.objectives import NORMALISED
 from backend.jobs.models import Label
 from backend.jobs.tuning.space import LARGEST, STRATEGIES, default_search, searchable
 from backend.json_types import JsonObject
-from backend.models import RequestModel
+from backend.models import RequestModel, inconsistent
 from sim_core.catalogue import LIMITS_EXCEEDED, NUMBERS, PAPER_METRICS, WINDOWS
 from sim_core.scenario import Scenario
 
@@ -54,10 +54,6 @@ Seed = Annotated[int, Field(ge=0, le=2**32 - 1)]
 Seeds = Annotated[list[Seed], AfterValidator(_each_once)]
 
 
-def _at(field: str, message: str) -> PydanticCustomError:
-    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})
-
-
 class Objective(RequestModel):
     """What to make small, as its mean over the training roads.
 
@@ -77,11 +73,11 @@ class Objective(RequestModel):
     @model_validator(mode="after")
     def _fits_its_kind(self) -> Self:
         if (self.figure is not None) != (self.kind == "figure"):
-            raise _at("figure", "A figure is named with the kind figure, and only there")
+            raise inconsistent("figure", "A figure is named with the kind figure, and only there")
         if self.kind == "figure" and (self.window is not None or self.q != (1, 1, 1)):
-            raise _at("q" if self.window is None else "window", "Only the kinds paper and peaks take this")
+            raise inconsistent("q" if self.window is None else "window", "Only the kinds paper and peaks take this")
         if not any(self.q):
-            raise _at("q", "At least one coefficient must be greater than 0")
+            raise inconsistent("q", "At least one coefficient must be greater than 0")
         return self
 
     def stored(self) -> JsonObject:
@@ -148,13 +144,13 @@ class TuningRequest(RequestModel):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         if set(self.seeds) & set(self.fresh_seeds):
-            raise _at("fresh_seeds", "A fresh road is none that was trained on")
+            raise inconsistent("fresh_seeds", "A fresh road is none that was trained on")
         written = [objective.stored() for objective in self.objectives]
         if any(each in written[:index] for index, each in enumerate(written)):
-            raise _at("objectives", "Each objective may be there once")
+            raise inconsistent("objectives", "Each objective may be there once")
         weights = searchable(self.strategy)
         if self.search is not None and not set(self.search) <= set(weights):
-            raise _at("search", f"The weights of this strategy are {', '.join(weights)}")
+            raise inconsistent("search", f"The weights of this strategy are {', '.join(weights)}")
         return self
 
     @property

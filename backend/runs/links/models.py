@@ -7,7 +7,7 @@ from pydantic import AfterValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from backend.jobs.sweep.models import Batch
-from backend.models import Answer, RequestModel, Run, StrategyName
+from backend.models import Answer, RequestModel, Run, StrategyName, inconsistent
 from backend.runs.roads_models import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
@@ -70,16 +70,11 @@ class LinkRequest(RequestModel):
     @model_validator(mode="after")
     def _one_target(self) -> Self:
         if (self.run_id is None) == (self.batch_id is None):
-            raise _at("run_id", "Exactly one of run_id and batch_id has to be given")
+            raise inconsistent("run_id", "Exactly one of run_id and batch_id has to be given")
         for name in ("x", "y"):
             if self.batch_id is None and getattr(self.view, name) is not None:
-                raise _at(f"view.{name}", "Only the view of a batch has this field")
+                raise inconsistent(f"view.{name}", "Only the view of a batch has this field")
         return self
-
-
-def _at(field: str, message: str) -> PydanticCustomError:
-    """An error of the whole request that belongs to one field, dotted."""
-    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})
 
 
 class CreatedLink(Answer):
