@@ -187,7 +187,7 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
         dashboard.chip(name).click()
     expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
     dashboard.page.get_by_role("button", name="Show all strategies").click()
-    expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(6)
+    expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(9)
 
 
 def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_path: Path) -> None:

@@ -200,7 +200,7 @@ def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dash
     page = dashboard.page
     page.goto("/paper?preview=sideways")
     expect(page.get_by_role("alert")).to_contain_text("does not know")
-    page.get_by_role("button", name="Show it as Ridelab reads it").click()
+    page.get_by_role("button", name="Show Ridelab’s own interpretation").click()
     expect(page.get_by_test_id("count")).to_be_visible(timeout=PATIENCE_MS)
 
 

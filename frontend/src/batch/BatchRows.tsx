@@ -99,7 +99,7 @@ export function BatchRows({ batch, columns, catalogue, strategies, markers, figu
       </ScrollTable>
       {shown.length === 0 && (
         <Text size="sm" c="dimmed" p="md">
-          {loading ? "The rows are on their way." : failedOnly ? "No run has failed." : "There are no rows."}
+          {loading ? "Reading the rows …" : failedOnly ? "No run has failed." : "There are no rows."}
         </Text>
       )}
     </Card>

@@ -16,7 +16,7 @@ export function SweepList({ strategies, ...rest }: Props) {
     <JobList
       kind={BATCH}
       title="Sweeps"
-      none="There is none yet. The one you start is listed here and stays, with all its runs."
+      none="None yet. Each one you start stays here with all its runs."
       describe={({ fields, strategies: swept }) => ({
         title: titleOf(fields),
         details: [swept.map((id) => strategies.find((strategy) => strategy.id === id)?.label ?? id).join(", ")],

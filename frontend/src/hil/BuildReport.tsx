@@ -1,4 +1,4 @@
-/** Whether the controller fits the part: memory and time of the scenario's own and of smaller ones, with what each loses. */
+/** Whether the controller fits the microcontroller: memory and time of the scenario's own and of smaller ones, with what each loses. */
 
 import { Button, Skeleton, Switch, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "../icons";
@@ -31,7 +31,7 @@ export function BuildReport({ scenario, catalogue }: Props) {
     <Card
       aria-label="Build report"
       aria-busy={report.isFetching || undefined}
-      title="Does it fit a small part?"
+      title="Does it fit a small microcontroller?"
       tools={
         <>
           {!report.data && (
@@ -108,7 +108,7 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
                 ))
               ) : (
                 <th key={view.window} scope="col">
-                  {headingOf(view, catalogue)} <span className={ui.dim}>furthest up</span>
+                  {headingOf(view, catalogue)} <span className={ui.dim}>largest increase</span>
                 </th>
               ),
             )}
@@ -174,7 +174,7 @@ function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: rea
   );
 }
 
-/** The change that is furthest up, and of what. */
+/** The largest increase, and of what. */
 function Loss({ changes, catalogue }: { readonly changes: Readonly<Record<string, number | null>>; readonly catalogue: Catalogue }) {
   const changed = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
   const worst = changed.toSorted((a, b) => b.change - a.change)[0];

@@ -32,7 +32,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
     <Card
       aria-label="LV in the ECU against LV in the simulation"
       data-stale={stale || undefined}
-      title="In the ECU against in the simulation"
+      title="ECU against simulation"
       tools={
         <>
           {judged.length > 0 && (

@@ -20,6 +20,6 @@ export function formatEnds({ least, most }: { readonly least: number; readonly m
 
 type Changes = Readonly<Record<string, Readonly<Record<string, number | null>>>>;
 
-/** The change that is furthest up [%], over all figures. */
+/** The largest increase [%], over all figures. */
 export const largestLoss = (changes: Changes): number =>
   Math.max(...Object.values(changes).flatMap((window) => Object.values(window).filter((change) => change !== null)));

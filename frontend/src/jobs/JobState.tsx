@@ -1,4 +1,4 @@
-/** How far a job is, and the way to stop it. */
+/** How far a job is; it can be cancelled. */
 
 import { Button, Progress, Text } from "@mantine/core";
 import type { ReactNode } from "react";
@@ -15,7 +15,7 @@ interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Jo
   /** In place of the state's own words. */
   readonly texts?: Partial<Record<Common["state"], string>>;
   readonly counts: ReactNode;
-  /** The way to go on with one that has ended. */
+  /** Continues one that has ended. */
   readonly resume?: ReactNode;
   readonly readOnly?: boolean;
   /** What it is about. */
@@ -65,7 +65,7 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
       </Progress.Root>
       {!connected && !ended && (
         <Text size="xs" c="dimmed" role="status">
-          The connection is interrupted; the numbers go on by themselves when it is back.
+          The connection is interrupted; the numbers follow again when it is back.
         </Text>
       )}
       {cancel.isError && (

@@ -1,4 +1,4 @@
-/** Which scenario a page works on, what it has other than the paper, and the way to another. */
+/** Which scenario a page works on, what it has other than the paper, and how to choose another. */
 
 import { Anchor, NativeSelect, Text } from "@mantine/core";
 import { useState } from "react";

@@ -61,7 +61,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
           </span>
         </Text>
       )}
-      <Text className={classes.claim}>{paper.complete ? previewSentence(paper) : "What the claim hinges on stands here as soon as all runs are finished."}</Text>
+      <Text className={classes.claim}>{paper.complete ? previewSentence(paper) : "This says what the claim hinges on when all runs are finished."}</Text>
       <Interpretations {...{ paper, choices, onChoose }} />
       <Text className={classes.agreement}>
         Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that, “within ±10 points” counts the simulated
@@ -76,7 +76,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         </Anchor>{" "}
         were fixed before any number.
       </Text>
-      <OpenScenario paper={paper} words={words} />
+      <OpenScenario paper={paper} />
       <Missed paper={paper} words={words} />
     </>
   );
@@ -95,9 +95,9 @@ function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
 }
 
 /** Runs the page's scenario as the lab would and goes there. */
-function OpenScenario({ paper, words }: Props) {
+function OpenScenario({ paper }: Pick<Props, "paper">) {
   const queries = useQueryClient();
-  const strategies = words.strategies.map(({ id }) => id);
+  const strategies = [...new Set(paper.tables.flatMap(({ columns }) => columns.flatMap(({ strategy, against }) => [strategy, against])))];
   const opening = useMutation({
     mutationFn: () => api.createRun(paper.scenario, strategies),
     onSuccess: (run) => {

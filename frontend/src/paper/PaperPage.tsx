@@ -127,7 +127,7 @@ function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
       <Fault message={unknown ? "This address names an interpretation, a reading or a choice that this server does not know." : fault.message} onRetry={onRetry} />
       {Object.keys(choices).length > 0 && (
         <Button size="xs" variant="default" className={classes.reset ?? ""} onClick={onReset}>
-          Show it as Ridelab reads it
+          Show Ridelab’s own interpretation
         </Button>
       )}
     </>

@@ -3,7 +3,7 @@
 import type { Strategy, StrategyId } from "../api/types";
 
 /** Apart without their colour too; plotly's names. */
-const SYMBOLS = ["circle", "diamond", "square", "triangle-up", "cross", "x"] as const;
+const SYMBOLS = ["circle", "diamond", "square", "triangle-down", "pentagon", "hourglass", "triangle-up", "cross", "x"] as const;
 
 export type MarkerSymbol = (typeof SYMBOLS)[number];
 export type Markers = Readonly<Record<StrategyId, MarkerSymbol>>;
@@ -24,6 +24,9 @@ const CORNERS: Readonly<Record<Exclude<MarkerSymbol, "circle">, readonly Corner[
   diamond: [[0, -1.3], [1.3, 0], [0, 1.3], [-1.3, 0]],
   square: [[-1, -1], [1, -1], [1, 1], [-1, 1]],
   "triangle-up": [[0, -1.2], [1.2, 0.85], [-1.2, 0.85]],
+  "triangle-down": [[0, 1.2], [-1.2, -0.85], [1.2, -0.85]],
+  pentagon: [[0, -1.15], [1.1, -0.36], [0.68, 0.93], [-0.68, 0.93], [-1.1, -0.36]],
+  hourglass: [[-1, -1], [1, -1], [-1, 1], [1, 1]],
   cross: CROSS,
   x: CROSS.map(([x, y]): Corner => [(x - y) * Math.SQRT1_2, (x + y) * Math.SQRT1_2]),
 };

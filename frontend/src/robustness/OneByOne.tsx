@@ -62,7 +62,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
   const opening = useOpenRun(batch);
   if (!figure) return null;
   const tornado = table.data ? tornadoOf(batch, table.data.columns, strategyId, figure.key) : null;
-  const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This figure has no value for the scenario itself." : "These runs are on their way.";
+  const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This figure has no value for the scenario itself." : "Reading these runs …";
   return (
     <Card
       aria-label="Each field alone"

@@ -32,8 +32,8 @@ function NewStudy() {
       <main className={ui.main}>
         <h1 className={ui.title}>Robustness</h1>
         <Text className={ui.lead ?? ""}>
-          The controllers believe one car, exact sensors and ideal actuators. Here every strategy meets the same random cars,
-          sensors and actuators that are a little different, and none of them knows. What is left of each one’s lead?
+          The controllers assume one car, exact sensors and ideal actuators. Here every strategy drives the same random cars, whose
+          sensors and actuators differ a little from that. How much of each lead is left?
         </Text>
         {failure ? (
           <CouldNotLoad message={failure.message} />

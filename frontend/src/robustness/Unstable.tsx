@@ -18,7 +18,7 @@ export function Unstable({ summary, strategies }: Props) {
   if (sentences.length === 0) return null;
   return (
     <Alert color="red" variant="light" icon={<IconAlertTriangle size={18} />} role="alert" data-testid="unstable">
-      {sentences.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels go on swinging by themselves. Those runs are in the figures below, and they are those of an oscillation, not of a ride.
+      {sentences.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels then oscillate by themselves. The figures below include those runs.
     </Alert>
   );
 }

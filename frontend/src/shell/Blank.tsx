@@ -54,7 +54,7 @@ export function NotFound() {
 /** In place of the car and the plots. */
 export function NoHistories({ reason }: { readonly reason: string }) {
   return (
-    <Blank title="The time histories of this result are not there" text={`${reason} The tables are as they were computed.`} />
+    <Blank title="This result has no time histories" text={`${reason} The tables are as they were computed.`} />
   );
 }
 

@@ -1,4 +1,4 @@
-/** The last resort: a fault in drawing leaves a way on instead of an empty page. */
+/** The last resort: a fault in drawing leaves a link to load again instead of an empty page. */
 
 import { Component, type ReactNode } from "react";
 import classes from "./shell.module.css";
@@ -22,7 +22,7 @@ export class ErrorBoundary extends Component<Props, State> {
     if (!this.state.failed) return this.props.children;
     return (
       <div className={classes.blank} role="alert">
-        <strong>This page has met a fault of its own</strong>
+        <strong>This page has failed</strong>
         <span>The run is stored at this address; loading it again shows it.</span>
         <a href={window.location.href}>Load again</a>
       </div>

@@ -1,4 +1,4 @@
-/** The way between the pages: links where there is room, else a menu under the name of the page shown. */
+/** Navigation between the pages: links where there is room, else a menu under the name of the page shown. */
 
 import { Button, Menu } from "@mantine/core";
 import { IconChevronDown } from "../icons";

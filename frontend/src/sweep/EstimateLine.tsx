@@ -25,11 +25,11 @@ export function EstimateLine({ estimate, strategies, pending, wrong }: Props) {
   return (
     <div className={classes.estimate} role="status" data-testid="estimate">
       <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
-        {estimate ? describe(estimate, strategies) : wrong ? "What has to be changed is marked." : pending ? "Counting…" : "\u00a0"}
+        {estimate ? describe(estimate, strategies) : wrong ? "The fields to change are marked." : pending ? "Counting…" : "\u00a0"}
       </Text>
       {contradictory > 0 && (
         <Text size="xs" c="dimmed">
-          In {contradictory === estimate?.total ? "all" : count(contradictory, "run")} of them values contradict each other: they become rows that say why.
+          In {contradictory === estimate?.total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why.
         </Text>
       )}
     </div>

@@ -97,7 +97,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
           {estimate
             ? describe(estimate)
             : Object.keys(errors).length > 0
-              ? "What has to be changed is marked."
+              ? "The fields to change are marked."
               : pending
                 ? "Counting…"
                 : "\u00a0"}

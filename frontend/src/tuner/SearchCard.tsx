@@ -19,7 +19,7 @@ interface Props {
   readonly objectives: readonly Shown[];
   readonly points: readonly Point[];
   readonly trials: readonly Trial[];
-  /** Why the single trials are not there. */
+  /** Why there are no single trials. */
   readonly fault: Error | null;
   readonly colour: string;
   readonly picked: number | null;
@@ -83,7 +83,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
         <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>
       )}
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        {several ? "Large: the front, which no other trial betters. Small: the other trials. " : "Points: the trials. Line: the best so far. "}
+        {several ? "Large points: the Pareto front. Small ones: the other trials. " : "Points: the trials. Line: the best so far. "}
         {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
         {figure.beyond > 0 && ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
       </Text>

@@ -61,7 +61,8 @@ function Tuner({ catalogues: { data, fault } }: { readonly catalogues: NumericCa
       <h1 className={ui.title}>Weight tuner</h1>
       <Text className={ui.lead ?? ""}>
         Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several
-        objectives give a Pareto front. The paper’s weights are always the first trial, and at the end it is compared with the best ones on validation roads, which shows weights that fit single roads only.
+        objectives give a Pareto front. The paper’s weights are the first trial. At the end the best ones are compared with
+        them on validation roads: this shows weights that fit only the training roads.
       </Text>
       {data ? (
         <div className={classes.columns}>

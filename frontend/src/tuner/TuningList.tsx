@@ -16,7 +16,7 @@ export function TuningList({ strategies, figures }: Props) {
     <JobList
       kind={TUNING}
       title="Earlier tunings"
-      none="There is none yet. The one you start is listed here and stays, with all its trials."
+      none="None yet. Each one you start stays here with all its trials."
       describe={({ strategy, objectives, limits }) => ({
         title: strategies.find(({ id }) => id === strategy)?.label ?? strategy,
         details: [

@@ -1,4 +1,4 @@
-/** How far a tuning is, what it is about, and the way to go on with it. */
+/** How far a tuning is, what it is about, and how to continue it. */
 
 import { Button, Text, TextInput } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
