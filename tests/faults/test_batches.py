@@ -23,6 +23,11 @@ def submit(service: Process, scenario: dict[str, Any], runs: int, **headers: str
     return str(answer.json()["id"])
 
 
+def state(service: Process, batch_id: str) -> dict[str, Any]:
+    batch: dict[str, Any] = service.client.get(f"/api/v1/batches/{batch_id}").json()
+    return batch
+
+
 def finished(service: Process, batch_id: str, runs: int) -> None:
     """Wait for its end: every run is there, and none failed."""
     batch = wait_for(service.client, batch_id)
