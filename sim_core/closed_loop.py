@@ -15,6 +15,7 @@ from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.linear import LONGEST_RUN
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import Controller
+from sim_core.control.estimator import estimator
 from sim_core.controllers import make_controller
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive
@@ -114,11 +115,15 @@ def drive_controller(
     Raises:
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    actuator = Actuator() if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.actuator
+    passive = strategy.suspension is SuspensionPolicy.PASSIVE
+    actuator = Actuator() if passive else scenario.actuator
     before = road_input.drive.before
     controller = make_controller(scenario, strategy, motion, road_input)
     disturbance, clipped = road_input.disturbance, controller.clipped
-    car = on_road(scenario.real_vehicle, actuator, road_input.step, disturbance, before, clipped=clipped)
+    told = None if passive else estimator(scenario, road_input.step, motion.initial_speed, disturbance)
+    car = on_road(
+        scenario.real_vehicle, actuator, road_input.step, disturbance, before, estimator=told, clipped=clipped
+    )
     most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * road_input.step
     most_force = np.inf if actuator.saturation is None else actuator.saturation
     loop = ClosedLoop(controller, car, most_change, most_force)

@@ -69,6 +69,7 @@ _SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controlle
 _MPC = (
     *_PREVIEW,
     "actuator",
+    "estimation",
     "mpc.sample_time",
     "mpc.prediction_horizon",
     "mpc.control_horizon",
@@ -79,9 +80,9 @@ _MPC = (
     "mpc.force_change_weight",
     "mpc.solver",
 )
-_LQR = (*_PREVIEW, "actuator", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
+_LQR = (*_PREVIEW, "actuator", "estimation", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
 
-_HOOK = ("actuator", "mpc.sample_time", "mpc.force_limit", "hook.semi_active")
+_HOOK = ("actuator", "estimation", "mpc.sample_time", "mpc.force_limit", "hook.semi_active")
 
 STRATEGIES: dict[str, Strategy] = {
     strategy.id: strategy

@@ -23,8 +23,28 @@ class LinearLaw:
     dissipative: bool = False
 
 
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Estimator:
+    """x̂[k+1] = state·x̂[k] + command·u[k] + measurement·y[k+1] + input[k]: what a controller is told of the state.
+
+    Attributes:
+        state: (8, 8).
+        command: (8, 2).
+        measurement: Of half_car.MEASURED_OUTPUTS at the end of a control step, before the command changes (8, 4).
+        input: What is known beforehand, and the sensors' noise (steps, 8).
+    """
+
+    state: FloatArray
+    command: FloatArray
+    measurement: FloatArray
+    input: FloatArray
+
+
 class DrivenCar(ABC):
-    """`size` numbers are the plant's state p: the half-car's (8,), then a lagging actuator's forces [N] (2,)."""
+    """`size` numbers are the state p: the half-car's (8,), then a lagging actuator's forces [N] (2,).
+
+    With an estimator its estimate (8,) comes before them, so that p begins with what a controller is told.
+    """
 
     size: int
 

@@ -86,6 +86,33 @@ def half_car(vehicle: Vehicle) -> LinearModel:
     return LinearModel(A=A, B=B, E=E, C=C, D=D, F=F)
 
 
+MEASURED_OUTPUTS = ("front_deflection", "rear_deflection", "body_acceleration", "pitch_rate")
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Measurement:
+    """y = C x + D u of MEASURED_OUTPUTS: C (4, 8), D (4, 2), u [N] the forces that act."""
+
+    C: FloatArray
+    D: FloatArray
+
+
+@lru_cache(maxsize=128)
+def measurement(vehicle: Vehicle) -> Measurement:
+    """What a car's own sensors give."""
+    model = half_car(vehicle)
+    deflections, acceleration = slice(*_rows("front_deflection", "rear_deflection")), OUTPUTS.index("body_acceleration")
+    pitch_rate = np.eye(1, STATES, k=5)
+    return Measurement(
+        C=np.vstack([model.C[deflections], model.C[acceleration], pitch_rate]),
+        D=np.vstack([model.D[deflections], model.D[acceleration], np.zeros((1, FORCES))]),
+    )
+
+
+def _rows(first: str, last: str) -> tuple[int, int]:
+    return OUTPUTS.index(first), OUTPUTS.index(last) + 1
+
+
 def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, FloatArray]:
     """Exact step of x' = A x + inputs·v with v held: (Φ, Γ) by the matrix exponential (Van Loan 1978).
 

@@ -3,51 +3,100 @@
 See docs/decisions/0002-speculative-blocks.md.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.car.driven_car import DrivenCar, LinearLaw
-from sim_core.car.half_car import FORCES, STATES
+from sim_core.car.driven_car import DrivenCar, Estimator, LinearLaw
+from sim_core.car.half_car import FORCES, STATES, measurement
 from sim_core.car.plant import Plant
 from sim_core.recurrence import Recurrence, recurrence
+from sim_core.scenario import Vehicle
 
 LONGEST_RUN = 1024  # control steps in one `free_run`
 
 
-def closed_loop_matrix(plant: Plant, law: LinearLaw) -> FloatArray:
-    """One control step of [plant state; previous command] while no limit binds (n + 2, n + 2)."""
-    n = plant.size
-    gain = np.zeros((FORCES, n + FORCES))
-    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
-    free = np.hstack([plant.A, np.zeros((n, FORCES))])
-    return np.vstack([free + plant.B @ gain, gain])
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class ControlStep:
+    """p' = A p + B u + forcing over one control step, p as `DrivenCar` has it: A (n, n), B (n, 2)."""
+
+    A: FloatArray
+    B: FloatArray
 
 
 @cached
-def _block(plant: Plant, law: LinearLaw) -> Recurrence:
-    return recurrence(closed_loop_matrix(plant, law), LONGEST_RUN)
+def _exact(plant: Plant) -> ControlStep:
+    """The one of a plant whose state is told: shared, and with it what is made of it for a law."""
+    return ControlStep(A=plant.A, B=plant.B)
+
+
+def told_by(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) -> ControlStep:
+    """A control step of a linear car and its estimator.
+
+    Args:
+        plant: Of the real car.
+        vehicle: The real one.
+        estimator: None tells the state itself.
+    """
+    if estimator is None:
+        return _exact(plant)
+    C, D = _sensors(plant, vehicle)
+    L, none = estimator.measurement, np.zeros((plant.size, STATES))
+    return ControlStep(
+        A=np.block([[estimator.state, L @ C @ plant.A], [none, plant.A]]),
+        B=np.vstack([estimator.command + L @ (C @ plant.B + D), plant.B]),
+    )
+
+
+def _sensors(plant: Plant, vehicle: Vehicle) -> tuple[FloatArray, FloatArray]:
+    """What sensors give of the plant's state (4, n) and of the command before the instant (4, 2)."""
+    sensors = measurement(vehicle)
+    if plant.size == STATES:
+        return sensors.C, sensors.D
+    return np.hstack([sensors.C, sensors.D]), np.zeros_like(sensors.D)
+
+
+def closed_loop_matrix(step: ControlStep, law: LinearLaw) -> FloatArray:
+    """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
+    n = len(step.A)
+    gain = np.zeros((FORCES, n + FORCES))
+    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
+    free = np.hstack([step.A, np.zeros((n, FORCES))])
+    return np.vstack([free + step.B @ gain, gain])
+
+
+@cached
+def _block(step: ControlStep, law: LinearLaw) -> Recurrence:
+    return recurrence(closed_loop_matrix(step, law), LONGEST_RUN)
 
 
 class LinearCar(DrivenCar):
-    """A linear car on its road, `disturbance` and `before` being as in `on_road`."""
+    """A linear car on its road; the arguments are `on_road`'s."""
 
-    def __init__(self, plant: Plant, disturbance: FloatArray, before: int) -> None:
-        self.size = plant.size
+    def __init__(
+        self, plant: Plant, vehicle: Vehicle, disturbance: FloatArray, before: int, estimator: Estimator | None
+    ) -> None:
         self._plant = plant
         self._disturbance = disturbance
         self._before = before
+        self._step = told_by(plant, vehicle, estimator)
+        self.size = len(self._step.A)
         self._forcing = disturbance @ plant.E
+        if estimator is not None:
+            told = self._forcing @ (estimator.measurement @ _sensors(plant, vehicle)[0]).T + estimator.input
+            self._forcing = np.hstack([told, self._forcing])
 
     def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        forcing = self._forcing[first : first + len(feed)] + feed @ self._plant.B.T
-        return _block(self._plant, law).run(start, np.hstack([forcing, feed]))
+        forcing = self._forcing[first : first + len(feed)] + feed @ self._step.B.T
+        return _block(self._step, law).run(start, np.hstack([forcing, feed]))
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        return np.asarray(self._plant.A @ state + self._plant.B @ command + self._forcing[step])
+        return np.asarray(self._step.A @ state + self._step.B @ command + self._forcing[step])
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        return self._plant.record(states, commands, self._disturbance[self._before :])
+        return self._plant.record(states[:, -self._plant.size :], commands, self._disturbance[self._before :])

@@ -98,25 +98,50 @@ static void hold(const struct car *car, int fine, int substeps, double h, const 
     }
 }
 
-void ridelab_drive(const struct car *car, int states, int steps, int fine, int substeps, double h, const double *gain,
+struct estimator {
+    double state[8][8], command[8][2], measurement[8][4];
+};
+
+/* What a controller is told at the end of a control step, after what it was told at its beginning. */
+static void estimate(const struct estimator *estimator, const struct car *car, const double *x, const double *command,
+                     const double *w, const double *input, const double *told, double *next)
+{
+    double dx[STATE];
+    derivative(car, x, command, w, dx);
+    const double y[4] = {x[D], x[D + 1], dx[BODY], x[PITCH]};
+    for (int i = 0; i < 8; i++) {
+        next[i] = input[i];
+        for (int j = 0; j < 8; j++)
+            next[i] += estimator->state[i][j] * told[j];
+        for (int j = 0; j < 2; j++)
+            next[i] += estimator->command[i][j] * command[j];
+        for (int j = 0; j < 4; j++)
+            next[i] += estimator->measurement[i][j] * y[j];
+    }
+}
+
+void ridelab_drive(const struct car *car, const struct estimator *estimator, const double *input, int states, int steps, int fine, int substeps, double h, const double *gain,
                    double limit, int dissipative, const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
 {
-    int width = states + 2;
+    int told = estimator ? 8 : 0, size = told + states, width = size + 2; /* p: [what is told; states] */
     for (int step = 0; step < steps; step++, column++) {
-        double *now = loop + (size_t)step * width, *next = now + width, *command = next + states, x[STATE];
+        double *now = loop + (size_t)step * width, *next = now + width, *command = next + size, x[STATE];
         for (int axle = 0; axle < 2; axle++) {
             command[axle] = feed[2 * step + axle];
             for (int i = 0; i < STATE; i++)
-                command[axle] += gain[STATE * axle + i] * now[i < FORCE ? i : states + i - FORCE];
+                command[axle] += gain[STATE * axle + i] * now[i < FORCE ? i : size + i - FORCE];
             if (dissipative && command[axle] * travel_speed(car, axle, now) > 0)
                 command[axle] = 0;
             command[axle] = command[axle] > limit ? limit : command[axle] < -limit ? -limit : command[axle];
         }
         for (int i = 0; i < STATE; i++)
-            x[i] = i < states ? now[i] : command[i - FORCE];
+            x[i] = i < states ? now[told + i] : command[i - FORCE];
         hold(car, fine, substeps, h, command, disturbance + (size_t)step * DISTURBANCES * fine, x,
              column < 0 ? NULL : table + column, (size_t)columns);
         for (int i = 0; i < states; i++)
-            next[i] = x[i];
+            next[told + i] = x[i];
+        if (estimator)
+            estimate(estimator, car, x, command, disturbance + (size_t)(step + 1) * DISTURBANCES * fine - DISTURBANCES,
+                     input + 8 * step, now, next);
     }
 }

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import MEASURED, DrivenCar, LinearLaw
+from sim_core.car.driven_car import MEASURED, DrivenCar, Estimator, LinearLaw
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
 from sim_core.car.plant import RECORDED
 from sim_core.errors import RidelabError
@@ -53,7 +53,7 @@ def _library() -> ctypes.CDLL:
     array, integer = np.ctypeslib.ndpointer(dtype=np.float64, flags="C_CONTIGUOUS"), ctypes.c_int
     library.ridelab_drive.restype = None
     library.ridelab_drive.argtypes = [
-        *(ctypes.POINTER(_Car), integer, integer, integer, integer, ctypes.c_double),
+        *(ctypes.POINTER(_Car), ctypes.c_void_p, ctypes.c_void_p, integer, integer, integer, integer, ctypes.c_double),
         *(array, ctypes.c_double, integer, array, array, array, array, integer, integer),
     ]
     return library
@@ -62,8 +62,19 @@ def _library() -> ctypes.CDLL:
 class NonlinearCar(DrivenCar):
     """A nonlinear car on its road; the arguments are `on_road`'s."""
 
-    def __init__(self, vehicle: Vehicle, actuator: Actuator, step: float, disturbance: FloatArray, before: int) -> None:
-        self.size = STATES if actuator.bandwidth is None else STATES + FORCES
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        actuator: Actuator,
+        step: float,
+        disturbance: FloatArray,
+        before: int,
+        estimator: Estimator | None,
+    ) -> None:
+        self._states = STATES if actuator.bandwidth is None else STATES + FORCES
+        self.size = self._states + (0 if estimator is None else STATES)
+        self._estimator = None if estimator is None else _matrices(estimator)
+        self._inputs = None if estimator is None else np.ascontiguousarray(estimator.input)
         fine = disturbance.shape[1] // DISTURBANCES
         short = substeps(vehicle, actuator, step / fine)
         self._drive = _library().ridelab_drive
@@ -78,8 +89,9 @@ class NonlinearCar(DrivenCar):
         steps = len(feed)
         loop = np.empty((steps + 1, self.size + FORCES))
         loop[0] = start
+        inputs = None if self._inputs is None else self._inputs[first:].ctypes.data
         self._drive(
-            *(self._car, self.size, steps, *self._sizes),
+            *(self._car, self._estimator, inputs, self._states, steps, *self._sizes),
             *(np.ascontiguousarray(law.gain), law.force_limit, law.dissipative, np.ascontiguousarray(feed)),
             *(self._disturbance[first : first + steps], loop, self._table, first - self._before, self._table.shape[2]),
         )
@@ -92,6 +104,13 @@ class NonlinearCar(DrivenCar):
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As DrivenCar says: what was sampled while it drove."""
         return self._table
+
+
+def _matrices(estimator: Estimator) -> ctypes.Array[ctypes.c_double]:
+    """`struct estimator` of nonlinear.c."""
+    parts = estimator.state, estimator.command, estimator.measurement
+    numbers = np.concatenate([part.ravel() for part in parts])
+    return (ctypes.c_double * len(numbers))(*numbers)
 
 
 def substeps(vehicle: Vehicle, actuator: Actuator, fine_step: float) -> int:

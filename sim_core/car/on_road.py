@@ -1,7 +1,7 @@
 """Which kind of car a vehicle is on its road."""
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import DrivenCar
+from sim_core.car.driven_car import DrivenCar, Estimator
 from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.linear import LinearCar
 from sim_core.car.nonlinear import NonlinearCar
@@ -16,6 +16,7 @@ def on_road(
     disturbance: FloatArray,
     before: int,
     *,
+    estimator: Estimator | None = None,
     clipped: bool = False,
 ) -> DrivenCar:
     """A car on its road.
@@ -26,11 +27,13 @@ def on_road(
         step: Control step [s].
         disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `RoadInput.disturbance`.
         before: Control steps before those on record.
+        estimator: What tells controllers the state; None tells it as it is.
         clipped: Whether the law's limits shape the force in most steps, so that blocks of free steps gain nothing.
 
     Raises:
         RidelabError: The part that steps such a car is not built.
     """
     if vehicle.linear and not clipped:
-        return LinearCar(plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES), disturbance, before)
-    return NonlinearCar(vehicle, actuator, step, disturbance, before)
+        matrices = plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES)
+        return LinearCar(matrices, vehicle, disturbance, before, estimator)
+    return NonlinearCar(vehicle, actuator, step, disturbance, before, estimator)

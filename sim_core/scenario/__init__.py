@@ -1,7 +1,7 @@
 """The scenario: parts and fields, presets, dotted names, and how an older version's scenario is read."""
 
 from sim_core.scenario.fields import Weights
-from sim_core.scenario.imperfections import Actuator, Hil, Mismatch
+from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
 from sim_core.scenario.parts import (
     SCHEMA_VERSION,
     Brake,
@@ -23,6 +23,7 @@ __all__ = [
     "Actuator",
     "Brake",
     "Bump",
+    "Estimation",
     "Hil",
     "Hook",
     "Lqr",

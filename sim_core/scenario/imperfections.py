@@ -129,6 +129,46 @@ class Mismatch(Part):
         return vehicle.model_copy(update={name: getattr(vehicle, name) * factor for name, factor in factors.items()})
 
 
+class Estimation(Part):
+    """What controllers are told of the car's state: the state itself, or what a Kalman filter makes of sensors."""
+
+    ADDED: ClassVar = frozenset({"kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"})
+
+    kind: Literal["exact", "kalman"] = Field(
+        "exact",
+        title="State",
+        description="exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration "
+        "and the pitch rate, measured at each control instant.",
+    )
+    acceleration_noise: float = quantity(
+        0.05,
+        "m/s^2",
+        "Acceleration noise",
+        "Standard deviation of each measured acceleration of the body, and what the filter expects (kalman; ours).",
+        soft=(0.01, 0.5),
+        ge=1e-4,
+        le=10,
+    )
+    deflection_noise: float = quantity(
+        0.0005,
+        "m",
+        "Deflection noise",
+        "Standard deviation of each measured deflection, and what the filter expects (kalman; ours).",
+        soft=(0.0001, 0.005),
+        ge=1e-6,
+        le=0.1,
+    )
+    pitch_rate_noise: float = quantity(
+        0.002,
+        "rad/s",
+        "Pitch rate noise",
+        "Standard deviation of each measured pitch rate, and what the filter expects (kalman; ours).",
+        soft=(0.0005, 0.02),
+        ge=1e-6,
+        le=1,
+    )
+
+
 class Hil(Part):
     """Hardware in the loop: the controller apart from the plant, as `lv_hil` drives it (section 4.2)."""
 

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
-from sim_core.scenario.imperfections import Actuator, Hil, Mismatch
+from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
 from sim_core.scenario.vehicle import Vehicle
 
 SCHEMA_VERSION = 1
@@ -298,7 +298,7 @@ class Hook(Part):
 class Scenario(Part):
     """Everything a run depends on; an omitted part or field takes the paper's default."""
 
-    ADDED: ClassVar = frozenset({"hook"})
+    ADDED: ClassVar = frozenset({"hook", "estimation"})
 
     vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
     road: Road = Field(Road(), title="Road")
@@ -306,6 +306,7 @@ class Scenario(Part):
     brake: Brake = Field(Brake(), title="Brake")
     actuator: Actuator = Field(Actuator(), title="Actuator")
     mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")
+    estimation: Estimation = Field(Estimation(), title="State estimation")
     mpc: Mpc = Field(Mpc(), title="MPC")
     lqr: Lqr = Field(Lqr(), title="LQR")
     hook: Hook = Field(Hook(), title="Skyhook and groundhook")

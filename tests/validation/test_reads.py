@@ -30,6 +30,7 @@ OTHER = {
     "daqp": "osqp",
     "guarded": "fuzzy",
     "predict": "none",
+    "exact": "kalman",
 }
 
 
@@ -105,6 +106,9 @@ SILENT = {
     ("mpc", "solver"),  # either finds the same optimum
     ("road", "seed"),
     ("vehicle", "bump_stop_stiffness"),  # there are no stops
+    ("estimation", "acceleration_noise"),  # the state is told exactly
+    ("estimation", "deflection_noise"),
+    ("estimation", "pitch_rate_noise"),
 }
 
 

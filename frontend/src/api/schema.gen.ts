@@ -1208,6 +1208,12 @@ export interface components {
              *         "springs": 1,
              *         "tyres": 1
              *       },
+             *       "estimation": {
+             *         "acceleration_noise": 0.05,
+             *         "deflection_noise": 0.0005,
+             *         "kind": "exact",
+             *         "pitch_rate_noise": 0.002
+             *       },
              *       "mpc": {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
@@ -2051,6 +2057,12 @@ export interface components {
              *         "springs": 1,
              *         "tyres": 1
              *       },
+             *       "estimation": {
+             *         "acceleration_noise": 0.05,
+             *         "deflection_noise": 0.0005,
+             *         "kind": "exact",
+             *         "pitch_rate_noise": 0.002
+             *       },
              *       "mpc": {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
@@ -2413,6 +2425,37 @@ export interface components {
              * @description Runs: points times strategies
              */
             total: number;
+        };
+        /**
+         * Estimation
+         * @description What controllers are told of the car's state: the state itself, or what a Kalman filter makes of sensors.
+         */
+        Estimation: {
+            /**
+             * Acceleration noise
+             * @description Standard deviation of each measured acceleration of the body, and what the filter expects (kalman; ours).
+             * @default 0.05
+             */
+            acceleration_noise: number;
+            /**
+             * Deflection noise
+             * @description Standard deviation of each measured deflection, and what the filter expects (kalman; ours).
+             * @default 0.0005
+             */
+            deflection_noise: number;
+            /**
+             * State
+             * @description exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration and the pitch rate, measured at each control instant.
+             * @default exact
+             * @enum {string}
+             */
+            kind: "exact" | "kalman";
+            /**
+             * Pitch rate noise
+             * @description Standard deviation of each measured pitch rate, and what the filter expects (kalman; ours).
+             * @default 0.002
+             */
+            pitch_rate_noise: number;
         };
         /**
          * Figure8
@@ -2953,6 +2996,12 @@ export interface components {
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
+             *       },
+             *       "estimation": {
+             *         "acceleration_noise": 0.05,
+             *         "deflection_noise": 0.0005,
+             *         "kind": "exact",
+             *         "pitch_rate_noise": 0.002
              *       },
              *       "mpc": {
              *         "control_horizon": 20,
@@ -4147,6 +4196,12 @@ export interface components {
              *         "springs": 1,
              *         "tyres": 1
              *       },
+             *       "estimation": {
+             *         "acceleration_noise": 0.05,
+             *         "deflection_noise": 0.0005,
+             *         "kind": "exact",
+             *         "pitch_rate_noise": 0.002
+             *       },
              *       "mpc": {
              *         "control_horizon": 20,
              *         "deflection_limit": 0.08,
@@ -4243,6 +4298,16 @@ export interface components {
              *     }
              */
             brake: components["schemas"]["Brake"];
+            /**
+             * State estimation
+             * @default {
+             *       "kind": "exact",
+             *       "acceleration_noise": 0.05,
+             *       "deflection_noise": 0.0005,
+             *       "pitch_rate_noise": 0.002
+             *     }
+             */
+            estimation: components["schemas"]["Estimation"];
             /**
              * Hardware in the loop
              * @default {
@@ -4412,6 +4477,16 @@ export interface components {
              *     }
              */
             brake: components["schemas"]["Brake"];
+            /**
+             * State estimation
+             * @default {
+             *       "kind": "exact",
+             *       "acceleration_noise": 0.05,
+             *       "deflection_noise": 0.0005,
+             *       "pitch_rate_noise": 0.002
+             *     }
+             */
+            estimation: components["schemas"]["Estimation"];
             /**
              * Hardware in the loop
              * @default {
@@ -5464,6 +5539,12 @@ export interface components {
              *         "rebound_ratio": 1,
              *         "springs": 1,
              *         "tyres": 1
+             *       },
+             *       "estimation": {
+             *         "acceleration_noise": 0.05,
+             *         "deflection_noise": 0.0005,
+             *         "kind": "exact",
+             *         "pitch_rate_noise": 0.002
              *       },
              *       "mpc": {
              *         "control_horizon": 20,
