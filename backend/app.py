@@ -8,7 +8,7 @@ from fastapi import FastAPI
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
-from backend.api import batches, controller, health, links, login, paper, runs, schema, site, tunings, vehicles
+from backend.api import batches, controller, health, links, login, paper, roads, runs, schema, site, tunings, vehicles
 from backend.compute.workers import Workers
 from backend.ecu.service import Controllers
 from backend.http import openapi, problems
@@ -22,6 +22,7 @@ from backend.jobs.sweep.service import Sweeps
 from backend.jobs.tuning.service import TuningService
 from backend.jobs.tuning.steps import TuningSteps
 from backend.metrics import service_registry
+from backend.roads.service import Roads
 from backend.runs.links.service import Links
 from backend.runs.memory import Memory
 from backend.runs.results import Results
@@ -51,6 +52,8 @@ ROUTERS = (
     schema.schema,
     vehicles.vehicles,
     vehicles.data_sheets,
+    roads.surveying,
+    roads.roads,
     login.login,
     health.health,
 )
@@ -108,18 +111,29 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
         admission = _admission(settings)
         memory = Memory(settings.series_cache_bytes)
-        results = Results(store=store, workers=workers, memory=memory, admission=admission)
+        measured = Roads(store=store, workers=workers, admission=admission)
+        app.state.roads = measured
+        results = Results(store=store, workers=workers, memory=memory, admission=admission, roads=measured)
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
-        app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission)
+        app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission, roads=measured)
         app.state.paper = Paper(store=store, results=results, admission=admission)
         app.state.controllers = Controllers(
-            workers=workers, admission=admission, max_request_cost=settings.max_request_cost
+            workers=workers, admission=admission, roads=measured, max_request_cost=settings.max_request_cost
         )
-        app.state.links = Links(store=store, workers=workers, runs=app.state.runs, admission=admission)
-        sweeps = Sweeps(store=store, workers=workers, background=background, admission=admission, settings=settings)
+        app.state.links = Links(store=store, workers=workers, runs=app.state.runs, admission=admission, roads=measured)
+        sweeps = Sweeps(
+            store=store,
+            workers=workers,
+            background=background,
+            admission=admission,
+            settings=settings,
+            roads=measured,
+        )
         app.state.sweeps = sweeps
-        app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)
+        app.state.tunings = TuningService(
+            store=store, background=background, admission=admission, settings=settings, roads=measured
+        )
         steps = TuningSteps(store, sweeps)
         scheduler = Scheduler(store=store, settings=settings, background=background, steppers={"tuning": steps})
         scheduler.start()

@@ -82,6 +82,8 @@ class RunRequest(StrategiesRequest):
     @classmethod
     def _seeds_exist(cls, roads: int, info: ValidationInfo) -> int:
         scenario = info.data.get("scenario")
+        if scenario is not None and roads > 1 and scenario.road.profile is not None:
+            raise PydanticCustomError("one_road", "A measured road is one road: roads can only be 1")
         if scenario is not None and scenario.road.seed + roads - 1 > MAX_SEED:
             raise PydanticCustomError("no_seed", "The last road's seed would be over {most}", {"most": MAX_SEED})
         return roads

@@ -17,6 +17,7 @@ from backend.store.job_runs import JobRow
 from sim_core import __version__ as CORE_VERSION
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS
+from sim_core.scenario.measured import MeasuredRoad
 
 POINTS_A_CALL = 500  # whose stability one task of a worker reckons; each takes about a millisecond
 
@@ -27,8 +28,9 @@ async def summarised(
     call: Callable[..., Awaitable[Any]],
     figures: Sequence[str],
     baseline: str,
+    roads: Mapping[str, MeasuredRoad],
 ) -> BatchSummary:
-    """What has finished, read as a whole."""
+    """What has finished, read as a whole; `roads` are the measured ones that the batch names."""
     gathered = _Gathered(batch, figures)
     async for rows in pages:
         await asyncio.to_thread(gathered.add, rows)
@@ -38,7 +40,7 @@ async def summarised(
         some = ran[first : first + POINTS_A_CALL]
         texts = [gathered.changes[point] for point in some]
         damping[some] = await call(summary.dampings, *origin, texts, batch.request["strategies"])
-    summaries, nominal_damping = await call(summary.nominal, *origin, batch.request["strategies"])
+    summaries, nominal_damping = await call(summary.nominal, *origin, batch.request["strategies"], roads)
     study = gathered.study(damping, summaries, nominal_damping)
     return BatchSummary(
         batch=batch.id,

@@ -15,11 +15,12 @@ from pydantic import ValidationError
 
 from backend.analysis.models import FigureSummary, MarginSummary, Place, Sensitivity, StabilitySummary, StrategySummary
 from backend.ecu.drive import simulate
-from backend.jobs.sweep.plan import scenario_at
+from backend.jobs.sweep.plan import NO_ROADS, scenario_at
 from backend.json_types import JsonObject, Summary
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
+from sim_core.scenario.measured import MeasuredRoad
 from sim_core.study.stability import least_damping
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance
@@ -74,10 +75,10 @@ def dampings(base: JsonObject, schema_version: int, changes: Sequence[str], stra
 
 
 def nominal(
-    base: JsonObject, schema_version: int, strategies: Sequence[str]
+    base: JsonObject, schema_version: int, strategies: Sequence[str], roads: Mapping[str, MeasuredRoad] = NO_ROADS
 ) -> tuple[dict[str, Summary], dict[str, float | None]]:
     """The batch's own scenario, nothing swept: each strategy's summary ({} where it fails) and least damping."""
-    scenario = scenario_at(base, {}, schema_version)
+    scenario = scenario_at(base, {}, schema_version, roads)
     summaries: dict[str, Summary] = {}
     for name in strategies:
         try:

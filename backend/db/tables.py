@@ -38,6 +38,30 @@ results = Table(
     Column("created_at", Utc, nullable=False),
 )
 
+# Measured ones, by content. What names one holds on to it.
+roads = Table(
+    "roads",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("samples", Integer, nullable=False),
+    Column("content", LargeBinary, nullable=False),
+    Column("created_at", Utc, nullable=False),
+)
+
+run_roads = Table(
+    "run_roads",
+    metadata,
+    Column("run_id", String(22), ForeignKey("runs.id"), primary_key=True),
+    Column("road_id", String(22), ForeignKey("roads.id"), nullable=False, index=True),
+)
+
+job_roads = Table(
+    "job_roads",
+    metadata,
+    Column("job_id", String(22), ForeignKey("jobs.id"), primary_key=True),
+    Column("road_id", String(22), ForeignKey("roads.id"), primary_key=True, index=True),
+)
+
 runs = Table(
     "runs",
     metadata,

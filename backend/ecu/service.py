@@ -9,6 +9,7 @@ from backend.ecu.models import ControllerReport, RealtimeReport
 from backend.errors import CostLimitError
 from backend.http.admission import Admission
 from backend.http.limits import ConcurrencyLimit
+from backend.roads.service import Roads
 from sim_core.scenario import Scenario
 from sim_core.workload import duration
 
@@ -20,9 +21,10 @@ BUILDING = 1.0  # one controller for its part [s of one core]
 class Controllers:
     """The one service of controllers; its methods belong to the event loop."""
 
-    def __init__(self, *, workers: Workers, admission: Admission, max_request_cost: float) -> None:
+    def __init__(self, *, workers: Workers, admission: Admission, roads: Roads, max_request_cost: float) -> None:
         self._workers = workers
         self._admission = admission
+        self._roads = roads
         self._longest = min(
             realtime.LONGEST, 2 * max_request_cost
         )  # a drive by the clock holds a worker and mostly waits [s]
@@ -57,6 +59,7 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
+        scenario = await self._roads.on(scenario)
         time = await self._workers.call(duration, scenario, STRATEGY)
         if time > self._longest:
             message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
@@ -68,5 +71,6 @@ class Controllers:
     ) -> T:
         names = [STRATEGY] * drives
         self._admission.check(scenario, names, beside)
+        scenario = await self._roads.on(scenario)
         with self._long.acquired(client), self._admission.computing(client, scenario, names):
             return await self._workers.call(function, scenario, ends_with_caller=True)

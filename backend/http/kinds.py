@@ -75,7 +75,7 @@ _LIST = (
         "unsupported-media-type",
         415,
         "Unsupported media type",
-        "The body has to be JSON as it is, with the header Content-Type: application/json.",
+        "The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv.",
     ),
     _kind(
         "other-host",
@@ -86,7 +86,10 @@ _LIST = (
     _kind("invalid-request", 422, "Invalid request", "The request has values that cannot be used; errors names each."),
     _kind("refused", 422, "Refused", "The values fit one by one, but the simulation cannot work with them together."),
     _kind(
-        "unknown", 422, "Unknown", "The body names a run or a batch that is not there, or a field it does not sweep."
+        "unknown",
+        422,
+        "Unknown",
+        "The body names a run, a batch or a road that is not there, or a field it does not sweep.",
     ),
     _kind("cost-limit", 422, "Cost limit", "The estimated cost or the number of runs is over the limit."),
     _kind(

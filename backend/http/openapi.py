@@ -19,6 +19,7 @@ from sim_core.strategies import STRATEGIES
 TAGS = {
     "runs": "A scenario and the strategies that drive it: computed once, stored, read, drawn.",
     "batches": "Sweeps and robustness studies: many runs, submitted, followed and read as one.",
+    "roads": "Measured roads: sent as CSV, named by scenarios.",
     "tunings": "Searches for better weights.",
     "links": "Links that open a run or a batch as it was shared.",
     "paper": "The paper's tables and figures, checked.",
@@ -94,6 +95,7 @@ LINKS = {  # operations that take the id, by the operation that answers with it
         "$response.body#/id",
         ["getTuning", "labelTuning", "cancelTuning", "resumeTuning", "deleteTuning", "getTuningTrials"],
     ),
+    "createRoad": ("201", "$response.body#/id", ["getRoad"]),
     "createLink": ("201", "$response.body#/slug", ["getLink"]),
 }
 

@@ -31,8 +31,8 @@ def client_address(request: Request) -> str:
     return request.client.host if request.client else ""
 
 
-async def _read_body(request: Request, held: ExitStack) -> bytes:
-    """The whole body; `held` keeps the place of a bulky one until the request is answered.
+async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
+    """The whole body of at most so many bytes; `held` keeps the place of a bulky one until the request is answered.
 
     Raises:
         RequestError: It is too long, announced or in pieces, or takes too long to come.
@@ -43,8 +43,8 @@ async def _read_body(request: Request, held: ExitStack) -> bytes:
 
     def expect(length: int) -> None:
         nonlocal bulky
-        if length > settings.max_body_bytes:
-            raise RequestError("too-long", f"The body may have {settings.max_body_bytes} bytes.")
+        if length > longest:
+            raise RequestError("too-long", f"The body may have {longest} bytes.")
         if length > BULKY and not bulky:
             bulky = True
             held.enter_context(request.app.state.admission.receiving(client_address(request)))
@@ -101,12 +101,11 @@ class StrictRoute(APIRoute):
             kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
             if takes_body and kind != "application/json":
                 raise RequestError("unsupported-media-type")
-            if takes_body and request.headers.get("content-encoding", "identity").strip().lower() != "identity":
-                raise RequestError(
-                    "unsupported-media-type", "The body has to come as it is, without a Content-Encoding."
-                )
+            if takes_body:
+                _check_encoding(request)
             with ExitStack() as held:
-                body = await _read_body(request, held) if takes_body else b""
+                longest = request.app.state.settings.max_body_bytes
+                body = await _read_body(request, held, longest) if takes_body else b""
                 if self.COMPUTES:
                     held.enter_context(request.app.state.admission.admitted(client_address(request)))
                 if takes_body:  # what the framework would read itself, and call any error a malformed body
@@ -128,6 +127,33 @@ class ScenarioRoute(ComputingRoute):
     """One that computes what its body holds, one scenario at most."""
 
     MAX_VALUES = SCENARIO_VALUES
+
+
+class CsvRoute(StrictRoute):
+    """A route whose body is a CSV file; it finds it whole in `request.body()`."""
+
+    MAX_BYTES = 4 * 1024 * 1024
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """The framework's handler, behind what it would let pass."""
+        handler = super().get_route_handler()
+
+        async def strict(request: Request) -> Response:
+            _check_parameters(request.query_params, ())
+            if request.headers.get("content-type", "").partition(";")[0].strip().lower() != "text/csv":
+                raise RequestError("unsupported-media-type", "The body has to be CSV, with Content-Type: text/csv.")
+            _check_encoding(request)
+            with ExitStack() as held:
+                request._body = await _read_body(request, held, self.MAX_BYTES)
+                return await handler(request)
+
+        return strict
+
+
+def _check_encoding(request: Request) -> None:
+    """Refuse a compressed body."""
+    if request.headers.get("content-encoding", "identity").strip().lower() != "identity":
+        raise RequestError("unsupported-media-type", "The body has to come as it is, without a Content-Encoding.")
 
 
 def _check_parameters(sent: QueryParams, declared: Sequence[str]) -> None:

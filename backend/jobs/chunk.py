@@ -1,10 +1,11 @@
 """A job's runs in pieces: planned, waiting, a chunk of them, a computed one. What travels, so little is imported."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from backend.json_types import JsonObject
+from sim_core.scenario.measured import MeasuredRoad
 
 
 class PlannedRun(NamedTuple):
@@ -61,6 +62,7 @@ class Chunk:
         schema_version: Of the base.
         base: The job's plain scenario.
         runs: What to compute.
+        roads: The measured roads that base and runs name, by id.
         budget: After so long no further run of it is begun [s].
         timeout: The whole chunk may take so long [s].
     """
@@ -70,6 +72,7 @@ class Chunk:
     schema_version: int
     base: JsonObject
     runs: Sequence[WaitingRun]
+    roads: Mapping[str, MeasuredRoad]
     budget: float
     timeout: float
 

@@ -12,8 +12,10 @@ from backend import metrics
 from backend.errors import CHEAPER_RUN
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
 from backend.jobs.handout import HandOut
-from backend.store import Store
+from backend.store import Store, StoredJob
+from backend.store.roads import PROFILE
 from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario.measured import MeasuredRoad
 
 if TYPE_CHECKING:
     from backend.jobs.cluster import Cluster
@@ -81,6 +83,7 @@ class Chunks:
             schema_version=handed_out.job.schema_version,
             base=handed_out.job.request["scenario"],
             runs=runs,
+            roads=await self._roads(handed_out.job, runs),
             budget=CHUNK_BUDGET,
             timeout=self._timeout,
         )
@@ -98,6 +101,13 @@ class Chunks:
         finally:
             if not committing:
                 self._end(handed_out)
+
+    async def _roads(self, job: StoredJob, runs: Sequence[WaitingRun]) -> dict[str, MeasuredRoad]:
+        """The measured roads that these runs name."""
+        if not job.road_ids and not any(PROFILE in run.changes for run in runs):
+            return {}
+        named = {orjson.loads(run.changes).get(f"road.{PROFILE}") for run in runs} | job.road_ids
+        return await self._store.read(self._store.roads.load, [each for each in named if each is not None])
 
     async def _hand_out_again(self, handed_out: HandOut, runs: list[WaitingRun], outcome: ChunkOutcome) -> bool:
         """What could not be computed is halved until the run to blame is alone; False for that one."""

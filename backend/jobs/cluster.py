@@ -186,7 +186,15 @@ async def _on_worker(chunk: Chunk) -> ChunkOutcome:
         return ChunkOutcome(computed=[])
     pool = _pool(worker, chunk.timeout)
     task = asyncio.create_task(
-        pool.call(run_chunk, chunk.base, chunk.schema_version, chunk.runs, chunk.budget, ends_with_caller=True)
+        pool.call(
+            run_chunk,
+            chunk.base,
+            chunk.schema_version,
+            chunk.runs,
+            chunk.roads,
+            chunk.budget,
+            ends_with_caller=True,
+        )
     )
     running = _running.setdefault(chunk.group, set())
     running.add(task)

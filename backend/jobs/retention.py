@@ -59,10 +59,11 @@ class Retention:
         STORED_BYTES.set(size)
 
     async def _remove_before(self, before: datetime) -> None:
-        """Jobs first: then nothing needs their results."""
+        """Jobs first: then nothing needs their results, nor their roads."""
         for what, remove in (
             ("jobs", self._store.retention.remove_jobs),
             ("results", self._store.retention.remove_results),
+            ("roads", self._store.retention.remove_roads),
         ):
             while removed := await self._store.write(remove, before):
                 REMOVED.labels(what).inc(removed)

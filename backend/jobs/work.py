@@ -1,7 +1,7 @@
 """What a worker process does with a chunk of a job; no web here."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import orjson
 
@@ -14,9 +14,16 @@ from backend.json_types import JsonObject
 from backend.runs.work import elapsed_ms, refusal, summary_json
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
+from sim_core.scenario.measured import MeasuredRoad
 
 
-def run_chunk(base: JsonObject, schema_version: int, runs: Sequence[WaitingRun], budget: float) -> list[ComputedRun]:
+def run_chunk(
+    base: JsonObject,
+    schema_version: int,
+    runs: Sequence[WaitingRun],
+    roads: Mapping[str, MeasuredRoad],
+    budget: float,
+) -> list[ComputedRun]:
     """Simulate them in order, the first in any case, and begin no further one after `budget` [s].
 
     Runs of one point lie side by side and share its scenario, equal ones their result.
@@ -30,7 +37,7 @@ def run_chunk(base: JsonObject, schema_version: int, runs: Sequence[WaitingRun],
         if computed and time.perf_counter() > end:
             break
         if scenario is None or run.changes != changes:
-            changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version)
+            changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version, roads)
         begin, cacheable = time.perf_counter(), True
         try:
             status, summary = "ok", _summary(scenario, run.strategy)

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from backend.compute.workers import Workers
 from backend.errors import GoneError
 from backend.http.admission import Admission
+from backend.roads.service import Roads
 from backend.runs import exports, pins
 from backend.runs.results import Results
 from backend.runs.work import Outcome
@@ -18,11 +19,12 @@ FIGURE_POINTS = 2000
 class Histories:
     """Finds or makes time histories; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission) -> None:
+    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads) -> None:
         self._store = store
         self._workers = workers
         self._results = results
         self._admission = admission
+        self._roads = roads
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of those strategies whose time histories are there just as they were, or can be made so.
@@ -79,6 +81,7 @@ class Histories:
         if pinned is not None:
             with self._admission.computing(client, scenario, ()):  # a place, but next to no work
                 return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
+        scenario = await self._roads.on(scenario)
         with self._admission.computing(client, scenario, keys):
             return await self._workers.call(exports.render, scenario, export)
 

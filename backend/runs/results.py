@@ -9,6 +9,7 @@ from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.http.admission import Admission
 from backend.metrics import CACHE, count_run
+from backend.roads.service import Roads
 from backend.runs import work
 from backend.runs.memory import Memory
 from backend.runs.work import Outcome
@@ -27,11 +28,12 @@ class Result:
 class Results:
     """Finds or computes results; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, memory: Memory, admission: Admission) -> None:
+    def __init__(self, *, store: Store, workers: Workers, memory: Memory, admission: Admission, roads: Roads) -> None:
         self._store = store
         self._workers = workers
         self._memory = memory
         self._admission = admission
+        self._roads = roads
         self._flights: Flights[tuple[str, int | None], dict[str, Outcome]] = Flights()
 
     async def get(
@@ -47,7 +49,12 @@ class Results:
     async def on_roads(
         self, roads: Sequence[Scenario], names: Sequence[str], client: str, *, points: int | None
     ) -> list[dict[str, Result]]:
-        """The same on each of several roads, which differ in their seed alone; idle workers share them."""
+        """The same on each of several roads, which differ in their seed alone; idle workers share them.
+
+        Raises:
+            InvalidError: What is missing would be driven on a measured road that is not there, or too short.
+            TemporaryError: Too much is being computed.
+        """
         keys = [{name: digest.result_key(road, name) for name in names} for road in roads]
         stored: Mapping[str, StoredResult] = {}
         if points is None:
@@ -62,6 +69,7 @@ class Results:
         CACHE.labels("hit").inc(sum(map(len, results)))
         CACHE.labels("miss").inc(len(costly))
         if costly:
+            roads = [await self._roads.on(road) for road in roads]
             with self._admission.computing(client, roads[0], costly):
                 computed = await self._compute_roads(roads, missing, points)
             results = [cached | new for cached, new in zip(results, computed, strict=True)]

@@ -15,6 +15,7 @@ from backend.http.admission import Admission
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
 from backend.models import CreatedRun, LiveRun, Run
+from backend.roads.service import Roads
 from backend.runs import exports, figures, series
 from backend.runs.answers import created_answer, default_baseline, live_answer, run_answer
 from backend.runs.histories import Histories
@@ -36,11 +37,11 @@ logger = logging.getLogger(__name__)
 class Runs:
     """The one service of runs; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission) -> None:
+    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads) -> None:
         self._store = store
         self._results = results
         self._admission = admission
-        self._histories = Histories(store=store, workers=workers, results=results, admission=admission)
+        self._histories = Histories(store=store, workers=workers, results=results, admission=admission, roads=roads)
         self._store_usable = True
 
     async def store_usable(self) -> bool:

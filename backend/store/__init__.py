@@ -10,6 +10,7 @@ from backend.store.job_runs import JobRunStore
 from backend.store.jobs import JobStore
 from backend.store.links import LinkStore, StoredLink
 from backend.store.retention import RetentionStore
+from backend.store.roads import RoadStore
 from backend.store.runs import RunStore, StoredResult, StoredRun
 from backend.store.trials import TrialStore
 
@@ -22,6 +23,7 @@ class Store(Database):
     def __init__(self, url: str) -> None:
         super().__init__(url)
         self.runs = RunStore(self)
+        self.roads = RoadStore(self)
         self.jobs = JobStore(self)
         self.job_runs = JobRunStore(self)
         self.job_events = JobEventStore(self)

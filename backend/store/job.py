@@ -6,6 +6,7 @@ from typing import Literal
 
 from backend import digest
 from backend.json_types import JsonObject
+from backend.store.roads import measured_roads, swept_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION
 
@@ -64,6 +65,11 @@ class StoredJob:
     created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
     started_at: datetime | None = None
     finished_at: datetime | None = None
+
+    @property
+    def road_ids(self) -> set[str]:
+        """Of the measured roads that its request and its sweep name."""
+        return measured_roads(self.request["scenario"]) | swept_roads(self.sweep or {})
 
     @property
     def open_runs(self) -> int:

@@ -11,8 +11,8 @@ from typing import Any
 from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.database import Database
-from backend.db.tables import job_events, job_runs, jobs, links, trials
+from backend.db.database import Database, insert_new
+from backend.db.tables import job_events, job_roads, job_runs, jobs, links, trials
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
@@ -60,6 +60,8 @@ class JobStore:
                     .values(idempotency_key=None)
                 )
                 connection.execute(insert(jobs), row)
+                if job.road_ids:
+                    insert_new(connection, job_roads, [{"job_id": job.id, "road_id": each} for each in job.road_ids])
                 if runs:
                     connection.execute(insert(job_runs), [run.row(job.id) for run in runs])
                 add_event(connection, job.id, "state")
@@ -234,7 +236,7 @@ class JobStore:
             linked = connection.execute(select(links.c.slug).where(links.c.job_id.in_(ids)).limit(1)).first()
             if linked is not None or any(member.state in UNFINISHED for member in members):
                 return False
-            for table in (job_runs, job_events, trials):
+            for table in (job_runs, job_roads, job_events, trials):
                 connection.execute(delete(table).where(table.c.job_id.in_(ids)))
             connection.execute(delete(jobs).where(jobs.c.parent_id == job_id))
             connection.execute(delete(jobs).where(jobs.c.id == job_id))

@@ -1,4 +1,4 @@
-"""What is removed when it is old: jobs that nobody named or linked, and results that nothing shows.
+"""What is removed when it is old: jobs that nobody named or linked, results that nothing shows, roads nobody names.
 
 A run stays with its scenario and its strategies, so that it can be computed again; of its results the summaries go.
 """
@@ -8,11 +8,23 @@ from datetime import datetime
 from sqlalchemy import Select, and_, delete, exists, func, or_, select, update
 
 from backend.db.database import Database
-from backend.db.tables import job_events, job_runs, jobs, links, pinned_series, results, run_results, trials
+from backend.db.tables import (
+    job_events,
+    job_roads,
+    job_runs,
+    jobs,
+    links,
+    pinned_series,
+    results,
+    roads,
+    run_results,
+    run_roads,
+    trials,
+)
 from backend.store.job import FINAL
 from backend.store.runs import EXPIRED
 
-PAGE = 500  # jobs or results in one transaction
+PAGE = 500  # jobs, results or roads in one transaction
 
 
 class RetentionStore:
@@ -23,7 +35,7 @@ class RetentionStore:
 
     def size(self) -> int:
         """Results, pinned time histories and rows of jobs [bytes]; what the database needs beside them comes on top."""
-        columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep)
+        columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep, roads.c.content)
         with self._database.reading() as connection:
             sizes = [
                 connection.execute(select(func.coalesce(func.sum(func.length(column)), 0))).scalar_one()
@@ -36,7 +48,7 @@ class RetentionStore:
         with self._database.reading() as connection:
             pages = [
                 connection.execute(select(func.max(page.c.created))).scalar_one()
-                for page in (_removable_jobs(None).subquery(), _removable_results(None).subquery())
+                for page in (each(None).subquery() for each in (_removable_jobs, _removable_results, _removable_roads))
             ]
         return min((created for created in pages if created is not None), default=None)
 
@@ -46,7 +58,7 @@ class RetentionStore:
             ids = list(connection.execute(select(_removable_jobs(before).subquery().c.id)).scalars())
             family = select(jobs.c.id).where(or_(jobs.c.id.in_(ids), jobs.c.parent_id.in_(ids)))
             members = list(connection.execute(family).scalars())
-            for table in (job_runs, job_events, trials):
+            for table in (job_runs, job_roads, job_events, trials):
                 connection.execute(delete(table).where(table.c.job_id.in_(members)))
             connection.execute(delete(jobs).where(jobs.c.parent_id.in_(ids)))
             connection.execute(delete(jobs).where(jobs.c.id.in_(ids)))
@@ -66,6 +78,20 @@ class RetentionStore:
             )
             connection.execute(delete(results).where(results.c.key.in_(set(keys) - set(in_use))))
         return len(keys)
+
+    def remove_roads(self, before: datetime) -> int:
+        """Remove a page of roads stored before then that no run and no job names; how many."""
+        with self._database.writing() as connection:
+            ids = list(connection.execute(select(_removable_roads(before).subquery().c.id)).scalars())
+            connection.execute(delete(roads).where(roads.c.id.in_(ids)))
+        return len(ids)
+
+
+def _removable_roads(before: datetime | None) -> Select[tuple[str, datetime]]:
+    query = select(roads.c.id, roads.c.created_at.label("created")).where(
+        ~exists().where(run_roads.c.road_id == roads.c.id), ~exists().where(job_roads.c.road_id == roads.c.id)
+    )
+    return (query if before is None else query.where(roads.c.created_at < before)).order_by("created").limit(PAGE)
 
 
 def _removable_jobs(before: datetime | None) -> Select[tuple[str, datetime]]:

@@ -10,8 +10,9 @@ from sqlalchemy import Connection, Row, delete, insert, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
-from backend.db.tables import results, run_results, runs
+from backend.db.tables import results, run_results, run_roads, runs
 from backend.json_types import JsonObject
+from backend.store.roads import measured_roads
 
 EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
 
@@ -98,6 +99,8 @@ class RunStore:
             insert_results(connection, [_result_row(item, run.core_version) for item in run.results])
             insert_new(connection, runs, [{column.name: getattr(run, column.name) for column in runs.c}])
             insert_new(connection, run_results, _members(run.id, run.results))
+            for road in measured_roads(run.scenario):
+                insert_new(connection, run_roads, [{"run_id": run.id, "road_id": road}])
             stored = _load_run(connection, run.id)
         if stored is None:
             raise RuntimeError("A run was not there right after it was stored")

@@ -11,11 +11,13 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
+from sim_core.errors import RidelabError
 from sim_core.scenario import Bump, Road
+from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
 CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded
-GRID = 0.01  # distance between roughness samples [m]
+GRID = SPACING  # distance between roughness samples [m]
 RUN_IN = 20.0  # driven before x = 0, so that the car has met the road when the record starts [m]
 _BEFORE = 45.0  # road made before x = 0 [m]: run-in, longest wheelbase, one control step
 _AFTER = 1.0  # road made beyond its end [m]; further on it stays level
@@ -192,6 +194,30 @@ def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, 
     return samples, rise
 
 
+@cached
+def _measured(measured: MeasuredRoad, length: float) -> tuple[FloatArray, FloatArray]:
+    """The same of a measured road: level before its first height."""
+    heights, before = measured.heights(), round(_BEFORE / GRID)
+    samples = np.full(grid_samples(length), heights[-1])
+    samples[:before] = heights[0]
+    count = min(len(heights), len(samples) - before)
+    samples[before : before + count] = heights[:count]
+    rise = samples[1:] - samples[:-1]
+    samples.flags.writeable = rise.flags.writeable = False
+    return samples, rise
+
+
 def profile(road: Road) -> RoadProfile:
-    """The road of a scenario."""
-    return RoadProfile(*_roughness(road.roughness, road.seed, road.length), road.bump)
+    """The road of a scenario.
+
+    Raises:
+        RidelabError: It names a measured road whose heights nobody handed over, or that is shorter.
+    """
+    if road.profile is None:
+        return RoadProfile(*_roughness(road.roughness, road.seed, road.length), road.bump)
+    if road.measured is None:
+        raise RidelabError("The measured road of this id is not here", field="road.profile")
+    if road.length > road.measured.length:
+        message = f"The measured road is {road.measured.length:g} m long: the road's length can be at most that"
+        raise RidelabError(message, field="road.length")
+    return RoadProfile(*_measured(road.measured, road.length), road.bump)

@@ -163,7 +163,7 @@ def fine_step(scenario: Scenario, strategy: Strategy) -> float:
     lagging = strategy.suspension is not SuspensionPolicy.PASSIVE and scenario.actuator.bandwidth is not None
     if strategy.speed is SpeedPolicy.PLANNED and not lagging:
         held = min(held, speed.target_speed_kmh)
-    over_grid = GRID / (held * KMH) if scenario.road.roughness else COARSEST
+    over_grid = COARSEST if scenario.road.is_smooth else GRID / (held * KMH)
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
 
 

@@ -14,7 +14,7 @@ from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weight
 
-Kind = Literal["number", "integer", "switch", "choice", "weights"]
+Kind = Literal["number", "integer", "switch", "choice", "text", "weights"]
 _CONFIG = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
@@ -128,6 +128,8 @@ def _kind(annotation: Any) -> Kind:
         return "switch"
     if get_args(annotation) and all(isinstance(each, str) for each in get_args(annotation)):
         return "choice"
+    if str in types:
+        return "text"
     if float in types:
         return "number"
     return "integer" if int in types else "weights"

@@ -7,11 +7,12 @@ and section 3) unless the description says "ours"; docs/physics.md gives each on
 
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 from pydantic_core import PydanticCustomError
 
 from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
+from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 from sim_core.scenario.vehicle import Vehicle
 
 SCHEMA_VERSION = 1
@@ -86,7 +87,9 @@ _BY_CLASS = BeforeValidator(
 
 
 class Road(Part):
-    """Rough road made in space by ISO 8608, with bumps (section 2.1)."""
+    """Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1)."""
+
+    ADDED: ClassVar = frozenset({"profile"})
 
     roughness: Annotated[float, _BY_CLASS] = quantity(
         64e-6,
@@ -108,7 +111,24 @@ class Road(Part):
         ge=5,
         le=3000,
     )
+    profile: str | None = Field(
+        None,
+        pattern=ID_PATTERN,
+        title="Measured profile",
+        description="Id of a measured road, which stands in place of roughness and seed; none is a made one.",
+    )
     bump: Bump = Bump()
+    _measured: MeasuredRoad | None = PrivateAttr(None)
+
+    @property
+    def measured(self) -> MeasuredRoad | None:
+        """The heights of `profile`, where somebody handed them over (`Scenario.on`)."""
+        return self._measured
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether there is nothing but the bumps."""
+        return self.profile is None and not self.roughness
 
 
 class Speed(Part):
@@ -311,6 +331,12 @@ class Scenario(Part):
     lqr: Lqr = Field(Lqr(), title="LQR")
     hook: Hook = Field(Hook(), title="Skyhook and groundhook")
     hil: Hil = Field(Hil(), title="Hardware in the loop")
+
+    def on(self, measured: MeasuredRoad) -> "Scenario":
+        """The scenario with the heights of its `road.profile`: no name of a road holds any, and the core reads none."""
+        road = self.road.model_copy()
+        road._measured = measured
+        return self.model_copy(update={"road": road})
 
     @property
     def real_vehicle(self) -> Vehicle:

@@ -35,7 +35,7 @@ values = ["{link}"]
 include-operation-id = [
     "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getRunReport",
     "getBatchTable", "getBatchSummary",
-    "exportController", "reportController", "driveByClock", "makeHalfCar",
+    "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
 checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]

@@ -24,14 +24,14 @@ def waiting(*heights: float, strategy: str = "passive") -> list[WaitingRun]:
 
 
 def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
-    computed = work.run_chunk(BASE, 1, waiting(0.05, 0.05, 0.08), 60)
+    computed = work.run_chunk(BASE, 1, waiting(0.05, 0.05, 0.08), {}, 60)
     assert [run.key for run in computed] == [waiting(0.05)[0].key, waiting(0.08)[0].key]
     peaks = [json.loads(run.summary)["metrics"]["bump"]["body_acceleration"]["peak"] for run in computed]
     assert peaks[1] == pytest.approx(1.6 * peaks[0], rel=0.2), "the passive car is linear, the road adds a little"
 
 
 def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
-    assert len(work.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), 0)) == 1
+    assert len(work.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), {}, 0)) == 1
 
 
 def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -39,7 +39,7 @@ def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: 
         raise TooExpensiveError("Too many steps", fields=("road.length",))
 
     monkeypatch.setattr(work, "simulate", refuse)
-    (run,) = work.run_chunk(BASE, 1, waiting(0.05), 60)
+    (run,) = work.run_chunk(BASE, 1, waiting(0.05), {}, 60)
     assert (run.status, run.cacheable) == ("failed", True)
     assert json.loads(run.summary) == {
         "reason": "Too many steps; change road.length",

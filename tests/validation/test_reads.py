@@ -12,6 +12,7 @@ import pytest
 from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Hil, Lqr, Mpc, Road, Scenario, Speed
+from sim_core.scenario.measured import MeasuredRoad
 from sim_core.strategies import STRATEGIES, part_read
 
 ROOT = Path(__file__).parents[2]
@@ -24,6 +25,7 @@ BASE = Scenario(
     lqr=Lqr(preview="lookahead", preview_horizon=12),
     hil=Hil(bits=24, iterations=2, noise=0.002, jitter=0.004, packet_loss=0.05),
 )
+MEASURED = MeasuredRoad.of(np.linspace(0, 0.2, 5000) ** 2)
 OTHER = {
     "cosine": "half_sine",
     "lookahead": "wheelbase",
@@ -59,6 +61,9 @@ def altered(value: Any) -> Any:
 def with_leaf(path: tuple[str, ...]) -> Scenario:
     """The base scenario with that one field changed."""
     document = json.loads(BASE.model_dump_json())
+    if path == ("road", "profile"):
+        document["road"]["profile"] = MEASURED.id
+        return Scenario.model_validate(document).on(MEASURED)
     place = document
     for key in path[:-1]:
         place = place[key]

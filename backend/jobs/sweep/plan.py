@@ -2,7 +2,7 @@
 
 import statistics
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import orjson
@@ -15,11 +15,13 @@ from backend.jobs.sweep.sweeps import Sweep, points
 from backend.json_types import JsonObject
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
+from sim_core.scenario.measured import MeasuredRoad
 from sim_core.scenario.versions import restored
 from sim_core.workload import estimate
 
 PILOTS = 5  # runs tried to tell how long a batch takes
 PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried
+NO_ROADS: Mapping[str, MeasuredRoad] = {}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,15 +46,25 @@ class Plan:
         return sum(run.key is None for run in self.runs)
 
 
-def scenario_at(base: JsonObject, changes: JsonObject, schema_version: int = SCHEMA_VERSION) -> Scenario:
-    """The scenario of one point; fields have the names they had under that schema version.
+def scenario_at(
+    base: JsonObject,
+    changes: JsonObject,
+    schema_version: int = SCHEMA_VERSION,
+    roads: Mapping[str, MeasuredRoad] = NO_ROADS,
+) -> Scenario:
+    """The scenario of one point, on its measured road where `roads` has it.
+
+    Fields have the names they had under that schema version.
 
     Raises:
         NewerScenarioError: A newer version of Ridelab stored it.
         ValidationError: Its fields contradict each other.
     """
     changed = dotted.with_changes(base, changes)
-    return Scenario.model_validate(changed) if schema_version == SCHEMA_VERSION else restored(changed, schema_version)
+    current = schema_version == SCHEMA_VERSION
+    scenario = Scenario.model_validate(changed) if current else restored(changed, schema_version)
+    road = roads.get(scenario.road.profile or "")
+    return scenario if road is None else scenario.on(road)
 
 
 def rekeyed(
@@ -103,14 +115,16 @@ def contradiction(error: ValidationError) -> str:
     return f"{field}: {first['msg']}" if field else str(first["msg"])
 
 
-def pilot(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> float | None:
+def pilot(
+    base: JsonObject, strategies: Sequence[str], sweep: Sweep, roads: Mapping[str, MeasuredRoad] = NO_ROADS
+) -> float | None:
     """Time of one point under all strategies [s], the median of some tried ones; None where trying takes too long."""
     _, every_point = points(sweep, base)
     times = []
     step = max(1, len(every_point) // PILOTS)
     for changes in every_point[step // 2 :: step][:PILOTS]:
         try:
-            scenario = scenario_at(base, changes)
+            scenario = scenario_at(base, changes, roads=roads)
             if max(estimate(scenario, name) for name in strategies) > PILOT_LIMIT:
                 return None
             begin = time.perf_counter()

@@ -14,12 +14,15 @@ from backend.jobs.sweep.summaries import Summaries
 from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
 from backend.json_types import JsonObject
+from backend.roads.service import Roads
 from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
 from backend.store.job_runs import JobRow
+from backend.store.roads import measured_roads, swept_roads
 from sim_core.scenario import Scenario
+from sim_core.scenario.measured import MeasuredRoad
 
 PAGE = 250  # rows read in one transaction
 PLAN_COST = 0.0002  # of one run [s of one core]
@@ -36,18 +39,27 @@ class Sweeps:
         background: Processes for longer planning and summaries, so that these delay no interactive run.
         admission: What is accepted at once.
         settings: Of the service.
+        roads: The measured ones.
     """
 
     def __init__(
-        self, *, store: Store, workers: Workers, background: Workers, admission: Admission, settings: Settings
+        self,
+        *,
+        store: Store,
+        workers: Workers,
+        background: Workers,
+        admission: Admission,
+        settings: Settings,
+        roads: Roads,
     ) -> None:
         self.jobs = Jobs("sweep", store=store, admission=admission, settings=settings)
         self._store = store
         self._workers = workers
         self._background = background
         self._admission = admission
+        self._roads = roads
         self._settings = settings
-        self._summaries = Summaries(rows=self.rows, call=self._call, admission=admission)
+        self._summaries = Summaries(rows=self.rows, call=self._call, admission=admission, roads=roads)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """What that batch would be.
@@ -57,8 +69,10 @@ class Sweeps:
         """
         names, base = ordered(strategies), scenario.model_dump(mode="json")
         planned = await self._planned(base, names, sweep, client)
+        roads = await self._named_roads(base, _sent(sweep))
         with self._admission.computing(client, scenario, names):
-            seconds = await self._call(plan.PILOTS * len(names) * planned.max_run_cost, plan.pilot, base, names, sweep)
+            cost = plan.PILOTS * len(names) * planned.max_run_cost
+            seconds = await self._call(cost, plan.pilot, base, names, sweep, roads)
         points = len(planned.runs) // len(names)
         if seconds is not None:
             seconds *= points / self._settings.batch_workers
@@ -102,11 +116,12 @@ class Sweeps:
             TemporaryError: Too much is waiting.
         """
         names, base = ordered(strategies), scenario.model_dump(mode="json")
-        sent = sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
+        sent = _sent(sweep)
         hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
+        await self._named_roads(base, sent)
         self._check_size(sweep, names)
         await self.jobs.check_room()
         planned = await self._planned(base, names, sweep, client)
@@ -190,6 +205,15 @@ class Sweeps:
             yield rows
             last = rows[-1].position
 
+    async def _named_roads(self, base: JsonObject, sent: JsonObject) -> dict[str, MeasuredRoad]:
+        """The measured roads that scenario and sweep name.
+
+        Raises:
+            InvalidError: One is not there.
+        """
+        of_base = await self._roads.named(measured_roads(base))
+        return {**of_base, **await self._roads.named(swept_roads(sent), "/sweep")}
+
     async def _planned(self, base: JsonObject, names: Sequence[str], sweep: Sweep, client: str) -> plan.Plan:
         self._check_size(sweep, names)
         try:
@@ -227,6 +251,11 @@ class Sweeps:
         """What is computed of other jobs before a new one of that cost ends, all taking turns [s of one core]."""
         unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
         return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
+
+
+def _sent(sweep: Sweep) -> JsonObject:
+    """The sweep as it was sent."""
+    return sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
 
 
 def _too_big(message: str) -> CostLimitError:

@@ -14,6 +14,7 @@ from backend.compute.flights import Flights
 from backend.errors import InvalidError
 from backend.http.admission import Admission
 from backend.jobs.sweep.models import BatchSummary
+from backend.roads.service import Roads
 from backend.store import StoredJob
 from backend.store.job import FINAL
 from backend.store.job_runs import JobRow
@@ -45,6 +46,7 @@ class Summaries:
         rows: A batch's rows, page by page, by its id.
         call: Runs a function of that cost [s of one core] in a process.
         admission: What is accepted at once.
+        roads: The measured roads.
     """
 
     def __init__(
@@ -53,10 +55,12 @@ class Summaries:
         rows: Callable[[str], AsyncIterator[list[JobRow]]],
         call: Callable[..., Awaitable[Any]],
         admission: Admission,
+        roads: Roads,
     ) -> None:
         self._rows = rows
         self._call = call
         self._admission = admission
+        self._roads = roads
         self._cached: LRUCache[tuple[str, ...], CachedSummary] = LRUCache(CACHED)
         self._flights: Flights[tuple[str | int, ...], BatchSummary] = Flights()
 
@@ -80,9 +84,10 @@ class Summaries:
         begin = time.perf_counter()
         cost = COST * ended
         rows, call = self._rows(job.id), partial(self._call, cost)
+        measured = await self._roads.named(job.road_ids)
         with self._admission.background(client, cost):
             answer = await self._flights.join(
-                (*key, ended), partial(reading.summarised, job, rows, call, figures, against)
+                (*key, ended), partial(reading.summarised, job, rows, call, figures, against, measured)
             )
         until = clock() + REUSE * (time.perf_counter() - begin)
         self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)

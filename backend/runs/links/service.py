@@ -12,6 +12,7 @@ from backend.errors import InvalidError, NotFoundError
 from backend.http.admission import Admission
 from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
+from backend.roads.service import Roads
 from backend.runs import pins
 from backend.runs.answers import run_answer
 from backend.runs.links import preview
@@ -26,11 +27,12 @@ from sim_core.scenario import Scenario
 class Links:
     """The one service of links; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, runs: Runs, admission: Admission) -> None:
+    def __init__(self, *, store: Store, workers: Workers, runs: Runs, admission: Admission, roads: Roads) -> None:
         self._runs = runs
         self._store = store
         self._workers = workers
         self._admission = admission
+        self._roads = roads
 
     async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
         """A new link to a run; its time histories are pinned with it.
@@ -104,6 +106,7 @@ class Links:
         if not missing or stored.core_version != CORE_VERSION:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
+        scenario = await self._roads.on(scenario)
         with self._admission.computing(client, scenario, missing):
             series = await self._workers.call(pins.make, scenario, list(missing))
         return {missing[name]: content for name, content in series.items()}

@@ -483,6 +483,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/roads": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Road
+         * @description Store a measured profile: distance and height, or left and right height, each column's unit in the header.
+         */
+        post: operations["createRoad"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/roads/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Road
+         * @description A measured road; it never changes.
+         */
+        get: operations["getRoad"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/robustness": {
         parameters: {
             query?: never;
@@ -2235,6 +2275,37 @@ export interface components {
             url: string;
         };
         /**
+         * CreatedRoad
+         * @description A road that was sent.
+         */
+        CreatedRoad: {
+            /**
+             * Bumps
+             * @description The largest first
+             */
+            bumps: components["schemas"]["FoundBumpAnswer"][];
+            /**
+             * Id
+             * @description For `road.profile` of a scenario; equal heights have equal ids
+             */
+            id: string;
+            /**
+             * Length
+             * @description Greatest `road.length` on it [m]
+             */
+            length: number;
+            /**
+             * Samples
+             * @description Heights, 10 mm apart
+             */
+            samples: number;
+            /**
+             * Warnings
+             * @description What was done to the file, and what may be wrong with it
+             */
+            warnings: string[];
+        };
+        /**
          * CreatedRoadsRun
          * @description A run over several roads as the request that made it sees it.
          */
@@ -2522,6 +2593,27 @@ export interface components {
             quantiles: number[] | null;
             /** Sensitivity */
             sensitivity: components["schemas"]["Sensitivity"][];
+        };
+        /**
+         * FoundBumpAnswer
+         * @description A bump in the profile; with height 0 a scenario's bump there has the car brake for it, and nothing is added.
+         */
+        FoundBumpAnswer: {
+            /**
+             * Height
+             * @description Above the road around it, negative in a pothole [m]
+             */
+            height: number;
+            /**
+             * Start
+             * @description Where it begins [m]
+             */
+            start: number;
+            /**
+             * Width
+             * @description [m]
+             */
+            width: number;
         };
         /**
          * Generation
@@ -3859,7 +3951,7 @@ export interface components {
         };
         /**
          * Road
-         * @description Rough road made in space by ISO 8608, with bumps (section 2.1).
+         * @description Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1).
          */
         "Road-Input": {
             /**
@@ -3880,6 +3972,11 @@ export interface components {
              */
             length: number;
             /**
+             * Measured profile
+             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one.
+             */
+            profile?: string | null;
+            /**
              * Roughness
              * @description Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.
              * @default 0.000064
@@ -3894,7 +3991,7 @@ export interface components {
         };
         /**
          * Road
-         * @description Rough road made in space by ISO 8608, with bumps (section 2.1).
+         * @description Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1).
          */
         "Road-Output": {
             /**
@@ -3915,6 +4012,11 @@ export interface components {
              */
             length: number;
             /**
+             * Measured profile
+             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one.
+             */
+            profile?: string | null;
+            /**
              * Roughness
              * @description Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.
              * @default 0.000064
@@ -3926,6 +4028,42 @@ export interface components {
              * @default 1
              */
             seed: number;
+        };
+        /**
+         * RoadAnswer
+         * @description A road with heights.
+         */
+        RoadAnswer: {
+            /**
+             * Bumps
+             * @description The largest first
+             */
+            bumps: components["schemas"]["FoundBumpAnswer"][];
+            /**
+             * Distance
+             * @description About as many as asked for, peaks among them [m]
+             */
+            distance: number[];
+            /**
+             * Height
+             * @description There [m]
+             */
+            height: number[];
+            /**
+             * Id
+             * @description For `road.profile` of a scenario; equal heights have equal ids
+             */
+            id: string;
+            /**
+             * Length
+             * @description Greatest `road.length` on it [m]
+             */
+            length: number;
+            /**
+             * Samples
+             * @description Heights, 10 mm apart
+             */
+            samples: number;
         };
         /**
          * RoadsResult
@@ -5926,7 +6064,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6047,7 +6185,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6057,7 +6195,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6144,7 +6282,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6238,7 +6376,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6348,7 +6486,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6358,7 +6496,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6434,7 +6572,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6522,7 +6660,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6615,7 +6753,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6701,7 +6839,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6782,7 +6920,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6872,7 +7010,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6935,7 +7073,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7022,7 +7160,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7032,7 +7170,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7140,7 +7278,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7150,7 +7288,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7258,7 +7396,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7268,7 +7406,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7342,7 +7480,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7429,7 +7567,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7439,7 +7577,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7536,7 +7674,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7633,7 +7771,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7643,7 +7781,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7747,7 +7885,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7757,7 +7895,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7842,7 +7980,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7852,7 +7990,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7933,7 +8071,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7943,7 +8081,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8024,7 +8162,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8103,7 +8241,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8182,7 +8320,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8261,7 +8399,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8363,7 +8501,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8437,7 +8575,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8450,6 +8588,200 @@ export interface operations {
             /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    createRoad: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example distance [m],height [mm]
+                 *     0,0
+                 *     5,12
+                 *     10,3
+                 */
+                "text/csv": string;
+            };
+        };
+        responses: {
+            /** @description Store a measured profile: distance and height, or left and right height, each column's unit in the header. */
+            201: {
+                headers: {
+                    Location: components["headers"]["Location"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CreatedRoad"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
+            408: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            413: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
+            415: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
+            429: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getRoad: {
+        parameters: {
+            query?: {
+                /** @description About how many heights */
+                points?: number;
+            };
+            header?: never;
+            path: {
+                /** @description Of the road */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description A measured road; it never changes. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["RoadAnswer"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
                     "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
@@ -8499,7 +8831,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8596,7 +8928,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8606,7 +8938,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8703,7 +9035,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8792,7 +9124,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8896,7 +9228,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8989,7 +9321,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9100,7 +9432,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9176,7 +9508,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9228,7 +9560,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9299,7 +9631,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9420,7 +9752,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9430,7 +9762,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9517,7 +9849,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9611,7 +9943,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9721,7 +10053,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9731,7 +10063,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9807,7 +10139,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9895,7 +10227,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9995,7 +10327,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10071,7 +10403,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10134,7 +10466,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10220,7 +10552,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json. */
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
             415: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10230,7 +10562,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run or a batch that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];

@@ -1,0 +1,45 @@
+"""Measured roads: sent as CSV, given back."""
+
+from typing import Annotated
+
+from fastapi import Path, Query, Request, Response
+
+from backend.api import API, router
+from backend.api.deps import Client, part_of_application
+from backend.http.routing import CsvRoute
+from backend.models import MAX_POINTS
+from backend.roads.models import CreatedRoad, RoadAnswer
+from backend.roads.service import Roads
+
+surveying = router("roads", 408, 413, 415, 429, 503, route_class=CsvRoute)
+roads = router("roads", 404, 503)
+EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
+
+
+RoadsService = Annotated[Roads, part_of_application("roads")]
+
+
+@surveying.post(
+    "/roads",
+    operation_id="createRoad",
+    status_code=201,
+    response_model=CreatedRoad,
+    openapi_extra={
+        "requestBody": {"required": True, "content": {"text/csv": {"schema": {"type": "string"}, "example": EXAMPLE}}}
+    },
+)
+async def create_road(request: Request, response: Response, service: RoadsService, client: Client) -> CreatedRoad:
+    """Store a measured profile: distance and height, or left and right height, each column's unit in the header."""
+    created = await service.create(await request.body(), client)
+    response.headers["Location"] = f"{API}/roads/{created.id}"
+    return created
+
+
+@roads.get("/roads/{id}", operation_id="getRoad", response_model=RoadAnswer)
+async def get_road(
+    service: RoadsService,
+    road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
+    points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="About how many heights")] = 2000,
+) -> RoadAnswer:
+    """A measured road; it never changes."""
+    return await service.get(road_id, points)

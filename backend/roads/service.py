@@ -1,0 +1,111 @@
+"""Measured roads: taken in, given back, and handed to what drives them."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict
+
+import numpy as np
+
+from backend.compute.workers import Workers
+from backend.errors import InvalidError, NotFoundError
+from backend.http.admission import Admission
+from backend.http.limits import ConcurrencyLimit
+from backend.roads import survey
+from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
+from backend.store import Store
+from sim_core.car.measuring import FoundBump, bumps_in
+from sim_core.scenario import Scenario
+from sim_core.scenario.measured import SPACING, MeasuredRoad
+
+READING = 1.0  # a file of the longest kind [s of one core]
+POINTER = "/scenario/road/profile"
+
+
+class Roads:
+    """The one service of measured roads; its methods belong to the event loop."""
+
+    def __init__(self, *, store: Store, workers: Workers, admission: Admission) -> None:
+        self._store = store
+        self._workers = workers
+        self._admission = admission
+        self._reading = ConcurrencyLimit(what="road files", per_client=1, total=2)
+
+    async def create(self, content: bytes, client: str) -> CreatedRoad:
+        """Read a CSV file and store its road.
+
+        Raises:
+            InvalidError: It is none; the message has the line.
+            TemporaryError: Too much is being read.
+        """
+        with self._reading.acquired(client), self._admission.background(client, READING):
+            try:
+                found = await self._workers.call(survey.read, content)
+            except survey.SurveyError as error:
+                raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
+        await self._store.write(self._store.roads.save, found.road)
+        road = found.road
+        return CreatedRoad(
+            id=road.id, length=road.length, samples=road.samples, bumps=_bumps(found.bumps), warnings=found.warnings
+        )
+
+    async def get(self, road_id: str, points: int) -> RoadAnswer:
+        """The stored road with about so many of its heights.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        road = (await self._store.read(self._store.roads.load, [road_id])).get(road_id)
+        if road is None:
+            raise NotFoundError("There is no measured road of this id.")
+        distance, height, bumps = await self._workers.call(drawn, road, points)
+        return RoadAnswer(
+            id=road.id,
+            length=road.length,
+            samples=road.samples,
+            bumps=_bumps(bumps),
+            distance=distance,
+            height=height,
+        )
+
+    async def on(self, scenario: Scenario) -> Scenario:
+        """The scenario with the heights of the measured road it names.
+
+        Raises:
+            InvalidError: There is no such road, or it is shorter than the scenario's.
+        """
+        profile = scenario.road.profile
+        if profile is None:
+            return scenario
+        road = (await self.named([profile]))[profile]
+        if scenario.road.length > road.length:
+            message = f"The measured road is {road.length:g} m long: the road's length can be at most that"
+            raise InvalidError(f"{message}.", pointer="/scenario/road/length")
+        return scenario.on(road)
+
+    async def named(self, ids: Iterable[str], pointer: str = POINTER) -> Mapping[str, MeasuredRoad]:
+        """The roads of these ids.
+
+        Raises:
+            InvalidError: One is not there.
+        """
+        wanted = set(ids)
+        found: dict[str, MeasuredRoad] = await self._store.read(self._store.roads.load, wanted) if wanted else {}
+        if wanted - found.keys():
+            raise InvalidError("There is no measured road of this id.", kind="unknown", pointer=pointer)
+        return found
+
+
+def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[FoundBump]]:
+    """About so many of its heights, the highest and the lowest of each stretch, at their distances; and its bumps."""
+    heights = road.heights()
+    each = max(1, -(-2 * len(heights) // points))
+    cut = len(heights) // each * each
+    stretches = heights[:cut].reshape(-1, each)
+    first = np.arange(0, cut, each)
+    kept = np.unique(
+        np.concatenate([first + stretches.argmin(axis=1), first + stretches.argmax(axis=1), [len(heights) - 1]])
+    )
+    return (kept * SPACING).round(2).tolist(), heights[kept].tolist(), bumps_in(heights)
+
+
+def _bumps(found: Iterable[FoundBump]) -> list[FoundBumpAnswer]:
+    return [FoundBumpAnswer(**asdict(each)) for each in found]

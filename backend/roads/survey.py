@@ -1,0 +1,175 @@
+"""A surveyed profile as CSV: read line by line, checked, made a road. Runs in a worker: no web here."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.car.measuring import CONTACT, FoundBump, bumps_in, surveyed
+from sim_core.scenario.measured import SPACING, MeasuredRoad
+
+MAX_BYTES = 4 * 1024 * 1024
+MAX_LENGTH, MIN_LENGTH = 3000.0, 5.0  # of a road [m]
+MAX_LINES = 350_000  # a height every 9 mm on the longest road
+MAX_LINE = 500  # characters
+MAX_GAP = 5.0  # between two heights [m]
+WIDE_GAP = 0.25  # beyond which a warning says what is missing [m]
+HILLY = 1.0  # heights beyond this, without the slope, may be in another unit [m]
+
+UNITS = {
+    "m": 1.0,
+    "km": 1000.0,
+    "cm": 0.01,
+    "mm": 0.001,
+    "um": 1e-6,
+    "µm": 1e-6,
+    "μm": 1e-6,
+    "ft": 0.3048,
+    "in": 0.0254,
+}
+DISTANCE = ("distance", "position", "station", "x", "s")
+HEIGHT = ("height", "elevation", "z", "profile")
+LEFT, RIGHT = ("left", "left_height", "left height", "z_left"), ("right", "right_height", "right height", "z_right")
+FORM = (
+    "The header names the columns with their units: distance [m], height [mm], or distance [m], left [mm], right [mm]"
+)
+
+
+class SurveyError(Exception):
+    """The file is no road.
+
+    Args:
+        message: Why.
+        line: Where, the first being 1.
+    """
+
+    def __init__(self, message: str, line: int) -> None:
+        super().__init__(message, line)
+        self.message = message
+        self.line = line
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Survey:
+    """What became of a file: the road, the bumps in it, and what was done to it or may be wrong with it."""
+
+    road: MeasuredRoad
+    bumps: list[FoundBump]
+    warnings: list[str] = field(default_factory=list)
+
+
+def read(content: bytes) -> Survey:
+    """The road of a CSV file.
+
+    Raises:
+        SurveyError: It is none; `line` is where.
+    """
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise SurveyError("This is not UTF-8", content.count(b"\n", 0, error.start) + 1) from None
+    lines = _lines(text)
+    number, head = next(lines, (1, ""))
+    separator = next((each for each in ("\t", ";", ",") if each in head), ",")
+    scales, order = _columns([name.strip() for name in head.split(separator)], number)
+    numbers, table = _table(lines, separator, len(scales))
+    columns = [table[:, index] * scale for index, scale in enumerate(scales)]
+    distance, tracks = columns[order[0]], [columns[index] for index in order[1:]]
+    _check_distances(distance, numbers)
+    return _survey(distance, tracks)
+
+
+def _lines(text: str) -> Iterator[tuple[int, str]]:
+    """Line numbers and lines, without empty ones and comments (#)."""
+    start, number = 0, 0
+    while start < len(text):
+        end = text.find("\n", start)
+        end = len(text) if end < 0 else end
+        number += 1
+        if number > MAX_LINES:
+            raise SurveyError(f"The file may have {MAX_LINES} lines", number)
+        if end - start > MAX_LINE:
+            raise SurveyError(f"A line may have {MAX_LINE} characters", number)
+        line = text[start:end].strip()
+        if line and not line.startswith("#"):
+            yield number, line
+        start = end + 1
+
+
+def _columns(names: Sequence[str], line: int) -> tuple[list[float], list[int]]:
+    """Each column's unit in metres, and the columns of distance and height, or left and right height."""
+    titles, scales = [], []
+    for name in names:
+        title, bracket, unit = name.replace("(", "[").replace(")", "]").partition("[")
+        unit = unit.strip().removesuffix("]").strip().lower()
+        if not bracket or unit not in UNITS:
+            raise SurveyError(f"{FORM}; units are {', '.join(dict.fromkeys(UNITS))}", line)
+        titles.append(title.strip().strip('"').strip().lower())
+        scales.append(UNITS[unit])
+    for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT)):
+        found = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
+        if len(titles) == len(wanted) and all(len(each) == 1 for each in found):
+            return scales, [each[0] for each in found]
+    raise SurveyError(FORM, line)
+
+
+def _table(lines: Iterator[tuple[int, str]], separator: str, columns: int) -> tuple[list[int], FloatArray]:
+    """Line numbers and values (lines, columns)."""
+    numbers, rows = [], []
+    for number, line in lines:
+        cells = line.split(separator)
+        if len(cells) != columns:
+            raise SurveyError(f"The header has {columns} columns and this line {len(cells)}", number)
+        try:
+            row = (
+                [float(cell.replace(",", ".")) for cell in cells]
+                if separator == ";"
+                else [float(cell) for cell in cells]
+            )
+        except ValueError:
+            raise SurveyError("A value is not a number", number) from None
+        if not all(map(math.isfinite, row)):
+            raise SurveyError("A value is not a finite number", number)
+        numbers.append(number)
+        rows.append(row)
+    if len(rows) < 2:
+        raise SurveyError("A road has two heights at least", numbers[-1] if numbers else 1)
+    return numbers, np.array(rows)
+
+
+def _check_distances(distance: FloatArray, numbers: Sequence[int]) -> None:
+    steps = np.diff(distance)
+    back, far = np.flatnonzero(steps <= 0), np.flatnonzero(steps > MAX_GAP)
+    if len(back):
+        what = "goes back" if steps[back[0]] < 0 else "stands still"
+        raise SurveyError(f"The distance {what}: every line is further on than the one before", numbers[back[0] + 1])
+    if len(far):
+        raise SurveyError(f"A gap of more than {MAX_GAP:g} m since the line before", numbers[far[0] + 1])
+    beyond = np.flatnonzero(distance - distance[0] > MAX_LENGTH + 1e-6)
+    if len(beyond):
+        raise SurveyError(f"A road is {MAX_LENGTH:g} m long at most", numbers[beyond[0]])
+    if distance[-1] - distance[0] < MIN_LENGTH:
+        raise SurveyError(f"A road is {MIN_LENGTH:g} m long at least; is the unit right?", numbers[-1])
+
+
+def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
+    made = surveyed(distance, np.mean(tracks, axis=0))
+    most = float(np.abs(made.heights).max())
+    if most > 1000:
+        raise SurveyError("Heights differ by kilometres; is the unit right?", 1)
+    road, widest = MeasuredRoad.of(made.heights), float(np.diff(distance).max())
+    warnings = ["The mean of left and right track is taken"] if len(tracks) == 2 else []
+    if distance[0]:
+        warnings.append(f"The first distance, {distance[0]:g} m, is x = 0")
+    warnings += [
+        f"{len(distance)} heights became {road.samples}, one every {1000 * SPACING:g} mm, straight lines in between",
+        f"A straight line was taken off: {1000 * made.offset:.3g} mm at the start, {100 * made.slope:.3g} % slope",
+        f"Heights were averaged over {1000 * CONTACT:g} mm, as a tyre's contact does",
+    ]
+    if widest > WIDE_GAP:
+        warnings.append(f"Heights are up to {widest:.3g} m apart: waves shorter than {2 * widest:.3g} m are missing")
+    if most > HILLY:
+        warnings.append(f"Heights reach {most:.3g} m beside the straight line; is the unit right?")
+    return Survey(road=road, bumps=bumps_in(made.heights), warnings=warnings)

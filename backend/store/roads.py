@@ -1,0 +1,47 @@
+"""Measured roads, by content."""
+
+from collections.abc import Iterable
+from datetime import UTC, datetime
+
+from sqlalchemy import select
+
+from backend.db.database import Database, insert_new
+from backend.db.tables import roads
+from backend.json_types import JsonObject
+from sim_core.scenario.measured import MeasuredRoad
+
+PROFILE = "profile"  # a road's field
+
+
+def measured_roads(scenario: JsonObject) -> set[str]:
+    """Ids of the measured roads that a plain scenario names: one or none."""
+    road = scenario.get("road")
+    named = road.get(PROFILE) if isinstance(road, dict) else None
+    return set() if named is None else {named}
+
+
+def swept_roads(sweep: JsonObject) -> set[str]:
+    """Ids of those that a sweep names, as it was sent."""
+    name = f"road.{PROFILE}"
+    named = [*(sweep.get("grid") or {}).get(name, ()), *(point.get(name) for point in sweep.get("list") or ())]
+    return {each for each in named if isinstance(each, str)}
+
+
+class RoadStore:
+    """Reads and writes measured roads; they never change."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def save(self, road: MeasuredRoad) -> None:
+        """Commit a road; one that is there stays."""
+        row = {"id": road.id, "samples": road.samples, "content": road.content, "created_at": datetime.now(UTC)}
+        with self._database.writing() as connection:
+            insert_new(connection, roads, [row])
+
+    def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
+        """Those of the roads that are stored, by id."""
+        query = select(roads.c.id, roads.c.samples, roads.c.content).where(roads.c.id.in_(list(ids)))
+        with self._database.reading() as connection:
+            rows = connection.execute(query).all()
+        return {row.id: MeasuredRoad(id=row.id, samples=row.samples, content=row.content) for row in rows}

@@ -1,0 +1,54 @@
+"""A measured road: its heights, packed, under an id that is their digest; `sim_core.car.measuring` makes them."""
+
+import base64
+import hashlib
+import zlib
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+
+SPACING = 0.01  # between heights [m]: the grid of `sim_core.car.road`
+RESOLUTION = 1e-6  # of a height [m]
+ID_LENGTH = 22
+ID_PATTERN = f"^[A-Za-z0-9][A-Za-z0-9_-]{{{ID_LENGTH - 1}}}$"
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class MeasuredRoad:
+    """A profile from x = 0 on; equal heights have equal ids.
+
+    Attributes:
+        id: Digest of the heights.
+        samples: How many heights there are, `SPACING` apart.
+        content: Them, packed.
+    """
+
+    id: str
+    samples: int
+    content: bytes
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, MeasuredRoad) and self.id == other.id
+
+    def __hash__(self) -> int:
+        return hash(self.id)
+
+    @property
+    def length(self) -> float:
+        """From the first height to the last [m]."""
+        return round((self.samples - 1) * SPACING, 2)
+
+    @classmethod
+    def of(cls, heights: FloatArray) -> "MeasuredRoad":
+        """The road of these heights (samples,) [m], to a micrometre."""
+        steps = np.diff(np.round(heights / RESOLUTION).astype("<i4"), prepend=np.int32(0))
+        plain = steps.astype("<i4").tobytes()
+        digest = base64.urlsafe_b64encode(hashlib.sha256(b"ridelab road 1\n" + plain).digest()).decode()
+        return cls(id=digest.lstrip("-_")[:ID_LENGTH], samples=len(heights), content=zlib.compress(plain))
+
+    def heights(self) -> FloatArray:
+        """The heights (samples,) [m]."""
+        steps = np.frombuffer(zlib.decompress(self.content), dtype="<i4")
+        return np.asarray(steps.cumsum(dtype=np.int64) * RESOLUTION)

@@ -1,0 +1,141 @@
+"""Measured roads over HTTP: stored by content, driven by runs, links and batches, refused at their lines."""
+
+import csv
+import io
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+
+from backend.roads.survey import read
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+from tests.api.conftest import Service
+from tests.servers.process import wait_until
+
+HEAD = "distance [m],height [mm]\n"
+X = np.arange(0, 140, 0.1)
+HUMP = 80 * np.where((X > 100) & (X < 103), (1 - np.cos(2 * np.pi * (X - 100) / 3)) / 2, 0)
+FILE = HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(X, HUMP + 3 * np.sin(X) + 0.4 * X, strict=True))
+MISSING = "A" * 22
+
+
+def send(client: httpx.Client, content: str | bytes, **headers: str) -> httpx.Response:
+    return client.post("/api/v1/roads", content=content, headers={"Content-Type": "text/csv", **headers})
+
+
+@pytest.fixture(scope="module")
+def sent(client: httpx.Client) -> dict[str, Any]:
+    answer = send(client, FILE)
+    assert answer.status_code == 201, answer.text
+    assert answer.headers["location"] == f"/api/v1/roads/{answer.json()['id']}"
+    return dict(answer.json())
+
+
+@pytest.fixture(scope="module")
+def scenario(sent: dict[str, Any]) -> dict[str, Any]:
+    return {"road": {"profile": sent["id"], "length": 130, "bump": {"height": 0, "start": 100, "width": 3}}}
+
+
+def test_a_road_is_known_by_its_content(client: httpx.Client, sent: dict[str, Any]) -> None:
+    assert (sent["length"], sent["samples"]) == (139.9, 13_991)
+    assert sent["warnings"] == read(FILE.encode()).warnings
+    (bump,) = sent["bumps"]
+    assert bump["start"] == pytest.approx(100, abs=0.5)
+    assert bump["height"] == pytest.approx(0.08, rel=0.1)
+    again = send(client, "# once more\r\n" + FILE.replace("\n", "\r\n"), **{"Content-Type": "text/csv; charset=utf-8"})
+    assert again.json() == sent
+    got = client.get(f"/api/v1/roads/{sent['id']}", params={"points": 400}).json()
+    assert {key: got[key] for key in ("id", "length", "samples", "bumps")} == {
+        key: value for key, value in sent.items() if key != "warnings"
+    }
+    assert 200 < len(got["distance"]) == len(got["height"]) <= 401
+    assert (got["distance"][-1], max(got["height"])) == (139.9, read(FILE.encode()).road.heights().max())
+    assert client.get(f"/api/v1/roads/{MISSING}").status_code == 404
+
+
+def test_runs_live_series_and_links_drive_it(
+    service: Service, client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any]
+) -> None:
+    run = service.run(["lv", "passive"], scenario).json()
+    expected = simulate(Scenario.model_validate(scenario).on(read(FILE.encode()).road), "passive")
+    peak = expected.metrics["bump"]["body_acceleration"]["peak"]
+    assert run["strategies"]["passive"]["metrics"]["bump"]["body_acceleration"]["peak"] == pytest.approx(peak)
+    assert run["scenario"]["road"]["profile"] == sent["id"]
+    assert service.live(["lv"], scenario).json()["strategies"]["lv"]["status"] == "ok"
+    text = client.get(f"/api/v1/runs/{run['id']}/series?strategy=passive&format=csv").text
+    driven = [float(row["front_road [m]"]) for row in csv.DictReader(io.StringIO(text))]
+    np.testing.assert_allclose(driven, expected.series["front_road"], atol=1e-6)
+    assert client.get(f"/api/v1/runs/{run['id']}/figures/road").status_code == 200
+    link = client.post("/api/v1/links", json={"run_id": run["id"], "view": {}}).json()
+    assert link["series_pinned"]
+    assert client.get(f"/api/v1/links/{link['slug']}").json()["scenario"]["road"]["profile"] == sent["id"]
+    assert client.post("/api/v1/controller", json={"scenario": scenario}).status_code == 200
+
+
+def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any]) -> None:
+    sweep = {"grid": {"road.profile": [sent["id"], None], "speed.target_speed_kmh": [20, 30]}}
+    body = {"scenario": scenario, "strategies": ["passive", "speed_only"], "sweep": sweep}
+    assert client.post("/api/v1/batches", json={**body, "dry_run": True}).json()["estimated_seconds"] > 0
+    batch = client.post("/api/v1/batches", json=body).json()
+    path = f"/api/v1/batches/{batch['id']}"
+    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done", 60)
+    rows = client.get(f"{path}/results").json()["rows"]
+    assert [row["status"] for row in rows] == ["ok"] * 8
+    peaks = {row["road.profile"]: row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}
+    assert peaks[sent["id"]] > 3 * peaks[None], "the hump is in the profile"
+    nominal = client.get(f"{path}/summary").json()["strategies"]["passive"]
+    assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] > 0
+
+
+@pytest.mark.parametrize(
+    ("road", "pointer", "said"),
+    [
+        ({"profile": MISSING}, "/scenario/road/profile", "There is no measured road of this id"),
+        ({"length": 145}, "/scenario/road/length", "The measured road is 139.9 m long"),
+        ({"profile": "nonsense"}, "/scenario/road/profile", "String should match pattern"),
+    ],
+)
+def test_what_cannot_be_driven_names_its_field(
+    service: Service, client: httpx.Client, scenario: dict[str, Any], road: dict[str, Any], pointer: str, said: str
+) -> None:
+    wrong = {"road": {**scenario["road"], **road}}
+    answers = [service.run(["passive"], wrong), service.live(["passive"], wrong)]
+    if "length" not in road:
+        body = {"scenario": wrong, "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0, 0.1]}}}
+        answers.append(client.post("/api/v1/batches", json=body))
+        answers.append(client.post("/api/v1/tunings", json={"scenario": wrong, "trials": 1, "seeds": [1]}))
+    for answer in answers:
+        assert answer.status_code == 422
+        (error,) = answer.json()["errors"]
+        assert error["pointer"] == pointer
+        assert error["message"].startswith(said)
+    body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.profile": [MISSING]}}}
+    assert client.post("/api/v1/batches", json=body).json()["errors"][0]["pointer"] == "/sweep"
+
+
+def test_a_measured_road_is_one_road(client: httpx.Client, scenario: dict[str, Any]) -> None:
+    answer = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["passive"], "roads": 3})
+    assert answer.json()["errors"] == [
+        {"pointer": "/roads", "message": "A measured road is one road: roads can only be 1"}
+    ]
+
+
+@pytest.mark.parametrize(
+    ("content", "headers", "status", "said"),
+    [
+        (HEAD + "0,0\n1,nan\n", {}, 422, "Line 3: A value is not a finite number."),
+        (HEAD + "0,0\n2,0\n1,0\n9,0\n", {}, 422, "Line 4: The distance goes back"),
+        ("", {}, 422, "Line 1: The header names the columns"),
+        (HEAD, {"Content-Type": "application/json"}, 415, "The body has to be CSV"),
+        (HEAD, {"Content-Encoding": "gzip"}, 415, "without a Content-Encoding"),
+        (b"0" * (4 * 1024 * 1024 + 1), {}, 413, "The body may have 4194304 bytes."),
+    ],
+)
+def test_what_is_no_road_is_refused(
+    client: httpx.Client, content: str | bytes, headers: dict[str, str], status: int, said: str
+) -> None:
+    answer = send(client, content, **headers)
+    assert (answer.status_code, answer.headers["content-type"]) == (status, "application/problem+json")
+    assert said in answer.json()["detail"]

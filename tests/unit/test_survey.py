@@ -1,0 +1,90 @@
+"""Surveyed profiles as CSV: what is read, and what is refused at which line."""
+
+import numpy as np
+import pytest
+
+from backend.roads.survey import MAX_LINES, SurveyError, read
+
+HEAD = "distance [m],height [mm]\n"
+ROWS = [f"{0.1 * index:.1f},{10 * np.sin(index):.3f}" for index in range(200)]
+
+
+def file(*, head: str = HEAD, rows: list[str] | None = None) -> bytes:
+    return (head + "\n".join(ROWS if rows is None else rows) + "\n").encode()
+
+
+def test_units_separators_and_the_first_distance_are_the_headers_matter() -> None:
+    """The same road in metres, in millimetres, with semicolons and decimal commas, behind a BOM, from 500 m on."""
+    plain = read(file())
+    metres = [f"{row.split(',')[0]},{float(row.split(',')[1]) / 1000:.6f}" for row in ROWS]
+    comma = [row.replace(",", ";").replace(".", ",") for row in ROWS]
+    feet = [f"{float(row.split(',')[0]) / 0.3048:.9f}\t{row.split(',')[1]}" for row in ROWS]
+    later = [f"{500 + float(row.split(',')[0]):.1f},{row.split(',')[1]}" for row in ROWS]
+    swapped = [",".join(reversed(row.split(","))) for row in ROWS]
+    for other in (
+        file(head="x [m], z [m]\n", rows=metres),
+        file(head="Distance (m);Height (mm)\n", rows=comma),
+        file(head="distance [ft]\theight [mm]\n", rows=feet),
+        b"\xef\xbb\xbf# surveyed today\r\n\r\n" + file().replace(b"\n", b"\r\n"),
+        file(rows=later),
+        file(head="height [mm],distance [m]\n", rows=swapped),
+    ):
+        assert read(other).road == plain.road
+    assert plain.road.length == 19.9
+    assert "The first distance, 500 m, is x = 0" in read(file(rows=later)).warnings
+
+
+def test_two_tracks_are_their_mean() -> None:
+    left_right = [
+        f"{0.1 * index:.1f},{10 * np.sin(index) + 4:.3f},{10 * np.sin(index) - 4:.3f}" for index in range(200)
+    ]
+    both = read(file(head="distance [m],left [mm],right [mm]\n", rows=left_right))
+    np.testing.assert_allclose(both.road.heights(), read(file()).road.heights(), atol=3e-6)
+    assert both.warnings[0] == "The mean of left and right track is taken"
+
+
+def test_what_was_done_is_said() -> None:
+    said = read(file()).warnings
+    assert said[0] == "200 heights became 1991, one every 10 mm, straight lines in between"
+    assert said[1].startswith("A straight line was taken off: ")
+    assert said[2] == "Heights were averaged over 100 mm, as a tyre's contact does"
+    assert len(said) == 3
+    coarse = read(file(rows=["0,0", "0.5,3", "1,0", "6,2000"]))
+    assert "Heights are up to 5 m apart: waves shorter than 10 m are missing" in coarse.warnings
+    hilly = read(file(head="distance [m],height [m]\n", rows=["0,0", "3,6", "6,0"]))
+    assert hilly.warnings[-1].endswith("beside the straight line; is the unit right?")
+
+
+@pytest.mark.parametrize(
+    ("content", "line", "said"),
+    [
+        (b"", 1, "The header names the columns with their units"),
+        (b"0,0\n1,0\n", 1, "The header names the columns with their units"),
+        (b"distance,height\n0,0\n", 1, "units are m, km, cm, mm"),
+        (b"distance [m],height [yd]\n", 1, "units are m, km, cm, mm"),
+        (b"distance [m],left [mm]\n", 1, "The header names the columns"),
+        (b"distance [m],height [mm],height [mm]\n", 1, "The header names the columns"),
+        (b"# a\n\ndistance [m],height [mm]\n0,0\n\n1,zwei\n", 6, "A value is not a number"),
+        (b"distance [m],height [mm]\n0,0\n1,nan\n9,0\n", 3, "A value is not a finite number"),
+        (b"distance [m],height [mm]\n0,0\n1,1e999\n9,0\n", 3, "A value is not a finite number"),
+        (b"distance [m],height [mm]\n0,0\n1\n9,0\n", 3, "The header has 2 columns and this line 1"),
+        (b"distance [m],height [mm]\n0,0\n2,0\n1.5,0\n9,0\n", 4, "The distance goes back"),
+        (b"distance [m],height [mm]\n0,0\n2,0\n2,1\n9,0\n", 4, "The distance stands still"),
+        (b"distance [m],height [mm]\n0,0\n2,0\n\n8,0\n", 5, "A gap of more than 5 m"),
+        (b"distance [m],height [mm]\n0,0\n", 2, "A road has two heights at least"),
+        (b"distance [mm],height [mm]\n0,0\n100,1\n", 3, "A road is 5 m long at least; is the unit right?"),
+        (b"distance [m],height [mm]\n0,0\n1,\xff\n", 3, "This is not UTF-8"),
+        (HEAD.encode() + b"0,0\n1," + b"1" * 600, 3, "A line may have 500 characters"),
+        (HEAD.encode() + b"\n" * (MAX_LINES + 5), MAX_LINES + 1, f"The file may have {MAX_LINES} lines"),
+        (
+            HEAD.encode() + b"".join(b"%d,0\n" % (4 * index) for index in range(800)),
+            753,
+            "A road is 3000 m long at most",
+        ),
+    ],
+)
+def test_what_is_no_road_is_refused_at_its_line(content: bytes, line: int, said: str) -> None:
+    with pytest.raises(SurveyError) as caught:
+        read(content)
+    assert caught.value.line == line
+    assert said in caught.value.message

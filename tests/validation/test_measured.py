@@ -1,0 +1,117 @@
+"""Measured roads against what is known of them: waves, lines, bumps, and the road they were measured on."""
+
+import pickle
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sim_core.car.measuring import bumps_in, surveyed
+from sim_core.car.road import profile
+from sim_core.errors import RidelabError
+from sim_core.scenario import Bump, Road, Scenario, Speed
+from sim_core.scenario.measured import MeasuredRoad
+from sim_core.simulate import simulate
+
+
+def measured_on(road: Road, spacing: float = 0.05, length: float = 200) -> MeasuredRoad:
+    """A made road as a surveyor without errors measures it, on a slope of 1 %."""
+    x = np.arange(0, length + spacing / 2, spacing)
+    return MeasuredRoad.of(surveyed(x + 7, profile(road).height(x) + 0.3 + 0.01 * x).heights)
+
+
+def test_a_line_is_taken_off_and_a_wave_keeps_its_share() -> None:
+    """Of a wave sampled finely the mean of 11 heights leaves sin(11 πs/λ)/(11 sin(πs/λ)): 0.946 of one of 0.6 m."""
+    x = np.arange(0, 60.001, 0.01)
+    made = surveyed(x, 5 - 0.02 * x + 0.03 * np.sin(2 * np.pi * x / 0.6))
+    share = np.sin(11 * np.pi * 0.01 / 0.6) / (11 * np.sin(np.pi * 0.01 / 0.6))
+    assert share == pytest.approx(0.946, abs=1e-3)
+    assert (made.offset, made.slope) == pytest.approx((5, -0.02), abs=1e-3)
+    inner = slice(100, -100)
+    np.testing.assert_allclose(made.heights[inner], 0.03 * share * np.sin(2 * np.pi * x / 0.6)[inner], atol=1e-3)
+
+
+def test_heights_are_straight_between_those_given() -> None:
+    made = surveyed(np.array([3.0, 5.0, 8.5]), np.array([0.0, 0.0, 0.0]))
+    assert len(made.heights) == 551
+    tent = surveyed(np.array([0.0, 5.0, 10.0]), np.array([0.0, 0.1, 0.0]))
+    line = tent.offset + tent.slope * 2.5
+    assert tent.heights[250] + line == pytest.approx(0.05, abs=1e-12)
+
+
+@settings(max_examples=30)
+@given(st.lists(st.floats(-3, 3), min_size=600, max_size=700))
+def test_heights_survive_packing_to_a_micrometre_and_equal_ones_have_one_id(values: list[float]) -> None:
+    heights = np.array(values)
+    road = MeasuredRoad.of(heights)
+    np.testing.assert_allclose(road.heights(), heights, atol=0.5e-6 + 1e-12)
+    again = MeasuredRoad.of(road.heights())
+    assert (again.id, again.content, again) == (road.id, road.content, road)
+    assert MeasuredRoad.of(heights + 1e-3).id != road.id
+    assert len(road.id) == 22
+    assert road.id[0].isalnum()
+
+
+@pytest.mark.parametrize("strategy", ["lv", "lqr", "passive"])
+def test_a_measured_road_drives_as_the_road_it_was_measured_on(strategy: str) -> None:
+    """Every 5 cm, averaged over 10: travel, which waves of some decimetres do not move, within 2 %, ride within 8 %.
+
+    Level before its first height, where the made road has its run-in: the windows are those of the bump.
+    """
+    made = Scenario(road=Road(roughness=16e-6, length=150))
+    flat = Bump(height=0)
+    on_it = Scenario(road=made.road.model_copy(update={"bump": flat, "profile": "A" * 22}), speed=made.speed)
+    ours = simulate(on_it.on(measured_on(made.road)), strategy).metrics["bump"]
+    theirs = simulate(made, strategy).metrics["bump"]
+    for signal, limit in (("front_deflection", 0.02), ("rear_deflection", 0.02), ("body_acceleration", 0.08)):
+        assert ours[signal]["rms"] == pytest.approx(theirs[signal]["rms"], rel=limit), signal
+
+
+def test_a_bump_is_added_to_a_measured_road() -> None:
+    road = measured_on(Road(bump=Bump(height=0)))
+    plain, bumpy = (
+        profile(Scenario(road=Road(profile=road.id, bump=Bump(height=height))).on(road).road) for height in (0, 0.1)
+    )
+    x = np.linspace(0, 149, 5000)
+    alone = profile(Road(roughness=0)).height(x)
+    np.testing.assert_allclose(bumpy.height(x) - plain.height(x), alone, atol=1e-12)
+    assert plain.height(np.array([-10.0]))[0] == pytest.approx(road.heights()[0])
+
+
+@pytest.mark.parametrize(
+    ("bump", "share"),
+    [
+        (Bump(), 0.12),
+        (Bump(shape="circular", height=0.075, width=3.7, start=60), 0.15),
+        (Bump(shape="trapezoid", height=-0.06, width=1, start=120), 0.15),
+    ],
+)
+def test_a_bump_in_a_profile_is_found(bump: Bump, share: float) -> None:
+    """On a class B road, within half a metre and 15 % of its height; on the road alone nothing is."""
+    (found, *rest) = bumps_in(measured_on(Road(bump=bump)).heights())
+    assert not rest
+    assert found.start == pytest.approx(bump.start, abs=0.5)
+    assert found.start + found.width == pytest.approx(bump.end, abs=0.5)
+    assert found.height == pytest.approx(bump.height, rel=share)
+    assert not bumps_in(measured_on(Road(bump=Bump(height=0))).heights())
+
+
+def test_without_its_heights_or_beyond_its_end_a_road_is_refused_at_its_field() -> None:
+    road = measured_on(Road(), length=120)
+    named = Scenario(road=Road(profile=road.id, length=130))
+    for scenario, field in ((named, "road.profile"), (named.on(road), "road.length")):
+        with pytest.raises(RidelabError) as caught:
+            simulate(scenario, "passive")
+        assert caught.value.field == field
+
+
+def test_a_scenario_carries_its_road_to_another_process_and_to_other_seeds() -> None:
+    road = measured_on(Road())
+    scenario = Scenario(road=Road(profile=road.id, length=110), speed=Speed(initial_speed_kmh=60)).on(road)
+    there = pickle.loads(pickle.dumps(scenario))  # noqa: S301  # made a line above
+    assert simulate(there, "passive").summary() == simulate(scenario, "passive").summary()
+    other = scenario.model_copy(update={"road": scenario.road.model_copy(update={"seed": 9})})
+    assert simulate(other, "passive").summary() == simulate(scenario, "passive").summary(), "no seed is in it"
+    assert scenario.identity()["road"]["profile"] == road.id
+    assert "profile" not in Scenario().identity()["road"]
