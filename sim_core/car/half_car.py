@@ -71,18 +71,20 @@ def half_car(vehicle: Vehicle) -> LinearModel:
     body_x, body_u = -force_x.sum(axis=0) / m, np.full(2, 1 / m)
     pitch_x, pitch_u = -(arm @ force_x) / inertia, arm / inertia
     wheel_x, wheel_u = (tyre_load + force_x) / wheel_mass[:, None], -eye / wheel_mass[:, None]
-    brake_moment = np.array([0.0, 0.0, m * vehicle.cg_height / inertia])
+    brake_moment = m * vehicle.cg_height / inertia
 
     wheel_speed = np.hstack([np.zeros((2, 6)), eye])
     A = np.vstack([deflection_speed, wheel_speed, body_x, pitch_x, wheel_x])
     B = np.vstack([np.zeros((4, 2)), body_u, pitch_u, wheel_u])
     E = np.zeros((STATES, DISTURBANCES))
     E[2, 0] = E[3, 1] = -1.0
-    E[5] = brake_moment
+    E[5, 2] = brake_moment
+    E[:, 2] += B @ vehicle.link_forces
     C = np.vstack([body_x, pitch_x, tyre_load, np.eye(2, STATES), deflection_speed])
     D = np.vstack([body_u, pitch_u, np.zeros((6, 2))])
     F = np.zeros((len(OUTPUTS), DISTURBANCES))
-    F[1] = brake_moment
+    F[1, 2] = brake_moment
+    F[:, 2] += D @ vehicle.link_forces
     return LinearModel(A=A, B=B, E=E, C=C, D=D, F=F)
 
 
@@ -91,10 +93,11 @@ MEASURED_OUTPUTS = ("front_deflection", "rear_deflection", "body_acceleration", 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Measurement:
-    """y = C x + D u of MEASURED_OUTPUTS: C (4, 8), D (4, 2), u [N] the forces that act."""
+    """y = C x + D u + F a of MEASURED_OUTPUTS: C (4, 8), D (4, 2), F (4,); u [N] the forces that act, a the braking."""
 
     C: FloatArray
     D: FloatArray
+    F: FloatArray
 
 
 @lru_cache(maxsize=128)
@@ -106,6 +109,7 @@ def measurement(vehicle: Vehicle) -> Measurement:
     return Measurement(
         C=np.vstack([model.C[deflections], model.C[acceleration], pitch_rate]),
         D=np.vstack([model.D[deflections], model.D[acceleration], np.zeros((1, FORCES))]),
+        F=np.array([0.0, 0.0, model.F[acceleration, 2], 0.0]),
     )
 
 

@@ -85,8 +85,9 @@ class LinearCar(DrivenCar):
         self.size = len(self._step.A)
         self._forcing = disturbance @ plant.E
         if estimator is not None:
-            told = self._forcing @ (estimator.measurement @ _sensors(plant, vehicle)[0]).T + estimator.input
-            self._forcing = np.hstack([told, self._forcing])
+            measured = self._forcing @ _sensors(plant, vehicle)[0].T
+            measured += np.outer(disturbance[:, -1], measurement(vehicle).F)
+            self._forcing = np.hstack([measured @ estimator.measurement.T + estimator.input, self._forcing])
 
     def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
         """As DrivenCar says."""

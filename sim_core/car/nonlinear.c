@@ -10,7 +10,7 @@ enum { ROAD = 0, BRAKING = 2, DISTURBANCES = 3 };
 struct car {
     double per_body_mass, per_pitch_inertia, brake_moment, corner;
     double arm[2], per_wheel_mass[2], spring[2], rebound[2], compression[2];
-    double clearance[2], stop[2], tyre[2], lift_off[2];
+    double clearance[2], stop[2], tyre[2], lift_off[2], link[2];
 };
 
 static double travel_force(const struct car *car, int axle, double deflection, double speed)
@@ -40,7 +40,7 @@ static void derivative(const struct car *car, const double *x, const double *com
     double body = 0, pitch = 0;
     for (int axle = 0; axle < 2; axle++) {
         double speed = travel_speed(car, axle, x);
-        double force = travel_force(car, axle, x[D + axle], speed) - x[FORCE + axle];
+        double force = travel_force(car, axle, x[D + axle], speed) - x[FORCE + axle] - car->link[axle] * w[BRAKING];
         dx[D + axle] = speed;
         dx[TYRE + axle] = x[WHEEL + axle] - w[ROAD + axle];
         dx[WHEEL + axle] = (tyre_load(car, axle, x[TYRE + axle]) + force) * car->per_wheel_mass[axle];

@@ -36,7 +36,7 @@ class _Car(ctypes.Structure):
             (name, ctypes.c_double * 2)
             for name in ("arm", "per_wheel_mass", "spring", "rebound", "compression", "clearance", "stop", "tyre")
         ),
-        ("lift_off", ctypes.c_double * 2),
+        *((name, ctypes.c_double * 2) for name in ("lift_off", "link")),
     ]
 
 
@@ -143,6 +143,7 @@ def _car(vehicle: Vehicle, actuator: Actuator) -> _Car:
         stop=pair(vehicle.bump_stop_stiffness, vehicle.bump_stop_stiffness),
         tyre=pair(vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness),
         lift_off=pair(*lift_off),
+        link=pair(*vehicle.link_forces),
     )
 
 

@@ -72,14 +72,14 @@ def estimator(scenario: Scenario, step: float, speed: float, disturbance: FloatA
     model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
     rest = np.eye(STATES) - L @ sensors.C
     steps = len(disturbance)
-    braking = disturbance.reshape(steps, -1, DISTURBANCES)[:, :, 2].mean(axis=1)
+    braking, last = disturbance.reshape(steps, -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
     white = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, len(L.T)))
     deviations = [noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]
     return Estimator(
         state=rest @ model.A,
         command=rest @ model.B - L @ sensors.D,
         measurement=L,
-        input=np.outer(braking, rest @ model.E[:, 2]) + (white * deviations) @ L.T,
+        input=np.outer(braking, rest @ model.E[:, 2]) + (white * deviations - np.outer(last, sensors.F)) @ L.T,
     )
 
 

@@ -10,7 +10,17 @@ from sim_core.scenario.fields import Part, quantity
 class Vehicle(Part):
     """Half-car model: body with heave and pitch, front and rear wheel (Table 2)."""
 
-    ADDED: ClassVar = frozenset({"rebound_ratio", "bump_stop_clearance", "bump_stop_stiffness", "tyre_lift_off"})
+    ADDED: ClassVar = frozenset(
+        {
+            "rebound_ratio",
+            "bump_stop_clearance",
+            "bump_stop_stiffness",
+            "tyre_lift_off",
+            "anti_dive",
+            "anti_lift",
+            "front_brake_share",
+        }
+    )
 
     body_mass: float = quantity(1270, "kg", "Body mass", "Sprung mass m_b.", soft=(300, 2500), ge=50, le=50_000)
     pitch_inertia: float = quantity(
@@ -103,6 +113,34 @@ class Vehicle(Part):
         title="Tyres lift off",
         description="A tyre never pulls on the road: its load ends at nothing. Off, as in the paper, it does.",
     )
+    anti_dive: float = quantity(
+        0,
+        "1",
+        "Anti-dive",
+        "tan β L / h of the front links: times the front's share of the braking, what they carry of its load transfer.",
+        soft=(0, 1),
+        ge=-1,
+        le=3,
+    )
+    anti_lift: float = quantity(
+        0,
+        "1",
+        "Anti-lift",
+        "tan β L / h of the rear links: times the rear's share of the braking, what they carry of its load transfer.",
+        soft=(0, 1),
+        ge=-1,
+        le=3,
+    )
+    front_brake_share: float = quantity(
+        0.7, "1", "Front brakes' share", "Of the braking force (ours); for anti-dive.", soft=(0.5, 0.9), ge=0, le=1
+    )
+
+    @property
+    def link_forces(self) -> tuple[float, float]:
+        """What links lift the body by over both axles, and press the wheels by, as an actuator would [N per m/s²]."""
+        transfer = self.body_mass * self.cg_height / self.wheelbase
+        front, rear = self.front_brake_share * self.anti_dive, (1 - self.front_brake_share) * self.anti_lift
+        return front * transfer, -rear * transfer
 
     @property
     def linear(self) -> bool:

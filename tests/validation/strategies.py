@@ -30,6 +30,9 @@ vehicles = st.builds(
     rear_damping=between(500, 10_000),
     front_tyre_stiffness=between(100_000, 500_000),
     rear_tyre_stiffness=between(100_000, 500_000),
+    anti_dive=between(-0.5, 1.5),
+    anti_lift=between(-0.5, 1.5),
+    front_brake_share=between(0, 1),
 )
 
 smooth_bumps = st.builds(Bump, height=heights, width=between(1, 10), start=between(30, 100))

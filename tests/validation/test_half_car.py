@@ -70,7 +70,21 @@ def test_steady_braking_shifts_the_load_by_the_moment_over_the_wheelbase(car: Ve
     y = model.C @ state + model.F @ w
     transfer = car.body_mass * 3.0 * car.cg_height / (car.cg_to_front + car.cg_to_rear)
     np.testing.assert_allclose(y[:4], [0, 0, transfer, -transfer], atol=1e-7 * transfer)
-    assert y[4] < 0 < y[5]  # dives: front compressed, rear extended
+    carried = car.front_brake_share * car.anti_dive, (1 - car.front_brake_share) * car.anti_lift
+    assert (y[4] < 0) == (carried[0] < 1)  # dives, unless links carry more than all
+    assert (y[5] > 0) == (carried[1] < 1)
+
+
+def test_links_may_carry_all_of_the_load_transfer() -> None:
+    """Then the body neither dives nor lifts (Gillespie 1992, chapter 7), and the tyres carry the transfer as ever."""
+    full = Vehicle(front_brake_share=0.6, anti_dive=1 / 0.6, anti_lift=1 / 0.4)
+    model = half_car(full)
+    np.testing.assert_allclose(model.F[:2, 2], 0, atol=1e-12)
+    rest = np.linalg.solve(model.A, -5.0 * model.E[:, 2])
+    loads = model.C[2:4] @ rest
+    transfer = 5.0 * full.body_mass * full.cg_height / full.wheelbase
+    np.testing.assert_allclose(loads, [transfer, -transfer], rtol=1e-9)
+    np.testing.assert_allclose(rest[:2], 0, atol=1e-12)
 
 
 @settings(max_examples=25)

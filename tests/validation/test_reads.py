@@ -11,7 +11,7 @@ import pytest
 
 from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Hil, Lqr, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Bump, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.strategies import STRATEGIES, part_read
 
@@ -19,6 +19,7 @@ ROOT = Path(__file__).parents[2]
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
 BASE = Scenario(
+    vehicle=Vehicle(anti_dive=0.3, anti_lift=0.2),
     road=Road(length=34, bump=Bump(start=20, width=3, height=0.09, count=2, spacing=3.5)),
     speed=Speed(initial_speed_kmh=36, detection_distance=16),
     mpc=Mpc(prediction_horizon=12, control_horizon=8, force_limit=2500, deflection_limit=0.05),
@@ -129,7 +130,8 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
         if path not in SILENT and same(simulate(changed, strategy), base):
             silent.append(".".join(path))
     # Parts are read whole; these of their fields do nothing for these strategies here.
-    allowed = {"vehicle.cg_height"} if STRATEGIES[strategy].speed != "planned" else set()
+    only_braking = {f"vehicle.{name}" for name in ("cg_height", "anti_dive", "anti_lift", "front_brake_share")}
+    allowed = only_braking if STRATEGIES[strategy].speed != "planned" else set()
     assert set(silent) <= allowed
 
 

@@ -1187,11 +1187,14 @@ export interface components {
             /**
              * @default {
              *       "vehicle": {
+             *         "anti_dive": 0,
+             *         "anti_lift": 0,
              *         "body_mass": 1270,
              *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
+             *         "front_brake_share": 0.7,
              *         "front_damping": 6000,
              *         "front_spring": 27000,
              *         "front_tyre_stiffness": 268000,
@@ -2036,11 +2039,14 @@ export interface components {
             /**
              * @default {
              *       "vehicle": {
+             *         "anti_dive": 0,
+             *         "anti_lift": 0,
              *         "body_mass": 1270,
              *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
+             *         "front_brake_share": 0.7,
              *         "front_damping": 6000,
              *         "front_spring": 27000,
              *         "front_tyre_stiffness": 268000,
@@ -3028,11 +3034,14 @@ export interface components {
             /**
              * @default {
              *       "vehicle": {
+             *         "anti_dive": 0,
+             *         "anti_lift": 0,
              *         "body_mass": 1270,
              *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
+             *         "front_brake_share": 0.7,
              *         "front_damping": 6000,
              *         "front_spring": 27000,
              *         "front_tyre_stiffness": 268000,
@@ -4273,11 +4282,14 @@ export interface components {
             /**
              * @default {
              *       "vehicle": {
+             *         "anti_dive": 0,
+             *         "anti_lift": 0,
              *         "body_mass": 1270,
              *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
+             *         "front_brake_share": 0.7,
              *         "front_damping": 6000,
              *         "front_spring": 27000,
              *         "front_tyre_stiffness": 268000,
@@ -4588,7 +4600,10 @@ export interface components {
              *       "rear_tyre_stiffness": 268000,
              *       "rebound_ratio": 1,
              *       "bump_stop_stiffness": 200000,
-             *       "tyre_lift_off": false
+             *       "tyre_lift_off": false,
+             *       "anti_dive": 0,
+             *       "anti_lift": 0,
+             *       "front_brake_share": 0.7
              *     }
              */
             vehicle: components["schemas"]["Vehicle"];
@@ -4767,7 +4782,10 @@ export interface components {
              *       "rear_tyre_stiffness": 268000,
              *       "rebound_ratio": 1,
              *       "bump_stop_stiffness": 200000,
-             *       "tyre_lift_off": false
+             *       "tyre_lift_off": false,
+             *       "anti_dive": 0,
+             *       "anti_lift": 0,
+             *       "front_brake_share": 0.7
              *     }
              */
             vehicle: components["schemas"]["Vehicle"];
@@ -5617,11 +5635,14 @@ export interface components {
             /**
              * @default {
              *       "vehicle": {
+             *         "anti_dive": 0,
+             *         "anti_lift": 0,
              *         "body_mass": 1270,
              *         "bump_stop_stiffness": 200000,
              *         "cg_height": 0.54,
              *         "cg_to_front": 1.015,
              *         "cg_to_rear": 1.895,
+             *         "front_brake_share": 0.7,
              *         "front_damping": 6000,
              *         "front_spring": 27000,
              *         "front_tyre_stiffness": 268000,
@@ -5858,6 +5879,18 @@ export interface components {
          */
         Vehicle: {
             /**
+             * Anti-dive
+             * @description tan β L / h of the front links: times the front's share of the braking, what they carry of its load transfer.
+             * @default 0
+             */
+            anti_dive: number;
+            /**
+             * Anti-lift
+             * @description tan β L / h of the rear links: times the rear's share of the braking, what they carry of its load transfer.
+             * @default 0
+             */
+            anti_lift: number;
+            /**
              * Body mass
              * @description Sprung mass m_b.
              * @default 1270
@@ -5892,6 +5925,12 @@ export interface components {
              * @default 1.895
              */
             cg_to_rear: number;
+            /**
+             * Front brakes' share
+             * @description Of the braking force (ours); for anti-dive.
+             * @default 0.7
+             */
+            front_brake_share: number;
             /**
              * Front damper
              * @description Damping C_s1.

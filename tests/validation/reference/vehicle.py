@@ -53,6 +53,14 @@ def state_space(car: Vehicle) -> StateSpace:
     C = stretch.T @ damper @ stretch
     inverse = np.linalg.inv(mass)
     brake = np.array([0, car.body_mass * car.cg_height, 0, 0])  # inertia force at the c.g. presses the nose down
+    # Links at the angle β between body and wheel turn the braking force F into F tan β, upwards at the front, downwards
+    # at the rear (Gillespie 1992, chapter 7), tan β being their number times h / L.
+    for axle, share, number in (
+        (0, car.front_brake_share, car.anti_dive),
+        (1, car.front_brake_share - 1, car.anti_lift),
+    ):
+        slope = number * car.cg_height / (car.cg_to_front + car.cg_to_rear)
+        brake = brake + stretch[axle] * share * car.body_mass * slope
     zero, one = np.zeros((4, 4)), np.eye(4)
     A = np.block([[zero, one], [-inverse @ K, -inverse @ C]])
     B = np.vstack([np.zeros((4, 2)), inverse @ stretch.T])
