@@ -15,7 +15,7 @@ from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.linear import LONGEST_RUN
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import Controller
-from sim_core.control.estimator import estimator
+from sim_core.control.estimator import make_estimator
 from sim_core.controllers import make_controller
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive
@@ -38,7 +38,7 @@ class Trajectory:
 class ClosedLoop:
     """One run's loop; the actuator changes a force by at most `most_change` a step and gives at most `most_force` [N].
 
-    Both may be infinite. What it gives is what the controller is told as its previous command.
+    Both may be infinite. What it gives is the controller's previous command.
     """
 
     def __init__(
@@ -120,9 +120,9 @@ def drive_controller(
     before = road_input.drive.before
     controller = make_controller(scenario, strategy, motion, road_input)
     disturbance, clipped = road_input.disturbance, controller.clipped
-    told = None if passive else estimator(scenario, road_input.step, motion.initial_speed, disturbance)
+    estimator = None if passive else make_estimator(scenario, road_input.step, motion.initial_speed, disturbance)
     car = on_road(
-        scenario.real_vehicle, actuator, road_input.step, disturbance, before, estimator=told, clipped=clipped
+        scenario.real_vehicle, actuator, road_input.step, disturbance, before, estimator=estimator, clipped=clipped
     )
     most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * road_input.step
     most_force = np.inf if actuator.saturation is None else actuator.saturation

@@ -31,15 +31,15 @@ def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_
         gain = hook_gain(scenario.vehicle, scenario.hook, scenario.hook.alpha if share is None else share)
         return HookController(scenario.vehicle, gain, scenario.mpc.force_limit, semi_active=scenario.hook.semi_active)
     mpc, lqr = scenario.mpc, scenario.lqr
-    ahead = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(mpc)
+    sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(mpc)
     if strategy.suspension is SuspensionPolicy.LQR:
         terms = _terms(scenario, motion, lqr.weights, lqr.deflection_weight)
         if lqr.preview == "none":
             return LqrController(regulator(terms), mpc.force_limit)
-        seen = preview_windows(lqr.preview, scenario.road, motion, road_input, lqr.preview_horizon, *ahead)
-        return LqrController(regulator(terms), mpc.force_limit, seen @ feedforward(terms, lqr.preview_horizon).T)
-    windows = preview(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, *ahead)
-    return MpcController(mpc_designs(scenario, strategy, motion), windows, mpc)
+        windows = preview_windows(lqr.preview, scenario.road, motion, road_input, lqr.preview_horizon, *sensing)
+        return LqrController(regulator(terms), mpc.force_limit, windows @ feedforward(terms, lqr.preview_horizon).T)
+    forecast = preview(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, *sensing)
+    return MpcController(mpc_designs(scenario, strategy, motion), forecast, mpc)
 
 
 def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[str, MpcDesign]:

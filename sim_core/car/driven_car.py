@@ -25,7 +25,7 @@ class LinearLaw:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Estimator:
-    """x̂[k+1] = state·x̂[k] + command·u[k] + measurement·y[k+1] + input[k]: what a controller is told of the state.
+    """x̂[k+1] = state·x̂[k] + command·u[k] + measurement·y[k+1] + input[k]: the estimated state a controller acts on.
 
     Attributes:
         state: (8, 8).
@@ -43,7 +43,7 @@ class Estimator:
 class DrivenCar(ABC):
     """`size` numbers are the state p: the half-car's (8,), then a lagging actuator's forces [N] (2,).
 
-    With an estimator its estimate (8,) comes before them, so that p begins with what a controller is told.
+    With an estimator its estimate (8,) comes before them, so that p begins with what a controller acts on.
     """
 
     size: int

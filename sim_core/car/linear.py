@@ -28,17 +28,17 @@ class ControlStep:
 
 @cached
 def _exact(plant: Plant) -> ControlStep:
-    """The one of a plant whose state is told: shared, and with it what is made of it for a law."""
+    """Without an estimator; shared, and with it what is prepared for a law."""
     return ControlStep(A=plant.A, B=plant.B)
 
 
-def told_by(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) -> ControlStep:
+def control_step(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) -> ControlStep:
     """A control step of a linear car and its estimator.
 
     Args:
         plant: Of the real car.
         vehicle: The real one.
-        estimator: None tells the state itself.
+        estimator: None where the controller has the state itself.
     """
     if estimator is None:
         return _exact(plant)
@@ -81,7 +81,7 @@ class LinearCar(DrivenCar):
         self._plant = plant
         self._disturbance = disturbance
         self._before = before
-        self._step = told_by(plant, vehicle, estimator)
+        self._step = control_step(plant, vehicle, estimator)
         self.size = len(self._step.A)
         self._forcing = disturbance @ plant.E
         if estimator is not None:

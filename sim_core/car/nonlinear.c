@@ -102,9 +102,9 @@ struct estimator {
     double state[8][8], command[8][2], measurement[8][4];
 };
 
-/* What a controller is told at the end of a control step, after what it was told at its beginning. */
+/* The estimated state at the end of a control step from the one at its beginning. */
 static void estimate(const struct estimator *estimator, const struct car *car, const double *x, const double *command,
-                     const double *w, const double *input, const double *told, double *next)
+                     const double *w, const double *input, const double *before, double *next)
 {
     double dx[STATE];
     derivative(car, x, command, w, dx);
@@ -112,7 +112,7 @@ static void estimate(const struct estimator *estimator, const struct car *car, c
     for (int i = 0; i < 8; i++) {
         next[i] = input[i];
         for (int j = 0; j < 8; j++)
-            next[i] += estimator->state[i][j] * told[j];
+            next[i] += estimator->state[i][j] * before[j];
         for (int j = 0; j < 2; j++)
             next[i] += estimator->command[i][j] * command[j];
         for (int j = 0; j < 4; j++)
@@ -123,7 +123,7 @@ static void estimate(const struct estimator *estimator, const struct car *car, c
 void ridelab_drive(const struct car *car, const struct estimator *estimator, const double *input, int states, int steps, int fine, int substeps, double h, const double *gain,
                    double limit, int dissipative, const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
 {
-    int told = estimator ? 8 : 0, size = told + states, width = size + 2; /* p: [what is told; states] */
+    int estimated = estimator ? 8 : 0, size = estimated + states, width = size + 2;
     for (int step = 0; step < steps; step++, column++) {
         double *now = loop + (size_t)step * width, *next = now + width, *command = next + size, x[STATE];
         for (int axle = 0; axle < 2; axle++) {
@@ -135,11 +135,11 @@ void ridelab_drive(const struct car *car, const struct estimator *estimator, con
             command[axle] = command[axle] > limit ? limit : command[axle] < -limit ? -limit : command[axle];
         }
         for (int i = 0; i < STATE; i++)
-            x[i] = i < states ? now[told + i] : command[i - FORCE];
+            x[i] = i < states ? now[estimated + i] : command[i - FORCE];
         hold(car, fine, substeps, h, command, disturbance + (size_t)step * DISTURBANCES * fine, x,
              column < 0 ? NULL : table + column, (size_t)columns);
         for (int i = 0; i < states; i++)
-            next[told + i] = x[i];
+            next[estimated + i] = x[i];
         if (estimator)
             estimate(estimator, car, x, command, disturbance + (size_t)(step + 1) * DISTURBANCES * fine - DISTURBANCES,
                      input + 8 * step, now, next);

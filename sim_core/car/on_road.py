@@ -27,7 +27,7 @@ def on_road(
         step: Control step [s].
         disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `RoadInput.disturbance`.
         before: Control steps before those on record.
-        estimator: What tells controllers the state; None tells it as it is.
+        estimator: Between car and controller; None where that has the state itself.
         clipped: Whether the law's limits shape the force in most steps, so that blocks of free steps gain nothing.
 
     Raises:

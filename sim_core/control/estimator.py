@@ -51,8 +51,8 @@ def kalman_filter(vehicle: Vehicle, noise: Estimation, step: float, intensity: f
     return KalmanFilter(gain=gain, covariance=P - gain @ C @ P)
 
 
-def estimator(scenario: Scenario, step: float, speed: float, disturbance: FloatArray) -> Estimator | None:
-    """What a scenario's controllers are told of the state, or None where that is the state itself.
+def make_estimator(scenario: Scenario, step: float, speed: float, disturbance: FloatArray) -> Estimator | None:
+    """What estimates the state for a scenario's controllers, or None where they have the state itself.
 
     Args:
         scenario: Whose vehicle, road and sensors.

@@ -1,6 +1,6 @@
-"""The road as sensors that look ahead give it, and what a controller that knows their errors makes of it.
+"""The road as preview sensors give it, and what a controller that knows their errors makes of it.
 
-In space, once for the whole drive: both axles, and every control step, are told the same height of the same place.
+In space, once for the whole drive: a place has one height for both axles and in every control step.
 """
 
 from dataclasses import dataclass, replace

@@ -5,7 +5,7 @@ import numpy as np
 from sim_core.car.half_car import DISTURBANCES, discrete
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import SolverReport
-from sim_core.control.estimator import estimator
+from sim_core.control.estimator import make_estimator
 from sim_core.control.mpc import CENTI
 from sim_core.controllers import mpc_designs
 from sim_core.drive.preview import preview_windows
@@ -60,8 +60,8 @@ def drive_ecu(
     disturbance = road_input.disturbance.reshape(-1, DISTURBANCES * fine)
     before = road_input.drive.before * n
     step = road_input.step / n
-    told = estimator(scenario, step, motion.initial_speed, disturbance)
-    car = on_road(scenario.real_vehicle, scenario.actuator, step, disturbance, before, estimator=told)
+    estimator = make_estimator(scenario, step, motion.initial_speed, disturbance)
+    car = on_road(scenario.real_vehicle, scenario.actuator, step, disturbance, before, estimator=estimator)
     numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
     if calibration.predicts:  # a command is made for the stage in which it takes effect
         numbers = [*numbers[1:], numbers[-1]]

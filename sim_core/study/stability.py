@@ -9,10 +9,10 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.linear import closed_loop_matrix, told_by
+from sim_core.car.linear import closed_loop_matrix, control_step
 from sim_core.car.plant import plant
 from sim_core.catalogue import STAGES
-from sim_core.control.estimator import estimator
+from sim_core.control.estimator import make_estimator
 from sim_core.controllers import make_controller
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
@@ -65,8 +65,8 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
     stages = STAGES if actuated else ("cruise",)
     distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}
-    told = estimator(believed, step, motion.initial_speed, np.zeros((1, DISTURBANCES))) if actuated else None
-    loop = told_by(car, scenario.real_vehicle, told)
+    estimator = make_estimator(believed, step, motion.initial_speed, np.zeros((1, DISTURBANCES))) if actuated else None
+    loop = control_step(car, scenario.real_vehicle, estimator)
     return min(damping(closed_loop_matrix(loop, controller.law(stage)), step) for stage in distinct.values())
 
 

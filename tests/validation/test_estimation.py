@@ -5,10 +5,10 @@ import pytest
 from scipy.linalg import solve_discrete_are
 
 from sim_core.car.half_car import discrete, measurement
-from sim_core.car.linear import closed_loop_matrix, told_by
+from sim_core.car.linear import closed_loop_matrix, control_step
 from sim_core.car.plant import plant
 from sim_core.control.cost import CostTerms
-from sim_core.control.estimator import _accumulated, estimator, kalman_filter
+from sim_core.control.estimator import _accumulated, kalman_filter, make_estimator
 from sim_core.control.lqr import LqrController, regulator
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import drive
@@ -62,11 +62,11 @@ def test_a_step_adds_the_roads_noise() -> None:
 def test_the_error_on_a_road_is_the_filters_own_covariance(strategy: str) -> None:
     """A minute and a half of class B road, on which the road's velocity is nearly white."""
     run = adaptive.run(LONG, strategy)
-    told, state = run.trajectory.states[:, :8], run.trajectory.states[:, 8:]
+    estimate, state = run.trajectory.states[:, :8], run.trajectory.states[:, 8:]
     speed = LONG.speed.initial_speed_kmh / 3.6
     intensity = (2 * np.pi * 0.1) ** 2 * LONG.road.roughness * speed / 2
     expected = np.sqrt(np.diag(kalman_filter(LONG.vehicle, KALMAN, LONG.mpc.sample_time, intensity).covariance))
-    error = (told - state)[200:].std(axis=0)
+    error = (estimate - state)[200:].std(axis=0)
     # The road's velocity is not quite white: the body's, the slowest state, is known better than the filter expects.
     np.testing.assert_allclose(np.delete(error, 4), np.delete(expected, 4), rtol=0.05)
     assert 0.6 * expected[4] < error[4] < expected[4]
@@ -80,15 +80,15 @@ def test_what_is_told_follows_the_textbooks_recursion() -> None:
     motion = drive(scenario, SpeedPolicy.PLANNED)
     longest = fine_step(scenario, strategy_named("lv"))
     road_input = sample_road(scenario.road, scenario.vehicle.wheelbase, motion, 0.01, longest)
-    told, state, commands = run.trajectory.states[:, :8], run.trajectory.states[:, 8:], run.commands
+    estimate, state, commands = run.trajectory.states[:, :8], run.trajectory.states[:, 8:], run.commands
     model, sensors = discrete(scenario.vehicle, 0.01), measurement(scenario.vehicle)
     intensity = (2 * np.pi * 0.1) ** 2 * 64e-6 * motion.initial_speed / 2
     gain = kalman_filter(scenario.vehicle, KALMAN, 0.01, intensity).gain
-    braking = road_input.disturbance.reshape(len(told), -1, 3)[:, :, 2].mean(axis=1)
-    predicted = told @ model.A.T + commands @ model.B.T + np.outer(braking, model.E[:, 2])
+    braking = road_input.disturbance.reshape(len(estimate), -1, 3)[:, :, 2].mean(axis=1)
+    predicted = estimate @ model.A.T + commands @ model.B.T + np.outer(braking, model.E[:, 2])
     innovation = (state[1:] - predicted[:-1]) @ sensors.C.T
-    noise = np.linalg.lstsq(gain, (told[1:] - predicted[:-1] - innovation @ gain.T).T, rcond=None)[0]
-    np.testing.assert_allclose(predicted[:-1] + (innovation + noise.T) @ gain.T, told[1:], atol=1e-9)
+    noise = np.linalg.lstsq(gain, (estimate[1:] - predicted[:-1] - innovation @ gain.T).T, rcond=None)[0]
+    np.testing.assert_allclose(predicted[:-1] + (innovation + noise.T) @ gain.T, estimate[1:], atol=1e-9)
     np.testing.assert_allclose(noise.std(axis=1), [5e-4, 5e-4, 0.05, 0.002], rtol=0.1)
     assert np.abs(np.corrcoef(noise)[np.triu_indices(4, 1)]).max() < 0.1
 
@@ -106,13 +106,13 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     )
     design, model = regulator(terms), discrete(CAR, STEP)
     scenario = Scenario(vehicle=CAR, estimation=KALMAN)
-    told = estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
-    assert told is not None
+    estimate = make_estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
+    assert estimate is not None
     loop = closed_loop_matrix(
-        told_by(plant(CAR, Actuator(), STEP, 1), CAR, told), LqrController(design, 1e4).law("cruise")
+        control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate), LqrController(design, 1e4).law("cruise")
     )
     poles = np.concatenate(
-        [np.linalg.eigvals(model.A - model.B @ design.K * 1000), np.linalg.eigvals(told.state), np.zeros(2)]
+        [np.linalg.eigvals(model.A - model.B @ design.K * 1000), np.linalg.eigvals(estimate.state), np.zeros(2)]
     )
     ours = np.linalg.eigvals(loop)
     for pole in poles:
@@ -136,7 +136,7 @@ def test_it_is_the_same_stepped_in_c(strategy: str, actuator: Actuator) -> None:
 def test_a_filter_that_believes_in_another_car_is_told_nothing_of_it() -> None:
     """Its matrices are the believed car's: only what it is fed differs."""
     heavy = Scenario(estimation=KALMAN, mismatch=Mismatch(body_mass=1.3))
-    one, two = (estimator(each, STEP, 13.9, np.zeros((5, 3))) for each in (heavy, Scenario(estimation=KALMAN)))
+    one, two = (make_estimator(each, STEP, 13.9, np.zeros((5, 3))) for each in (heavy, Scenario(estimation=KALMAN)))
     assert one is not None
     assert two is not None
     np.testing.assert_array_equal(one.state, two.state)
