@@ -119,7 +119,7 @@ def combine(sums: Mapping[str, FloatArray], bump: FloatArray) -> tuple[FloatArra
 def bump_share(scenario: Scenario, time: float) -> float:
     """Share of that time over the road [s] in which the bump is ahead, under an axle, or just behind."""
     mpc, road = scenario.mpc, scenario.road
-    crossing = (road.bump.width + scenario.vehicle.wheelbase) * time / road.length
+    crossing = (road.bump.length + scenario.vehicle.wheelbase) * time / road.length
     return min(1.0, (crossing + mpc.prediction_horizon * mpc.sample_time + _SETTLING) / time)
 
 

@@ -165,7 +165,7 @@ def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
         warnings.append(f"The first distance, {distance[0]:g} m, is x = 0")
     warnings += [
         f"{len(distance)} heights became {road.samples}, one every {1000 * SPACING:g} mm, straight lines in between",
-        f"A straight line was taken off: {1000 * made.offset:.3g} mm at the start, {100 * made.slope:.3g} % slope",
+        f"A straight line was taken off: {made.offset:.4g} m at the start, {100 * made.slope:.3g} % slope",
         f"Heights were averaged over {1000 * CONTACT:g} mm, as a tyre's contact does",
     ]
     if widest > WIDE_GAP:

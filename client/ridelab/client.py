@@ -246,6 +246,19 @@ class Ridelab:
         """The newest tunings first, without what stands behind their scenario; as `batches`."""
         return [Tuning(self._http, each) for each in self._listed("tunings", state, label, limit)]
 
+    def upload_road(self, source: str | os.PathLike[str] | bytes) -> dict[str, Any]:
+        """Send a measured profile, a CSV file or its content; `id` is for a scenario's `road.profile`.
+
+        The answer has `length` [m], `samples`, `bumps` (found in it) and `warnings` (what was done to it).
+        """
+        content = source if isinstance(source, bytes) else Path(source).read_bytes()
+        return self._http.json("POST", f"{API}/roads", body=content)
+
+    def road(self, road_id: str, points: int = 2000) -> dict[str, Any]:
+        """A measured road: `length`, `bumps`, and about so many heights, `distance` and `height` [m]."""
+        road: dict[str, Any] = self.get(f"/roads/{_id(road_id)}", {"points": points})
+        return road
+
     def vehicles(self) -> dict[str, dict[str, Any]]:
         """Vehicles with sources by id: `label`, `description`, `vehicle` (for a scenario), `sources`, `derived`."""
         return {each["id"]: each for each in self.get("/vehicles")}

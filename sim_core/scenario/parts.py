@@ -115,7 +115,8 @@ class Road(Part):
         None,
         pattern=ID_PATTERN,
         title="Measured profile",
-        description="Id of a measured road, which stands in place of roughness and seed; none is a made one.",
+        description="Id of a measured road, which stands in place of roughness and seed; none is a made one. Its file "
+        "is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].",
     )
     bump: Bump = Bump()
     _measured: MeasuredRoad | None = PrivateAttr(None)

@@ -2,6 +2,8 @@
 
 import csv
 import io
+import json
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -9,8 +11,12 @@ import numpy as np
 import pytest
 
 from backend.roads.survey import read
+from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from sim_core.study.sample_roads import HUMP as HUMP_OF_STREET
+from sim_core.study.sample_roads import POTHOLE, SAMPLES
+from tests.api.cli import Cli
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
 
@@ -19,6 +25,7 @@ X = np.arange(0, 140, 0.1)
 HUMP = 80 * np.where((X > 100) & (X < 103), (1 - np.cos(2 * np.pi * (X - 100) / 3)) / 2, 0)
 FILE = HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(X, HUMP + 3 * np.sin(X) + 0.4 * X, strict=True))
 MISSING = "A" * 22
+ROADS = Path(__file__).parents[2] / "docs" / "roads"
 
 
 def send(client: httpx.Client, content: str | bytes, **headers: str) -> httpx.Response:
@@ -139,3 +146,35 @@ def test_what_is_no_road_is_refused(
     answer = send(client, content, **headers)
     assert (answer.status_code, answer.headers["content-type"]) == (status, "application/problem+json")
     assert said in answer.json()["detail"]
+
+
+def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: httpx.Client, tmp_path: Path) -> None:
+    gravel, made = ROADS / "gravel.csv", tmp_path / "gravel.json"
+    with Ridelab(str(client.base_url)) as ridelab:
+        sent = ridelab.upload_road(gravel)
+        assert ridelab.upload_road(gravel.read_bytes()) == sent
+        assert ridelab.road(sent["id"], points=50)["length"] == sent["length"] == 150
+    printed = cli("road", gravel)
+    assert printed.startswith(f"road.profile={sent['id']}, 150 m")
+    assert all(f"- {warning}" in printed for warning in sent["warnings"])
+    assert cli("road", sent["id"]).startswith(f"road.profile={sent['id']}, 150 m")
+    cli("road", gravel, "--out", made)
+    run = json.loads(cli("run", made, "-s", "passive", "--json"))
+    bump = sent["bumps"][0]
+    assert (run["scenario"]["road"]["profile"], run["scenario"]["road"]["length"]) == (sent["id"], 150)
+    assert (run["scenario"]["road"]["bump"]["start"], run["scenario"]["road"]["bump"]["height"]) == (bump["start"], 0)
+    again = json.loads(cli("run", made, "-s", "passive", "--set", f"road.profile={sent['id']}", "--json"))
+    assert again["id"] == run["id"]
+    (tmp_path / "bad.csv").write_text("distance [m],height [mm]\n0,0\n1,NaN\n")
+    cli("road", tmp_path / "bad.csv", code=2)
+    assert "Line 3: A value is not a finite number" in cli.error
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_the_samples_are_what_their_command_prints_and_have_their_bumps(name: str) -> None:
+    text = (ROADS / f"{name}.csv").read_text()
+    assert text == SAMPLES[name]()
+    found = read(text.encode()).bumps[0]
+    bump = {"street": HUMP_OF_STREET, "gravel": POTHOLE}[name]
+    assert found.start == pytest.approx(bump.start, abs=0.5)
+    assert found.height == pytest.approx(bump.height, rel=0.2)

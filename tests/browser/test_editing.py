@@ -7,6 +7,8 @@ from playwright.sync_api import expect
 
 from tests.browser.dashboard import Dashboard
 
+ROADS = Path(__file__).parents[2] / "docs" / "roads"
+
 
 def test_dragging_is_live_and_the_release_exact(dashboard: Dashboard) -> None:
     dashboard.open()
@@ -210,3 +212,23 @@ def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_pa
     file.write_text("no vehicle", encoding="utf-8")
     page.get_by_label("Vehicle file").set_input_files(file)
     expect(page.get_by_role("alert").filter(has_text="vehicle-van_loaded.json: This file is not JSON")).to_be_visible()
+
+
+def test_a_measured_road_is_opened_driven_and_taken_off(dashboard: Dashboard, tmp_path: Path) -> None:
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Road", exact=True).click()
+    page.get_by_label("Road file").set_input_files(ROADS / "street.csv")
+    expect(page.get_by_text("Bumps in it: 71 mm at 100.1 m over 3.6 m.")).to_be_visible()
+    expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
+    expect(dashboard.entry("Length")).to_have_value("180")
+    expect(dashboard.entry("Height")).to_have_value("0")
+    expect(page).not_to_have_url(address)
+    road = dashboard.stored_run()["scenario"]["road"]
+    assert (len(road["profile"]), road["bump"]["start"]) == (22, 100.1)
+    (tmp_path / "bad.csv").write_text("distance [m],height [mm]\n0,0\n1,x\n", encoding="utf-8")
+    page.get_by_label("Road file").set_input_files(tmp_path / "bad.csv")
+    expect(page.get_by_role("alert").filter(has_text="bad.csv: Line 3: A value is not a number")).to_be_visible()
+    page.get_by_test_id("reset-all").click()
+    expect(page).to_have_url(address)
+    expect(page.get_by_text("Bumps in it")).to_have_count(0)

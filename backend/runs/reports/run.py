@@ -126,7 +126,7 @@ def drive(scenario: JsonObject) -> list[str]:
     rough = f"roughness {with_unit(exact(road['roughness']), 'm^3')}, seed {road['seed']}"
     return [
         obstacle,
-        rough if road["roughness"] else "smooth road",
+        f"measured road {road['profile']}" if road["profile"] else rough if road["roughness"] else "smooth road",
         f"{exact(speed['initial_speed_kmh'])} → {with_unit(exact(speed['target_speed_kmh']), 'km/h')}",
     ]
 

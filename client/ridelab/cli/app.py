@@ -17,6 +17,7 @@ from ridelab.cli.export import export
 from ridelab.cli.options import option
 from ridelab.cli.paper import paper
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
+from ridelab.cli.road import road
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
 from ridelab.cli.server import backup, open_, serve
@@ -66,7 +67,7 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-COMMANDS = (serve, run_, sweep, robustness, tune, paper, vehicle, controller, hil, compare, open_, export, backup)
+COMMANDS = (serve, run_, sweep, robustness, tune, paper, vehicle, road, controller, hil, compare, open_, export, backup)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):

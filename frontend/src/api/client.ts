@@ -1,18 +1,20 @@
 /** Every HTTP call of the page that no job has. */
 
 import { decodeSeries } from "./decode";
-import { asQuery, BASE, get, post, send, sending } from "./http";
+import { asQuery, BASE, get, post, postFile, send, sending } from "./http";
 import { readRun } from "./roads";
 import type {
   Attribution,
   Catalogue,
   ControllerReport,
+  CreatedRoad,
   EncodedSeries,
   FigureTemplate,
   JsonObject,
   Link,
   LinkAnswer,
   LiveAnswer,
+  MeasuredRoad,
   NewLink,
   Paper,
   PaperFigure,
@@ -51,6 +53,8 @@ interface SeriesAnswer {
 export const api = {
   schema: (signal?: AbortSignal) => get<JsonObject>("/schema", signal),
   presets: (signal?: AbortSignal) => get<readonly Preset[]>("/presets", signal),
+  sendRoad: (csv: string) => postFile<CreatedRoad>("/roads", csv, "text/csv"),
+  road: (id: string, signal?: AbortSignal) => get<MeasuredRoad>(`/roads/${encodeURIComponent(id)}?points=2`, signal),
   vehicles: (signal?: AbortSignal) => get<readonly VehiclePreset[]>("/vehicles", signal),
   strategies: (signal?: AbortSignal) => get<readonly Strategy[]>("/strategies", signal),
   catalogue: (signal?: AbortSignal) => get<Catalogue>("/catalogue", signal),

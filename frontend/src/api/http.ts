@@ -72,6 +72,11 @@ export async function post<T>(path: string, body: unknown, options?: PostOptions
   return (await request(BASE + path, sending("POST", body, options))) as T;
 }
 
+/** A file as it is. */
+export async function postFile<T>(path: string, content: string, type: string): Promise<T> {
+  return (await request(BASE + path, { method: "POST", headers: { "content-type": type }, body: content })) as T;
+}
+
 export async function patch<T>(path: string, body: unknown): Promise<T> {
   return (await request(BASE + path, sending("PATCH", body))) as T;
 }

@@ -3982,7 +3982,7 @@ export interface components {
             length: number;
             /**
              * Measured profile
-             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one.
+             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one. Its file is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].
              */
             profile?: string | null;
             /**
@@ -4022,7 +4022,7 @@ export interface components {
             length: number;
             /**
              * Measured profile
-             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one.
+             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one. Its file is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].
              */
             profile?: string | null;
             /**

@@ -27,6 +27,8 @@ export type Quantity = Deep<Schemas["QuantityAnswer"]>;
 export type Catalogue = Deep<Schemas["Catalogue"]>;
 export type Strategy = Deep<Schemas["StrategyAnswer"]>;
 export type Preset = Deep<Omit<Schemas["PresetAnswer"], "scenario">> & { readonly scenario: Scenario };
+export type MeasuredRoad = Deep<Schemas["RoadAnswer"]>;
+export type CreatedRoad = Deep<Schemas["CreatedRoad"]>;
 /** A vehicle with its sources; its values are plain JSON, as the scenario's. */
 export type VehiclePreset = Deep<Omit<Schemas["VehicleAnswer"], "vehicle">> & { readonly vehicle: JsonObject };
 export type StageSpan = Deep<Schemas["Stage"]>;

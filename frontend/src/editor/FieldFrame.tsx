@@ -4,12 +4,12 @@ import { ActionIcon, Text, Tooltip } from "@mantine/core";
 import { IconArrowBackUp, IconInfoCircle } from "../icons";
 import { useEffect, useRef, type ReactNode } from "react";
 import classes from "./editor.module.css";
-import type { ChoiceField, NumberField } from "./schema";
+import type { Leaf } from "./diff";
 import type { LeafState } from "./useLeaf";
 
 interface Props {
   readonly id: string;
-  readonly field: NumberField | ChoiceField;
+  readonly field: Leaf;
   readonly leaf: LeafState;
   /** The paper's value as text. */
   readonly standard: string;

@@ -6,6 +6,7 @@ import { ChoiceFieldRow } from "./ChoiceFieldRow";
 import classes from "./editor.module.css";
 import { NumberFieldRow } from "./NumberFieldRow";
 import { RoadClassRow } from "./RoadClassRow";
+import { RoadProfileRow } from "./RoadProfileRow";
 import type { ChoiceField, Member, NumberField, VectorField } from "./schema";
 import { useLeaf } from "./useLeaf";
 import { WeightsMatrix } from "./WeightsMatrix";
@@ -35,6 +36,8 @@ function MemberControl({ member }: { readonly member: Member }) {
       );
     case "vector":
       return null; // together in one table above
+    case "text":
+      return <RoadProfileRow field={member} />;
     default:
       return <Leaf field={member} />;
   }

@@ -2,10 +2,10 @@
 
 import type { Scenario } from "../api/types";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
-import { fieldsOf, type Field, type Member, type NumberField, type ChoiceField } from "./schema";
+import { fieldsOf, type Field, type Member, type NumberField, type ChoiceField, type TextField } from "./schema";
 
 /** A field somebody changes by itself: the entries of a vector count one by one. */
-export type Leaf = NumberField | ChoiceField;
+export type Leaf = NumberField | ChoiceField | TextField;
 
 export function leavesOf(member: Member): readonly Leaf[] {
   return fieldsOf(member).flatMap((field: Field): readonly Leaf[] => (field.kind === "vector" ? field.items : [field]));

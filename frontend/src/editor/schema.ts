@@ -29,6 +29,11 @@ export interface ChoiceField extends Base {
   readonly onOff: boolean;
 }
 
+/** A name that something else gives, or none: a measured road's id. */
+export interface TextField extends Base {
+  readonly kind: "text";
+}
+
 export const optionOf = (value: JsonValue | undefined) => (typeof value === "boolean" ? String(value) : text(value));
 
 export const optionValue = (field: ChoiceField, option: string): string | boolean => (field.onOff ? option === "true" : option);
@@ -51,7 +56,7 @@ export interface Group {
   readonly members: readonly Member[];
 }
 
-export type Field = NumberField | ChoiceField | VectorField;
+export type Field = NumberField | ChoiceField | TextField | VectorField;
 export type Member = Field | Group;
 
 function isObject(value: unknown): value is JsonObject {
@@ -111,6 +116,7 @@ class Reader {
     if (Array.isArray(node.enum)) return { ...base, kind: "choice", options: list(node.enum).map(String), onOff: false };
     if (node.type === "boolean") return { ...base, kind: "choice", options: ["false", "true"], onOff: true };
     if (Array.isArray(node.prefixItems)) return this.#vector(node, base);
+    if (list(node.anyOf).some((variant) => isObject(variant) && variant.type === "string" && !variant.enum)) return { ...base, kind: "text" };
     return this.#number(node, base);
   }
 

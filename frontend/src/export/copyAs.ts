@@ -1,10 +1,10 @@
 /** The current run as a command or a script: only what differs from the paper is written out. */
 
 import type { JsonObject, JsonValue, Scenario, StrategyId } from "../api/types";
-import { isChanged } from "../editor/diff";
+import { isChanged, leavesOf } from "../editor/diff";
 import { getAt, setAt } from "../editor/path";
 import { fieldsOf, type Group } from "../editor/schema";
-import { sweepFields } from "../sweep/fields";
+import { dotted } from "../sweep/fields";
 
 export interface CopyRequest {
   /** Where the service is. */
@@ -36,10 +36,10 @@ export function asCurl({ origin, form, scenario, strategies, over }: CopyRequest
 }
 
 export function asCommand({ origin, form, scenario, strategies, over }: CopyRequest): string {
-  const changes = sweepFields(form).flatMap(({ name, leaf }) => {
+  const changes = leavesOf(form).flatMap((leaf) => {
     const value = getAt(scenario, leaf.pointer);
     if (value === undefined || !isChanged(scenario, leaf)) return [];
-    return [`--set ${word(`${name}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
+    return [`--set ${word(`${dotted(leaf.pointer)}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
   });
   const roads = over ? [`--roads ${over.roads} --baseline ${word(over.baseline)}`] : [];
   return ["ridelab run", ...changes, `--strategy ${word(strategies.join(","))}`, ...roads, `--server ${word(origin)}`].join(" ");

@@ -18,6 +18,9 @@ export const schemaQuery = queryOptions({
   ...FOR_EVER,
 });
 export const presetsQuery = queryOptions({ queryKey: ["presets"], queryFn: ({ signal }) => api.presets(signal), ...FOR_EVER });
+/** A measured road; it never changes. */
+export const roadQuery = (id: string) =>
+  queryOptions({ queryKey: ["road", id], queryFn: ({ signal }) => api.road(id, signal), enabled: id !== "", ...FOR_EVER });
 export const vehiclesQuery = queryOptions({ queryKey: ["vehicles"], queryFn: ({ signal }) => api.vehicles(signal), ...FOR_EVER });
 export const strategiesQuery = queryOptions({
   queryKey: ["strategies"],

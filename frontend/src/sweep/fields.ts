@@ -1,8 +1,7 @@
 /** The scenario's fields as a sweep names them: `road.bump.height`, `mpc.stage_weights.cruise.0`. */
 
-import type { Leaf } from "../editor/diff";
 import type { Pointer } from "../editor/path";
-import type { Group, Member } from "../editor/schema";
+import type { ChoiceField, Group, Member, NumberField } from "../editor/schema";
 
 export interface SweepField {
   /** Dotted name. */
@@ -10,7 +9,7 @@ export interface SweepField {
   readonly title: string;
   /** The parts of the scenario it lies in, outermost first. */
   readonly section: string;
-  readonly leaf: Leaf;
+  readonly leaf: NumberField | ChoiceField;
 }
 
 export const dotted = (pointer: Pointer) => pointer.slice(1).replace(/\//g, ".");
@@ -28,6 +27,8 @@ function below(member: Member, sections: readonly string[]): readonly SweepField
       return member.members.flatMap((inner) => below(inner, [...sections, member.title]));
     case "vector":
       return member.items.map((leaf) => ({ name: dotted(leaf.pointer), title: `${member.title}: ${leaf.title}`, section, leaf }));
+    case "text":
+      return [];
     default:
       return [{ name: dotted(member.pointer), title: member.title, section, leaf: member }];
   }
