@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 import yaml
 
+from backend.http.routing import CsvRoute
 from backend.settings import Settings
 from tests.servers.programs import find
 
@@ -160,7 +161,8 @@ def test_the_proxy_waits_longer_than_the_service_and_takes_bodies_as_long() -> N
     assert timeout
     assert int(timeout[1]) > Settings().run_timeout
     longest = Settings().max_body_bytes
-    assert set(re.findall(r"deny status 413 default-errorfiles if \{ .* gt (\d+) \}", text)) == {str(longest)}
+    assert re.findall(r"set-var\(txn.longest\) int\((\d+)\)", text) == [str(longest), str(CsvRoute.MAX_BYTES)]
+    assert len(re.findall(r"deny status 413 default-errorfiles if \{ .*,sub\(txn.longest\) gt 0 \}", text)) == 2
     buffer = re.search(r"tune.bufsize (\d+)", text)
     assert buffer
     assert int(buffer[1]) > longest + 2 * 16384, "headers, and room for what the proxy writes itself"

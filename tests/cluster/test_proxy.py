@@ -20,6 +20,7 @@ from tests.servers.process import ROOT, wait_until
 from tests.servers.programs import find
 
 LONGEST = 1024 * 1024
+LONGEST_ROAD = 4 * LONGEST
 REQUEST_TIMEOUT = 1.0  # what the tests give a request to arrive; ten seconds in production [s]
 
 
@@ -120,6 +121,17 @@ def test_the_longest_body_passes_and_a_longer_one_is_refused(client: httpx.Clien
     assert_problem(client.post("/api/v1/runs", content=b" " * (LONGEST + 1)), 413)
     in_pieces = iter([b" " * 65536] * 32)
     assert_problem(client.post("/api/v1/runs", content=in_pieces), 413)
+    assert sum(replica.asked for replica in replicas) == before
+
+
+def test_a_road_s_file_may_be_longer(client: httpx.Client, replicas: list[Replica]) -> None:
+    assert client.post("/api/v1/roads", content=b" " * LONGEST_ROAD).json()["body"] == LONGEST_ROAD
+    before = sum(replica.asked for replica in replicas)
+    refused = client.post("/api/v1/roads", content=b" " * (LONGEST_ROAD + 1))
+    assert_problem(refused, 413)
+    assert refused.json()["detail"] == f"The body may have {LONGEST_ROAD} bytes."
+    for path in ("/api/v1/runs?/api/v1/roads", "/api/v1/roads/x", "//api/v1/roads"):
+        assert_problem(client.post(path, content=b" " * (LONGEST + 1)), 413)
     assert sum(replica.asked for replica in replicas) == before
 
 

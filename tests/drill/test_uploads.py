@@ -1,0 +1,124 @@
+"""Files of roads that are none, over and over for half a minute: each is refused at its line, and nobody else notices.
+
+Shipped settings. Each is sent by a client of its own, which sends it again as soon as it is answered.
+"""
+
+import asyncio
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import httpx
+import pytest
+
+from tests.drill.callers import Caller, new_run, quantile
+from tests.servers.api import Api
+
+SECONDS = 30.0
+OTHER = "127.0.0.2"
+ROAD = "distance [m],height [mm]\n" + "".join(f"{0.01 * step:.2f},{step % 7}\n" for step in range(200_000))
+MIDDLE = 100_002  # the line of step 100000
+
+
+def replaced(line: str) -> bytes:
+    """The road with another line in its middle."""
+    lines = ROAD.split("\n")
+    lines[MIDDLE - 1] = line
+    return "\n".join(lines).encode()
+
+
+@dataclass(slots=True)
+class Upload:
+    """A bad file, what it is answered, and how long that took [s]."""
+
+    content: bytes
+    status: int
+    detail: str
+    times: list[float] = field(default_factory=list)
+    put_off: int = 0
+
+
+UPLOADS = {
+    "NaN": Upload(replaced("1000.00,nan"), 422, f"Line {MIDDLE}: A value is not a finite number."),
+    "no number": Upload(replaced("1000.00,3mm"), 422, f"Line {MIDDLE}: A value is not a number."),
+    "a distance going back": Upload(replaced("999.00,3"), 422, f"Line {MIDDLE}: The distance goes back"),
+    "20 MB": Upload(b"distance [m],height [mm]\n" + 20_000_000 * b"1", 413, "The body may have 4194304 bytes."),
+    "3 million short lines": Upload(b"x [m],z [m]\n" + 3_000_000 * b"1\n", 413, "The body may have 4194304 bytes."),
+    "2 million empty lines": Upload(b"x [m],z [m]\n" + 2_000_000 * b"\n", 422, "Line 350001: The file may have"),
+    "4 MB in one line": Upload(b"x [m],z [m]\n" + 4_000_000 * b"1", 422, "Line 2: A line may have 500 characters."),
+    "4 MB of commas": Upload(4_000_000 * b",", 422, "Line 1: A line may have 500 characters."),
+}
+
+
+@pytest.fixture(scope="module")
+def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
+    api = Api(tmp_path_factory.mktemp("uploads"))
+    try:
+        api.wait_until_ready()
+        yield api.port
+    finally:
+        api.end()
+
+
+async def again_and_again(port: int, upload: Upload, address: str, end: float) -> None:
+    transport = httpx.AsyncHTTPTransport(local_address=address)
+    async with httpx.AsyncClient(transport=transport, base_url=f"http://127.0.0.1:{port}", timeout=60) as client:
+        while time.monotonic() < end:
+            begin = time.monotonic()
+            try:
+                answer = await client.post(
+                    "/api/v1/roads", content=upload.content, headers={"Content-Type": "text/csv"}
+                )
+            except httpx.WriteError:  # refused before it was sent, and hung up on
+                assert upload.status == 413
+                upload.times.append(time.monotonic() - begin)
+                continue
+            if answer.status_code in (429, 503):
+                upload.put_off += 1
+                await asyncio.sleep(min(1.0, float(answer.headers["retry-after"])))
+                continue
+            upload.times.append(time.monotonic() - begin)
+            assert answer.status_code == upload.status
+            assert answer.json()["detail"].startswith(upload.detail)
+
+
+async def served(port: int, end: float) -> tuple[list[float], list[float]]:
+    """Times of health checks and of new runs, one after another [s]."""
+    caller, health, runs = Caller(port, OTHER), list[float](), list[float]()
+    try:
+        while time.monotonic() < end:
+            for into, request in ((health, ("GET", "/healthz")), (runs, ("POST", "/api/v1/runs", new_run()))):
+                begin = time.monotonic()
+                status, _, _ = await caller.call(*request)
+                into.append(time.monotonic() - begin)
+                assert status == 200
+    finally:
+        await caller.close()
+    return health, runs
+
+
+async def drive(port: int) -> None:
+    end = time.monotonic() + SECONDS
+    addresses = [f"127.0.0.{number}" for number in range(3, 3 + len(UPLOADS))]
+    async with asyncio.TaskGroup() as group:
+        for address, upload in zip(addresses, UPLOADS.values(), strict=True):
+            group.create_task(again_and_again(port, upload, address, end))
+        other = group.create_task(served(port, end))
+    for name, upload in UPLOADS.items():
+        print(
+            f"\n{name}: {upload.status}, {len(upload.times)} times, {upload.put_off} put off, "
+            f"{quantile(upload.times, 0.5):.0f} ms, at most {quantile(upload.times, 1):.0f}",
+            end="",
+        )
+    health, runs = other.result()
+    print(
+        f"\nanother client's {len(health)} /healthz {quantile(health, 0.5):.0f} ms, p99 {quantile(health, 0.99):.0f}; "
+    )
+    print(f"its runs {quantile(runs, 0.5):.0f} ms, p99 {quantile(runs, 0.99):.0f}")
+    assert all(upload.times for upload in UPLOADS.values())
+    assert quantile(health, 0.99) < 500
+    assert quantile(runs, 0.5) < 2000
+
+
+def test_bad_files_are_refused_at_their_line_and_disturb_nobody(port: int) -> None:
+    asyncio.run(drive(port))
