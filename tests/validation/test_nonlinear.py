@@ -44,11 +44,11 @@ def test_metrics_are_an_adaptive_solvers() -> None:
     for i in range(examples(12)):
         scenario = Scenario(
             vehicle=random_car(draw),
-            road=Road(roughness=(64e-6, 256e-6, 1024e-6)[i % 3], length=60, seed=i, bump=Bump(start=30)),
+            road=Road(roughness=(64e-6, 256e-6, 1024e-6)[i % 3], length=36, seed=i, bump=Bump(start=18, height=0.14)),
             actuator=Actuator(bandwidth=10.0 if i % 4 == 3 else None),
         )
         runs.append(adaptive.run(scenario, ("suspension_only", "passive")[i % 2]))
-    assert sum(run.result.events["airborne_ms"] > 0 for run in runs) > len(runs) / 4
+    assert sum(run.result.events["airborne_ms"] > 0 for run in runs) >= len(runs) / 2
     stops = [run.scenario.vehicle.bump_stop_clearance or 0.0 for run in runs]
     travels = [run.result.metrics["whole"]["front_deflection"]["peak"] for run in runs]
     assert sum(travel > stop for travel, stop in zip(travels, stops, strict=True)) > len(runs) / 2

@@ -4,7 +4,7 @@ from backend.json_types import JsonObject
 from backend.runs import figures
 from sim_core.strategies import STRATEGIES
 
-# Plotly's dashes as SVG's, for lines two wide.
+# Plotly's named dashes as SVG's, for lines two wide; others are lengths.
 _DASHES = {
     "solid": "",
     "dash": "7 3",
@@ -28,7 +28,7 @@ def inside(text: str) -> str:
 def key_of(strategy: str) -> dict[str, str]:
     """A strategy's name and how it is drawn."""
     style = figures.STYLES.get(strategy, figures.Style(colour=figures.NEUTRAL, dash="solid"))
-    return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _DASHES[style.dash]}
+    return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
 
 
 def line_of(trace: JsonObject) -> dict[str, str]:
@@ -36,4 +36,8 @@ def line_of(trace: JsonObject) -> dict[str, str]:
     if "fillcolor" in trace:
         return {"label": trace["name"], "colour": trace["fillcolor"], "dash": "", "width": "10"}
     line = trace["line"]
-    return {"label": trace["name"], "colour": line["color"], "dash": _DASHES[line["dash"]]}
+    return {"label": trace["name"], "colour": line["color"], "dash": _svg(line["dash"])}
+
+
+def _svg(dash: str) -> str:
+    return _DASHES.get(dash, dash.replace("px", "").replace(",", " "))

@@ -34,8 +34,8 @@ function dashOf(style: unknown, lineWidth: number): number[] {
       return [3 * unit, unit, unit, unit];
     case "longdashdot":
       return [5 * unit, unit, unit, unit];
-    default:
-      return [];
+    default: // lengths, or solid
+      return typeof style === "string" ? style.split(",").map(parseFloat).filter(Number.isFinite) : [];
   }
 }
 

@@ -1,6 +1,6 @@
 """Cars with unequal dampers, stops and tyres that lift off, in absolute coordinates and by SciPy's adaptive solver.
 
-Newton's second law for bodies and wheels with the forces as they are, integrated by DOP853 from control instant to
+Newton's second law for bodies and wheels with the forces as they are, integrated by RK45 from control instant to
 control instant, all cars at once; taken from the core are the road's heights, the speed plan and the commands.
 """
 
@@ -150,7 +150,7 @@ def _solved(runs: list[Run]) -> list[dict[str, float]]:
             ).ravel()
 
         solved = solve_ivp(
-            *(slope, (0, CONTROL_STEP), x.ravel(), "DOP853", h * np.arange(SAMPLES + 1)),
+            *(slope, (0, CONTROL_STEP), x.ravel(), "RK45", h * np.arange(SAMPLES + 1)),
             **{"rtol": 1e-6, "atol": 1e-8, "max_step": 1e-3},
         )
         states = np.moveaxis(solved.y.reshape(10, n, -1), 1, 2)  # (10, samples, cars)
