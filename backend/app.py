@@ -27,6 +27,7 @@ from backend.runs.links.service import Links
 from backend.runs.memory import Memory
 from backend.runs.results import Results
 from backend.runs.service import Runs
+from backend.runs.solve.service import Solver
 from backend.settings import Settings
 from backend.store import Store
 from sim_core import __version__
@@ -117,6 +118,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission, roads=measured)
+        app.state.solver = Solver(runs=app.state.runs, admission=admission)
         app.state.paper = Paper(store=store, results=results, admission=admission)
         app.state.controllers = Controllers(
             workers=workers, admission=admission, roads=measured, max_request_cost=settings.max_request_cost

@@ -79,6 +79,12 @@ class CostLimitError(ServiceError):
     kind = "cost-limit"
 
 
+class NoSolutionError(ServiceError):
+    """No value in the range keeps the limit."""
+
+    kind = "no-solution"
+
+
 class WorkerTimeoutError(ServiceError):
     """The task took longer than the limit and was ended: not temporary, the same again would take as long again."""
 

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 
 from backend.json_types import JsonObject
 from backend.unknown_names import unknown_name
-from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES, WINDOWS
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import MAX_SEED
 from sim_core.strategies import STRATEGIES
@@ -45,6 +45,12 @@ def _check_strategy(name: str) -> str:
     return name
 
 
+def _check_metric(name: str) -> str:
+    if name not in NUMBERS:
+        raise PydanticCustomError("unknown_metric", "{said}", {"said": unknown_name("metric", name, NUMBERS)})
+    return name
+
+
 def _check_signal(name: str) -> str:
     if name not in SIGNALS:
         raise PydanticCustomError("unknown_signal", "{said}", {"said": unknown_name("signal", name, list(SIGNALS))})
@@ -53,10 +59,27 @@ def _check_signal(name: str) -> str:
 
 StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema_extra={"enum": STRATEGY_IDS})]
 SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
+MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
 Points = Annotated[int, Field(ge=2, le=MAX_POINTS, description="About how many samples; peaks survive.")]
 
 
 _EXAMPLE: JsonDict = {"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "lqr", "passive"]}
+
+
+def _seeds_exist(roads: int, info: ValidationInfo) -> int:
+    scenario = info.data.get("scenario")
+    if scenario is not None and roads > 1 and scenario.road.profile is not None:
+        raise PydanticCustomError("one_road", "A measured road is one road: roads can only be 1")
+    if scenario is not None and scenario.road.seed + roads - 1 > MAX_SEED:
+        raise PydanticCustomError("no_seed", "The last road's seed would be over {most}", {"most": MAX_SEED})
+    return roads
+
+
+RoadCount = Annotated[  # behind a field `scenario`
+    int,
+    Field(ge=1, le=MAX_ROADS, description="Seeds road.seed, road.seed + 1, …; each strategy drives all"),
+    AfterValidator(_seeds_exist),
+]
 
 
 class StrategiesRequest(RequestModel):
@@ -71,22 +94,12 @@ class RunRequest(StrategiesRequest):
 
     model_config = ConfigDict(json_schema_extra={"examples": [_EXAMPLE, {**_EXAMPLE, "roads": 10, "baseline": "lqr"}]})
 
-    roads: int = Field(1, ge=1, le=MAX_ROADS, description="Seeds road.seed, road.seed + 1, …; each strategy drives all")
+    roads: RoadCount = 1
     baseline: StrategyName | None = Field(
         None,
         description="What the changes over several roads refer to, one of the strategies; null is passive, or the "
         "first strategy where passive does not run",
     )
-
-    @field_validator("roads")
-    @classmethod
-    def _seeds_exist(cls, roads: int, info: ValidationInfo) -> int:
-        scenario = info.data.get("scenario")
-        if scenario is not None and roads > 1 and scenario.road.profile is not None:
-            raise PydanticCustomError("one_road", "A measured road is one road: roads can only be 1")
-        if scenario is not None and scenario.road.seed + roads - 1 > MAX_SEED:
-            raise PydanticCustomError("no_seed", "The last road's seed would be over {most}", {"most": MAX_SEED})
-        return roads
 
     @field_validator("baseline")
     @classmethod

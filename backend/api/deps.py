@@ -9,6 +9,7 @@ from backend.http.routing import client_address
 from backend.runs.links.service import Links
 from backend.runs.reports.page import Report
 from backend.runs.service import Runs
+from backend.runs.solve.service import Solver
 
 
 def part_of_application(name: str) -> Any:
@@ -25,6 +26,7 @@ async def _client(request: Request) -> str:
 
 
 RunsService = Annotated[Runs, part_of_application("runs")]
+SolverService = Annotated[Solver, part_of_application("solver")]
 LinksService = Annotated[Links, part_of_application("links")]
 Client = Annotated[str, Depends(_client)]
 

@@ -1,4 +1,4 @@
-"""Runs: create, read, drag, time histories, figures."""
+"""Runs: create, read, drag, search a limit, time histories, figures."""
 
 from typing import Annotated, Any, Literal
 
@@ -7,7 +7,7 @@ from fastapi.responses import HTMLResponse
 
 from backend import models
 from backend.api import router
-from backend.api.deps import Client, RunsService, html_answer
+from backend.api.deps import Client, RunsService, SolverService, html_answer
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.http.answers import IMMUTABLE, answer_unless_cached, cancel_on_disconnect, json_answer, takes_gzip
@@ -16,6 +16,7 @@ from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -44,6 +45,12 @@ async def live(body: models.LiveRequest, request: Request, service: RunsService,
     """Figures and decimated time histories while somebody drags; nothing is stored."""
     work = service.live(body.scenario, body.strategies, body.points, body.signals, client)
     return json_answer(await cancel_on_disconnect(request, work))
+
+
+@computing.post("/solve", operation_id="solve", response_model=Solution)
+async def solve(body: SolveRequest, request: Request, solver: SolverService, client: Client) -> Response:
+    """The largest value of one field that keeps one metric at or below a limit, and the run at that value."""
+    return json_answer(await cancel_on_disconnect(request, solver.solve(body, client)))
 
 
 @runs.get(

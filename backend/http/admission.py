@@ -67,7 +67,14 @@ class Admission:
         Raises:
             CostLimitError: Naming limit and estimate.
         """
-        cost = beside + sum(estimate(scenario, strategy) for strategy in strategies)
+        self.check_cost(beside + sum(estimate(scenario, strategy) for strategy in strategies))
+
+    def check_cost(self, cost: float) -> None:
+        """The same of a request of that estimate [s of one core].
+
+        Raises:
+            CostLimitError: Naming limit and estimate.
+        """
         if cost > self._max_request_cost:
             raise CostLimitError(
                 f"The estimated cost of {cost:.3g} s of computing is over the limit of {self._max_request_cost:g} s "

@@ -95,6 +95,7 @@ _LIST = (
     _kind(
         "too-expensive", 422, "Too expensive", "A run takes more computing than one may; errors names what to change."
     ),
+    _kind("no-solution", 422, "No solution", "No value in the range keeps the limit."),
     _kind(
         "strict-json",
         (422, 400, 413),

@@ -52,6 +52,14 @@ SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target
 EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
     "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": [PAPER_SIGNALS[0]]},
+    "SolveRequest": {
+        "scenario": SCENARIO,
+        "strategy": "passive",
+        "field": "road.bump.height",
+        "range": [0.01, 0.2],
+        "metric": "bump.body_acceleration.peak",
+        "limit": 4,
+    },
     "BatchRequest": {
         "scenario": SCENARIO,
         "strategies": ["lqr", "passive"],
@@ -85,6 +93,7 @@ EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
 }
 LINKS = {  # operations that take the id, by the operation that answers with it
     "createRun": ("200", "$response.body#/id", ["getRun", "getRunFigures", "getRunReport"]),
+    "solve": ("200", "$response.body#/run_id", ["getRun", "getRunFigures", "getRunReport"]),
     "createBatch": (
         "202",
         "$response.body#/id",
@@ -154,7 +163,7 @@ def _describe_answers(operation: JsonObject) -> None:
         answer["headers"] = {name: {"$ref": f"#/components/headers/{name}"} for name in names}
     if operation["operationId"] in LINKS:
         status, expression, others = LINKS[operation["operationId"]]
-        parameter = expression.rpartition("/")[2]
+        parameter = "slug" if expression.endswith("slug") else "id"
         answers[status]["links"] = {
             other: {"operationId": other, "parameters": {parameter: expression}} for other in others
         }

@@ -69,6 +69,13 @@ class Runs:
             baseline: Which strategy the changes over several roads refer to; None is passive, or the first where
                 passive does not run.
         """
+        saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
+        return created_answer(saved, cached)
+
+    async def drive(
+        self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
+    ) -> tuple[StoredRun, dict[str, bool]]:
+        """The same as it is stored, and which strategies were not computed for this request."""
         names = ordered(strategies)
         self._admission.check(scenario, names * roads)
         against = None if roads == 1 else baseline or default_baseline(names)
@@ -76,7 +83,7 @@ class Runs:
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
-            return created_answer(stored, dict.fromkeys(names, True))
+            return stored, dict.fromkeys(names, True)
         results, outcomes = await self._computed(scenario, names, roads, client)
         if not all(item.outcome.cacheable for each in results for item in each.values()):  # asked again: tried again
             run_id = digest.random_id()
@@ -90,7 +97,7 @@ class Runs:
             baseline=against,
         )
         saved = await self._store.write(self._store.runs.save, run)
-        return created_answer(saved, {name: all(each[name].cached for each in results) for name in names})
+        return saved, {name: all(each[name].cached for each in results) for name in names}
 
     async def get(self, run_id: str, client: str) -> Run | RoadsRun:
         """The stored run.

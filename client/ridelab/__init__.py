@@ -13,7 +13,7 @@ from ridelab.errors import (
     RidelabConnectionError,
 )
 from ridelab.jobs import Batch, Job, Tuning
-from ridelab.results import Interval, Link, LinkedResult, Outcome, RunResult, Stage, Statistics
+from ridelab.results import Interval, Link, LinkedResult, Outcome, RunResult, Solution, Stage, Statistics
 from ridelab.streams import Event
 
 __version__ = "0.3.0"  # the core's; a test holds them equal
@@ -34,6 +34,7 @@ __all__ = [
     "RidelabClientError",
     "RidelabConnectionError",
     "RunResult",
+    "Solution",
     "Stage",
     "Statistics",
     "Tuning",

@@ -14,7 +14,7 @@ from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
 from ridelab.http import Http, split_login
 from ridelab.jobs import Batch, Job, Tuning
-from ridelab.results import Link, LinkedResult, RunResult
+from ridelab.results import Link, LinkedResult, RunResult, Solution
 
 if TYPE_CHECKING:
     import numpy as np
@@ -126,6 +126,38 @@ class Ridelab:
     def get_run(self, run_id: str) -> RunResult:
         """A stored run; it never changes."""
         return self._run(self.get(f"/runs/{_id(run_id)}"))
+
+    def solve(
+        self,
+        scenario: Scenario,
+        strategy: str,
+        field: str,
+        ends: tuple[float, float],
+        metric: str,
+        limit: float,
+        *,
+        roads: int = 1,
+    ) -> Solution:
+        """The largest value of one field that keeps one metric at or below a limit.
+
+        Args:
+            scenario: What every run starts from.
+            strategy: Its id.
+            field: By its dotted name, such as `speed.target_speed_kmh`.
+            ends: Lowest and highest value, in the field's unit.
+            metric: By its flat name, such as `bump.body_acceleration.peak`.
+            limit: In the metric's unit.
+            roads: How many roads it is driven over; the mean's 95 % interval then keeps the limit with its upper end.
+
+        Raises:
+            RidelabAPIError: `kind` is `no-solution` where no value in the range keeps the limit.
+        """
+        body = {"scenario": scenario, "strategy": strategy, "field": field, "range": ends, "metric": metric}
+        answer = self._post("/solve", {**body, "limit": limit, "roads": roads})
+        try:
+            return Solution.of(answer)
+        except (KeyError, TypeError):
+            raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
 
     def series(
         self,

@@ -182,6 +182,44 @@ class RunResult:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Solution:
+    """The largest value of a field that keeps a metric at or below a limit.
+
+    Attributes:
+        value: The value, in `unit`.
+        metric_value: What is held to the limit, in `metric_unit`: over several roads the interval's upper end.
+        interval: The metric at that value over the roads; None for one road.
+        bracket: The value, and the next larger one tried, which does not keep the limit; twice the value at the top of
+            the range.
+        runs: How many runs it took.
+        run_id: The run at that value.
+        unit: Of the field, `1` for none.
+        metric_unit: `1` for none.
+        warnings: Where the metric is not monotone, and what else the value does not tell, in plain words.
+        tried: Every value tried, in order: `value`, `metric_value`, `run_id`, `reason`.
+        answer: The JSON as the service sent it.
+    """
+
+    value: float
+    metric_value: float
+    interval: Interval | None
+    bracket: tuple[float, float]
+    runs: int
+    run_id: str
+    unit: str
+    metric_unit: str
+    warnings: list[str]
+    tried: list[dict[str, Any]] = field(repr=False)
+    answer: dict[str, Any] = field(repr=False)
+
+    @classmethod
+    def of(cls, answer: Mapping[str, Any]) -> Self:
+        """The solution in an answer; what a newer service tells beside it is passed over."""
+        read = {key: _read(value) for key, value in answer.items() if key in cls.__dataclass_fields__}
+        return cls(**{**read, "bracket": tuple(answer["bracket"]), "answer": dict(answer)})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Link:
     """A shared link: `url` opens it in a browser."""
 

@@ -33,8 +33,8 @@ values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getRunReport",
-    "getBatchTable", "getBatchSummary",
+    "createRun", "live", "solve", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries",
+    "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
@@ -71,7 +71,7 @@ phases.coverage.enabled = false
 SHORTLY = """
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "createBatch", "createTuning",
+    "createRun", "live", "solve", "createBatch", "createTuning",
     "exportController", "reportController", "driveByClock",
 ]
 phases.coverage.enabled = false

@@ -22,6 +22,7 @@ from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
 from ridelab.cli.server import backup, open_, serve
 from ridelab.cli.service import with_services
+from ridelab.cli.solve import solve
 from ridelab.cli.sweep import sweep
 from ridelab.cli.tune import tune
 from ridelab.cli.vehicle import vehicle
@@ -67,7 +68,23 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-COMMANDS = (serve, run_, sweep, robustness, tune, paper, vehicle, road, controller, hil, compare, open_, export, backup)
+COMMANDS = (
+    serve,
+    run_,
+    solve,
+    sweep,
+    robustness,
+    tune,
+    paper,
+    vehicle,
+    road,
+    controller,
+    hil,
+    compare,
+    open_,
+    export,
+    backup,
+)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):

@@ -683,6 +683,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/solve": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Solve
+         * @description The largest value of one field that keeps one metric at or below a limit, and the run at that value.
+         */
+        post: operations["solve"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/strategies": {
         parameters: {
             query?: never;
@@ -3803,7 +3823,7 @@ export interface components {
              * Type
              * @enum {string}
              */
-            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:token-required" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:other-token" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:not-deletable" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
+            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:token-required" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:other-token" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:not-deletable" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:no-solution" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
         };
         /**
          * ProblemPlace
@@ -4876,6 +4896,271 @@ export interface components {
             window: string;
         };
         /**
+         * Solution
+         * @description The largest value that keeps the limit.
+         */
+        Solution: {
+            /**
+             * Bracket
+             * @description The value, and the next larger one tried, which does not keep the limit; twice the value at the top of the range
+             */
+            bracket: [
+                number,
+                number
+            ];
+            /** Core Version */
+            core_version: string;
+            /** @description The metric at that value over the roads; null for one road */
+            interval: components["schemas"]["Interval"] | null;
+            /**
+             * Metric Unit
+             * @description 1 for none
+             */
+            metric_unit: string;
+            /**
+             * Metric Value
+             * @description What is held to the limit; over several roads the interval's upper end
+             */
+            metric_value: number;
+            /**
+             * Run Id
+             * @description The run at that value
+             */
+            run_id: string;
+            /**
+             * Runs
+             * @description How many runs it took, one a road and value tried; equal ones are stored once
+             */
+            runs: number;
+            /**
+             * Tried
+             * @description Every value tried, in order
+             */
+            tried: components["schemas"]["TriedValue"][];
+            /**
+             * Unit
+             * @description Of the field; 1 for none
+             */
+            unit: string;
+            /**
+             * Value
+             * @description The field's unit
+             */
+            value: number;
+            /**
+             * Warnings
+             * @description Where the metric is not monotone, and what else the value does not tell
+             */
+            warnings: string[];
+        };
+        /**
+         * SolveRequest
+         * @description How large a field may be: the largest value in a range that keeps a metric at or below a limit.
+         * @example {
+         *       "scenario": {
+         *         "road": {
+         *           "length": 130,
+         *           "bump": {
+         *             "height": 0.08
+         *           }
+         *         },
+         *         "speed": {
+         *           "target_speed_kmh": 25
+         *         }
+         *       },
+         *       "strategy": "passive",
+         *       "field": "road.bump.height",
+         *       "range": [
+         *         0.01,
+         *         0.2
+         *       ],
+         *       "metric": "bump.body_acceleration.peak",
+         *       "limit": 4
+         *     }
+         */
+        SolveRequest: {
+            /**
+             * Field
+             * @description By its dotted name; one that takes a number
+             * @enum {string}
+             */
+            field: "vehicle.body_mass" | "vehicle.pitch_inertia" | "vehicle.front_wheel_mass" | "vehicle.rear_wheel_mass" | "vehicle.cg_to_front" | "vehicle.cg_to_rear" | "vehicle.cg_height" | "vehicle.front_spring" | "vehicle.rear_spring" | "vehicle.front_damping" | "vehicle.rear_damping" | "vehicle.front_tyre_stiffness" | "vehicle.rear_tyre_stiffness" | "vehicle.rebound_ratio" | "vehicle.bump_stop_clearance" | "vehicle.bump_stop_stiffness" | "vehicle.anti_dive" | "vehicle.anti_lift" | "vehicle.front_brake_share" | "road.roughness" | "road.length" | "road.bump.height" | "road.bump.width" | "road.bump.start" | "road.bump.count" | "road.bump.spacing" | "speed.initial_speed_kmh" | "speed.target_speed_kmh" | "speed.detection_distance" | "brake.friction_coefficient" | "brake.effective_radius" | "brake.piston_area" | "brake.brakes" | "brake.threshold_speed" | "brake.pressure_lag" | "brake.wheel_radius" | "brake.maximum_deceleration" | "brake.rolling_resistance" | "brake.drag_area" | "actuator.bandwidth" | "actuator.rate_limit" | "actuator.saturation" | "mismatch.body_mass" | "mismatch.springs" | "mismatch.damping" | "mismatch.tyres" | "mismatch.rebound_ratio" | "mismatch.preview_offset" | "mismatch.preview_gain" | "mismatch.preview_noise" | "mismatch.preview_resolution" | "mismatch.preview_delay" | "estimation.acceleration_noise" | "estimation.deflection_noise" | "estimation.pitch_rate_noise" | "mpc.sample_time" | "mpc.prediction_horizon" | "mpc.control_horizon" | "mpc.expected_offset" | "mpc.expected_noise" | "mpc.deflection_limit" | "mpc.force_limit" | "mpc.deflection_weight" | "mpc.force_weight" | "mpc.force_change_weight" | "mpc.stage_weights.cruise.0" | "mpc.stage_weights.cruise.1" | "mpc.stage_weights.cruise.2" | "mpc.stage_weights.brake.0" | "mpc.stage_weights.brake.1" | "mpc.stage_weights.brake.2" | "mpc.stage_weights.bump.0" | "mpc.stage_weights.bump.1" | "mpc.stage_weights.bump.2" | "mpc.road_weights.rough.0" | "mpc.road_weights.rough.1" | "mpc.road_weights.rough.2" | "mpc.road_weights.bump.0" | "mpc.road_weights.bump.1" | "mpc.road_weights.bump.2" | "lqr.weights.0" | "lqr.weights.1" | "lqr.weights.2" | "lqr.deflection_weight" | "lqr.preview_horizon" | "hook.skyhook_damping" | "hook.groundhook_damping" | "hook.alpha" | "hil.bits" | "hil.iterations" | "hil.noise" | "hil.jitter" | "hil.packet_loss" | "hil.seed";
+            /**
+             * Limit
+             * @description The metric's unit; over several roads its interval keeps it
+             */
+            limit: number;
+            /**
+             * Metric
+             * @description By its flat name, a column of a batch's table
+             * @enum {string}
+             */
+            metric: "rough_road.body_acceleration.rms" | "rough_road.body_acceleration.peak" | "rough_road.pitch_acceleration.rms" | "rough_road.pitch_acceleration.peak" | "rough_road.front_tyre_load.rms" | "rough_road.front_tyre_load.peak" | "rough_road.rear_tyre_load.rms" | "rough_road.rear_tyre_load.peak" | "rough_road.front_deflection.rms" | "rough_road.front_deflection.peak" | "rough_road.rear_deflection.rms" | "rough_road.rear_deflection.peak" | "rough_road.front_force.rms" | "rough_road.front_force.peak" | "rough_road.rear_force.rms" | "rough_road.rear_force.peak" | "bump.body_acceleration.rms" | "bump.body_acceleration.peak" | "bump.pitch_acceleration.rms" | "bump.pitch_acceleration.peak" | "bump.front_tyre_load.rms" | "bump.front_tyre_load.peak" | "bump.rear_tyre_load.rms" | "bump.rear_tyre_load.peak" | "bump.front_deflection.rms" | "bump.front_deflection.peak" | "bump.rear_deflection.rms" | "bump.rear_deflection.peak" | "bump.front_force.rms" | "bump.front_force.peak" | "bump.rear_force.rms" | "bump.rear_force.peak" | "whole.body_acceleration.rms" | "whole.body_acceleration.peak" | "whole.pitch_acceleration.rms" | "whole.pitch_acceleration.peak" | "whole.front_tyre_load.rms" | "whole.front_tyre_load.peak" | "whole.rear_tyre_load.rms" | "whole.rear_tyre_load.peak" | "whole.front_deflection.rms" | "whole.front_deflection.peak" | "whole.rear_deflection.rms" | "whole.rear_deflection.peak" | "whole.front_force.rms" | "whole.front_force.peak" | "whole.rear_force.rms" | "whole.rear_force.peak" | "comfort.weighted_rms" | "comfort.vibration_dose" | "comfort.front_dynamic_load_coefficient" | "comfort.rear_dynamic_load_coefficient" | "comfort.actuator_mean_power" | "comfort.actuator_peak_power" | "events.airborne_ms" | "events.front_airborne_ms" | "events.rear_airborne_ms" | "events.travel_exceeded_mm" | "events.limited_steps" | "events.qp_solves" | "events.qp_fallbacks" | "events.qp_failures" | "events.max_slack_mm" | "events.ecu_most_iterations" | "events.ecu_clipped_values" | "events.ecu_held_commands" | "travel_time" | "arrival_speed_kmh";
+            /**
+             * Range
+             * @description [lowest, highest], its unit
+             */
+            range: [
+                number,
+                number
+            ];
+            /**
+             * Roads
+             * @description Seeds road.seed, road.seed + 1, …; each strategy drives all
+             * @default 1
+             */
+            roads: number;
+            /**
+             * @default {
+             *       "vehicle": {
+             *         "anti_dive": 0,
+             *         "anti_lift": 0,
+             *         "body_mass": 1270,
+             *         "bump_stop_stiffness": 200000,
+             *         "cg_height": 0.54,
+             *         "cg_to_front": 1.015,
+             *         "cg_to_rear": 1.895,
+             *         "front_brake_share": 0.7,
+             *         "front_damping": 6000,
+             *         "front_spring": 27000,
+             *         "front_tyre_stiffness": 268000,
+             *         "front_wheel_mass": 66.3,
+             *         "pitch_inertia": 1536.7,
+             *         "rear_damping": 6000,
+             *         "rear_spring": 30000,
+             *         "rear_tyre_stiffness": 268000,
+             *         "rear_wheel_mass": 66.3,
+             *         "rebound_ratio": 1,
+             *         "tyre_lift_off": false
+             *       },
+             *       "road": {
+             *         "bump": {
+             *           "count": 1,
+             *           "height": 0.1,
+             *           "shape": "cosine",
+             *           "spacing": 10,
+             *           "start": 100,
+             *           "width": 4
+             *         },
+             *         "length": 150,
+             *         "roughness": 0.000064,
+             *         "seed": 1
+             *       },
+             *       "speed": {
+             *         "controller": "guarded",
+             *         "detection_distance": 80,
+             *         "initial_speed_kmh": 50,
+             *         "target_speed_kmh": 22.5
+             *       },
+             *       "brake": {
+             *         "brakes": 2,
+             *         "drag_area": 0.65,
+             *         "effective_radius": 0.13,
+             *         "friction_coefficient": 0.38,
+             *         "maximum_deceleration": 4,
+             *         "piston_area": 0.0025,
+             *         "pressure_lag": 0.1,
+             *         "rolling_resistance": 0.012,
+             *         "threshold_speed": 0.1,
+             *         "wheel_radius": 0.3
+             *       },
+             *       "actuator": {},
+             *       "mismatch": {
+             *         "body_mass": 1,
+             *         "damping": 1,
+             *         "preview_delay": 0,
+             *         "preview_gain": 1,
+             *         "preview_noise": 0,
+             *         "preview_offset": 0,
+             *         "preview_resolution": 0,
+             *         "rebound_ratio": 1,
+             *         "springs": 1,
+             *         "tyres": 1
+             *       },
+             *       "estimation": {
+             *         "acceleration_noise": 0.05,
+             *         "deflection_noise": 0.0005,
+             *         "kind": "exact",
+             *         "pitch_rate_noise": 0.002
+             *       },
+             *       "mpc": {
+             *         "control_horizon": 20,
+             *         "deflection_limit": 0.08,
+             *         "deflection_weight": 3,
+             *         "expected_noise": 0,
+             *         "expected_offset": 0,
+             *         "force_change_weight": 1e-10,
+             *         "force_limit": 5000,
+             *         "force_weight": 1e-9,
+             *         "prediction_horizon": 30,
+             *         "preview": "lookahead",
+             *         "road_weights": {
+             *           "bump": [
+             *             3,
+             *             1,
+             *             6
+             *           ],
+             *           "rough": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         },
+             *         "sample_time": 0.01,
+             *         "solver": "daqp",
+             *         "stage_weights": {
+             *           "brake": [
+             *             2,
+             *             6,
+             *             1
+             *           ],
+             *           "bump": [
+             *             1,
+             *             1,
+             *             6
+             *           ],
+             *           "cruise": [
+             *             8,
+             *             1,
+             *             1
+             *           ]
+             *         }
+             *       },
+             *       "lqr": {
+             *         "deflection_weight": 3,
+             *         "preview": "none",
+             *         "preview_horizon": 30,
+             *         "weights": [
+             *           1,
+             *           1,
+             *           1
+             *         ]
+             *       },
+             *       "hook": {
+             *         "alpha": 0.5,
+             *         "groundhook_damping": 2000,
+             *         "semi_active": false,
+             *         "skyhook_damping": 4000
+             *       },
+             *       "hil": {
+             *         "bits": 12,
+             *         "compensation": "predict",
+             *         "iterations": 30,
+             *         "jitter": 0,
+             *         "noise": 0,
+             *         "packet_loss": 0,
+             *         "seed": 1
+             *       }
+             *     }
+             */
+            scenario: components["schemas"]["Scenario-Input"];
+            /**
+             * Strategy
+             * @enum {string}
+             */
+            strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
+        };
+        /**
          * Speed
          * @description Speeds and when braking begins (section 3.1).
          */
@@ -5316,6 +5601,29 @@ export interface components {
             trials: components["schemas"]["Trial"][];
             /** Tuning */
             tuning: string;
+        };
+        /**
+         * TriedValue
+         * @description One value that was tried.
+         */
+        TriedValue: {
+            /**
+             * Metric Value
+             * @description What is held to the limit; null where there is none
+             */
+            metric_value: number | null;
+            /**
+             * Reason
+             * @description Why there is no metric; null where there is
+             */
+            reason: string | null;
+            /**
+             * Run Id
+             * @description The run at that value; null where the scenario has none
+             */
+            run_id: string | null;
+            /** Value */
+            value: number;
         };
         /**
          * TunedChange
@@ -6103,7 +6411,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6234,7 +6542,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6321,7 +6629,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6415,7 +6723,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6535,7 +6843,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6611,7 +6919,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6699,7 +7007,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6792,7 +7100,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6878,7 +7186,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6959,7 +7267,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7049,7 +7357,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7112,7 +7420,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7209,7 +7517,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7327,7 +7635,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7445,7 +7753,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7519,7 +7827,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7616,7 +7924,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7713,7 +8021,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7820,7 +8128,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -7934,7 +8242,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8029,7 +8337,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8120,7 +8428,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8201,7 +8509,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8280,7 +8588,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8359,7 +8667,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8438,7 +8746,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8540,7 +8848,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8614,7 +8922,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8707,7 +9015,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8797,7 +9105,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8870,7 +9178,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -8977,7 +9285,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9074,7 +9382,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9163,7 +9471,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9267,7 +9575,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9360,7 +9668,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9471,7 +9779,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9547,7 +9855,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9560,6 +9868,124 @@ export interface operations {
             /** @description `internal-error`: Something went wrong in the service. It is in its log. */
             500: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    solve: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["SolveRequest"];
+            };
+        };
+        responses: {
+            /** @description The largest value of one field that keeps one metric at or below a limit, and the run at that value. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Solution"];
+                };
+            };
+            /** @description `malformed-request`: The request could not be read. `two-lengths`: The request has both Content-Length and Transfer-Encoding. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            400: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `slow-body`: The request body did not come in time. `slow-head`: The request's head did not come in time. */
+            408: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-long`: The request body is longer than allowed. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            413: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unsupported-media-type`: The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv. */
+            415: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
+            429: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
                     "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
@@ -9599,7 +10025,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9670,7 +10096,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9801,7 +10227,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9888,7 +10314,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9982,7 +10408,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10102,7 +10528,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10178,7 +10604,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10266,7 +10692,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10366,7 +10792,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10442,7 +10868,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10505,7 +10931,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10601,7 +11027,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];

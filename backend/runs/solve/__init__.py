@@ -1,0 +1,1 @@
+"""How large a field may be while a metric keeps a limit."""

@@ -1,0 +1,94 @@
+"""The shapes of what `POST /solve` takes and answers; beside `backend.models`."""
+
+from typing import Annotated
+
+from pydantic import AfterValidator, Field, ValidationInfo, field_validator
+from pydantic_core import PydanticCustomError
+
+from backend.models import Answer, MetricName, RequestModel, RoadCount, StrategyName, inconsistent
+from backend.runs.roads_models import Interval
+from backend.unknown_names import unknown_name
+from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario, dotted
+from sim_core.study.limit_search import Axis
+
+UNORDERED = "road.seed"  # a greater seed is another road, not more of anything
+FIELDS = [name for name, field in dotted.fields().items() if field.kind in ("number", "integer") and name != UNORDERED]
+
+Value = int | float  # a whole-number field's stays one
+
+
+def _check_field(name: str) -> str:
+    if name not in FIELDS:
+        offered = [each for each in dotted.offered(name) if each in FIELDS]
+        raise PydanticCustomError("unknown_field", "{said}", {"said": unknown_name("field", name, offered or FIELDS)})
+    return name
+
+
+class SolveRequest(RequestModel):
+    """How large a field may be: the largest value in a range that keeps a metric at or below a limit."""
+
+    scenario: Scenario = Scenario()
+    strategy: StrategyName
+    field: Annotated[str, AfterValidator(_check_field), Field(json_schema_extra={"enum": FIELDS})] = Field(
+        description="By its dotted name; one that takes a number"
+    )
+    range: Annotated[tuple[float, float], Field(strict=False)] = Field(description="[lowest, highest], its unit")
+    metric: MetricName = Field(description="By its flat name, a column of a batch's table")
+    limit: float = Field(ge=-1e12, le=1e12, description="The metric's unit; over several roads its interval keeps it")
+    roads: RoadCount = 1
+
+    @field_validator("range")
+    @classmethod
+    def _field_takes_it(cls, ends: tuple[float, float], info: ValidationInfo) -> tuple[float, float]:
+        if not ends[0] < ends[1]:
+            raise PydanticCustomError("empty_range", "A range is [lowest, highest], the first smaller than the second")
+        name = info.data.get("field")
+        for index, end in enumerate(ends if name is not None else ()):
+            try:
+                dotted.field(str(name)).checked(int(end) if cls._whole(str(name)) and end.is_integer() else end)
+            except RidelabError as error:
+                raise inconsistent(str(index), error.message) from None
+        return ends
+
+    @staticmethod
+    def _whole(name: str) -> bool:
+        return dotted.field(name).kind == "integer"
+
+    @property
+    def axis(self) -> Axis:
+        """The values that may be tried."""
+        return Axis.of(*self.range, whole=self._whole(self.field))
+
+    def value(self, index: int) -> Value:
+        """One of them, as the field takes it."""
+        value = self.axis.value(index)
+        return int(value) if self._whole(self.field) else value
+
+
+class TriedValue(Answer):
+    """One value that was tried."""
+
+    value: Value
+    metric_value: float | None = Field(description="What is held to the limit; null where there is none")
+    run_id: str | None = Field(description="The run at that value; null where the scenario has none")
+    reason: str | None = Field(description="Why there is no metric; null where there is")
+
+
+class Solution(Answer):
+    """The largest value that keeps the limit."""
+
+    value: Value = Field(description="The field's unit")
+    metric_value: float = Field(description="What is held to the limit; over several roads the interval's upper end")
+    interval: Interval | None = Field(description="The metric at that value over the roads; null for one road")
+    bracket: tuple[Value, Value] = Field(
+        description="The value, and the next larger one tried, which does not keep the limit; twice the value at the "
+        "top of the range"
+    )
+    runs: int = Field(description="How many runs it took, one a road and value tried; equal ones are stored once")
+    run_id: str = Field(description="The run at that value")
+    unit: str = Field(description="Of the field; 1 for none")
+    metric_unit: str = Field(description="1 for none")
+    warnings: list[str] = Field(description="Where the metric is not monotone, and what else the value does not tell")
+    tried: list[TriedValue] = Field(description="Every value tried, in order")
+    core_version: str

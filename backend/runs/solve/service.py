@@ -1,0 +1,70 @@
+"""Runs at the values that the search for a limit asks for, each stored as every run is."""
+
+from pydantic import ValidationError
+
+from backend.http.admission import Admission
+from backend.jobs.sweep.plan import contradiction, scenario_at
+from backend.runs.service import Runs
+from backend.runs.solve.models import Solution, SolveRequest
+from backend.runs.solve.solution import Tried, bounds_of, solution
+from sim_core.catalogue import METRICS
+from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario
+from sim_core.study.limit_search import MAX_VALUES, next_indices
+from sim_core.workload import estimate
+
+
+class Solver:
+    """Finds the largest value of a field that keeps a limit; its methods belong to the event loop."""
+
+    def __init__(self, *, runs: Runs, admission: Admission) -> None:
+        self._runs = runs
+        self._admission = admission
+
+    async def solve(self, request: SolveRequest, client: str) -> Solution:
+        """The largest value in the range, its bracket, and what is to be said about it.
+
+        One value after the other, so that requests of others come in between. What was driven is stored: asked again
+        after an error it goes on from there.
+
+        Raises:
+            CostLimitError: As many values as may be tried would cost too much.
+            NoSolutionError: No value in the range keeps the limit.
+            InvalidError: No value in the range can be driven, or the strategy has no such metric.
+            TemporaryError: Too much is being computed.
+        """
+        self._admission.check_cost(_max_cost(request))
+        tried: dict[int, Tried] = {}
+        while indices := next_indices(request.axis, request.limit, bounds_of(tried)):
+            for index in indices:
+                tried[index] = await self._drive(request, index, client)
+        return solution(request, tried)
+
+    async def _drive(self, request: SolveRequest, index: int, client: str) -> Tried:
+        try:
+            scenario = _scenario(request, index)
+        except ValidationError as error:
+            return Tried(reason=contradiction(error))
+        run, _ = await self._runs.drive(scenario, [request.strategy], client, roads=request.roads, baseline=None)
+        failures = [each.summary["reason"] for each in run.results if each.status != "ok"]
+        if failures:
+            return Tried(run_id=run.id, reason=failures[0])
+        values = [METRICS[request.metric].of(each.summary) for each in run.results]
+        if None in values:
+            return Tried(run_id=run.id, reason=f"{request.strategy} has no {request.metric}", undefined=True)
+        return Tried(run_id=run.id, values=tuple(map(float, values)))
+
+
+def _scenario(request: SolveRequest, index: int) -> Scenario:
+    return scenario_at(request.scenario.model_dump(mode="json"), {request.field: request.value(index)})
+
+
+def _max_cost(request: SolveRequest) -> float:
+    """What trying as many values as may be would cost [s of one core]: all like the costliest of the scan."""
+    costs = [0.0]
+    for index in request.axis.scan:
+        try:
+            costs.append(estimate(_scenario(request, index), request.strategy))
+        except (ValidationError, RidelabError):
+            continue  # what it is, its run says
+    return max(costs) * min(request.axis.last + 1, MAX_VALUES) * request.roads

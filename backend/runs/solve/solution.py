@@ -1,0 +1,152 @@
+"""What the values tried say: the largest that keeps the limit, and in plain words what it does not tell."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import inf, isfinite
+
+from backend.errors import InvalidError, NoSolutionError, ServiceError
+from backend.runs.roads_models import Interval
+from backend.runs.solve.models import Solution, SolveRequest, TriedValue
+from sim_core import __version__ as CORE_VERSION
+from sim_core.catalogue import METRICS
+from sim_core.scenario import dotted
+from sim_core.study import limit_search
+from sim_core.study.intervals import mean_with_interval
+
+RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/physics.md)
+MAX_TURNS = 4  # that one sentence names
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tried:
+    """What came of one value.
+
+    Attributes:
+        run_id: The run; None where the scenario contradicts itself.
+        values: The metric on each road; None where there is none.
+        reason: Why there is none.
+        undefined: The car was driven, and the strategy has no such metric.
+    """
+
+    run_id: str | None = None
+    values: tuple[float, ...] | None = None
+    reason: str | None = None
+    undefined: bool = False
+
+    @property
+    def interval(self) -> Interval | None:
+        """The metric over several roads."""
+        if self.values is None or len(self.values) == 1:
+            return None
+        over = mean_with_interval(self.values)
+        return Interval(mean=over.value, low=over.low, high=over.high)
+
+    @property
+    def bound(self) -> float:
+        """What is held to the limit: the metric, over several roads its interval's upper end; infinite without."""
+        if self.values is None:
+            return inf
+        return self.values[0] if (interval := self.interval) is None else interval.high
+
+
+def bounds_of(tried: Mapping[int, Tried]) -> dict[int, float]:
+    """What of each value is held to the limit."""
+    return {index: each.bound for index, each in tried.items()}
+
+
+def solution(request: SolveRequest, tried: Mapping[int, Tried]) -> Solution:
+    """The answer.
+
+    Raises:
+        NoSolutionError: No value keeps the limit.
+        InvalidError: No value could be tried.
+    """
+    bounds = bounds_of(tried)
+    low, high = limit_search.bracket(request.axis, request.limit, bounds)
+    if low is None:
+        raise _refusal(request, tried)
+    best = tried[low]
+    return Solution(
+        value=request.value(low),
+        metric_value=best.bound,
+        interval=best.interval,
+        bracket=(request.value(low), request.value(high)),
+        runs=request.roads * sum(each.run_id is not None for each in tried.values()),
+        run_id=str(best.run_id),
+        unit=dotted.field(request.field).unit,
+        metric_unit=METRICS[request.metric].unit,
+        warnings=list(_warnings(request, tried, bounds, low)),
+        tried=[_answered(request.value(index), each) for index, each in sorted(tried.items())],
+        core_version=CORE_VERSION,
+    )
+
+
+def _answered(value: int | float, tried: Tried) -> TriedValue:
+    bound = tried.bound if tried.values is not None else None
+    return TriedValue(value=value, metric_value=bound, run_id=tried.run_id, reason=tried.reason)
+
+
+def _refusal(request: SolveRequest, tried: Mapping[int, Tried]) -> ServiceError:
+    """Why there is no solution."""
+    least = min(tried, key=lambda index: tried[index].bound)
+    if tried[least].values is None:
+        place = "/metric" if any(each.undefined for each in tried.values()) else "/range"
+        return InvalidError(f"No value in the range can be tried: {tried[least].reason}.", pointer=place)
+    return NoSolutionError(
+        f"No value tried from {_value(request, 0, bare=True)} to {_value(request, request.axis.last)} keeps "
+        f"{request.metric} at or below {_metric(request, request.limit)}; the least, "
+        f"{_metric(request, tried[least].bound)}, is at {_value(request, least)}.",
+        pointer="/range",
+    )
+
+
+def _warnings(
+    request: SolveRequest, tried: Mapping[int, Tried], bounds: Mapping[int, float], best: int
+) -> Iterator[str]:
+    missing = [index for index in sorted(tried) if tried[index].values is None]
+    if missing:
+        first = missing[0]
+        yield (
+            f"{len(missing)} of {len(tried)} values could not be tried and count as beyond the limit, "
+            f"the first {_value(request, first)}: {tried[first].reason}."
+        )
+    finite = {index: bound for index, bound in bounds.items() if isfinite(bound)}
+    if len(finite) > 1 and len(set(finite.values())) == 1:
+        yield f"The metric is the same at every value tried: {request.strategy} may not depend on {request.field}."
+    if best == request.axis.last:
+        yield f"The top of the range, {_value(request, best)}, keeps the limit: a larger value may keep it too."
+    spans = limit_search.spans_over(request.limit, finite, best)
+    if spans:
+        over = ", ".join(
+            _value(request, first)
+            if first == last
+            else f"{_value(request, first, bare=True)} to {_value(request, last)}"
+            for first, last in spans
+        )
+        yield f"Not every smaller value keeps the limit: {over} exceed it."
+    # Over the scan: within the bracket a metric may jump from one control step to the next.
+    scan = {index: finite[index] for index in request.axis.scan if index in finite}
+    turns = limit_search.turning_points(scan, RESOLUTION)
+    if len(turns) > 2:
+        yield _course(request, bounds, turns)
+
+
+def _course(request: SolveRequest, bounds: Mapping[int, float], turns: list[int]) -> str:
+    """How a metric that is not monotone goes."""
+    rises = bounds[turns[1]] > bounds[turns[0]]
+    steps = [f"{_metric(request, bounds[turns[0]])} at {_value(request, turns[0])}"]
+    for number, index in enumerate(turns[1:MAX_TURNS]):
+        goes = "rises" if rises == (number % 2 == 0) else "falls"
+        steps.append(f"{goes} to {bounds[index]:.4g} at {request.value(index):g}")
+    more = " and so on" if len(turns) > MAX_TURNS else ""
+    return f"The metric is not monotone: {', '.join(steps)}{more}; between values tried it may exceed the limit unseen."
+
+
+def _value(request: SolveRequest, index: int, *, bare: bool = False) -> str:
+    unit = dotted.field(request.field).unit
+    return f"{request.value(index):g}{'' if bare or unit == '1' else f' {unit}'}"
+
+
+def _metric(request: SolveRequest, value: float) -> str:
+    unit = METRICS[request.metric].unit
+    return f"{value:.4g}{'' if unit == '1' else f' {unit}'}"

@@ -1,0 +1,70 @@
+"""`ridelab solve`: how large a field may be while a metric keeps a limit."""
+
+from typing import Annotated
+
+import typer
+
+from ridelab.cli import fields, options
+from ridelab.cli.reporting import DIFFERENT, InputError, failed, note, print_json
+from ridelab.cli.service import Services
+from ridelab.errors import RidelabAPIError
+from ridelab.results import Solution
+
+_FIELD = "What may be how large, and the range to search, such as speed.target_speed_kmh=10:50."
+_LIMIT = "What has to hold, in the metric's unit, such as bump.body_acceleration.peak=4."
+_ROADS = "Over N roads, seeds road.seed and on: the interval keeps the limit."
+
+
+def solve(
+    services: Services,
+    field: Annotated[str, options.option("FIELD=LOW:HIGH", _FIELD, completes="fields =")],
+    limit: Annotated[str, options.option("METRIC=MOST", _LIMIT, completes="metrics =")],
+    strategy: Annotated[str, options.option("ID", "Strategy that drives.", "--strategy", "-s", completes="strategies")],
+    scenario: options.Scenario = "paper",
+    changes: options.Changes = None,
+    roads: Annotated[int, typer.Option(metavar="N", min=1, max=50, help=_ROADS)] = 1,
+    as_json: options.AsJson = False,
+) -> None:
+    """Find the largest value of one field that keeps one metric at or below a limit.
+
+    The range is scanned first, so that a metric that rises and falls is seen and said. Over several roads the mean's
+    95 % interval keeps the limit. The exit code is 1 where no value in the range does.
+    """
+    ((name, ends),) = fields.ranges_of([field], "--field").items()
+    metric, most = _limit(limit)
+    start = fields.scenario_of(scenario, changes, services)
+    ridelab = services.at()
+    try:
+        found = ridelab.solve(start, strategy, name, (ends[0], ends[1]), metric, most, roads=roads)
+    except RidelabAPIError as error:
+        if error.kind == "no-solution":
+            raise failed(DIFFERENT, [error.detail]) from None
+        raise
+    if as_json:
+        print_json(found.answer)
+        return
+    _show(found, name, metric, roads)
+    typer.echo(f"\nrun {found.run_id}" if services.private else f"\n{ridelab.address}/r/{found.run_id}")
+
+
+def _limit(text: str) -> tuple[str, float]:
+    metric, _, most = text.partition("=")
+    try:
+        return metric.strip(), float(most)
+    except ValueError:
+        raise InputError("--limit takes METRIC=MOST, such as bump.body_acceleration.peak=4") from None
+
+
+def _show(found: Solution, name: str, metric: str, roads: int) -> None:
+    low, high = found.bracket
+    beyond = f"; {_with_unit(high, found.unit)} does not keep the limit" if high > low else ""
+    typer.echo(f"{name} at most {_with_unit(low, found.unit)}{beyond}")
+    held = _with_unit(found.metric_value, found.metric_unit, 4)
+    over = f", the upper end of {found.interval} over {roads} roads" if found.interval is not None else ""
+    typer.echo(f"{metric} is {held} there{over} ({found.runs} runs)")
+    for warning in found.warnings:
+        note(warning)
+
+
+def _with_unit(value: float, unit: str, digits: int = 6) -> str:
+    return f"{value:.{digits}g}{'' if unit == '1' else f' {unit}'}"

@@ -1,0 +1,143 @@
+"""The largest value of one quantity that keeps a metric at or below a limit.
+
+First a scan of the whole range, so that a metric that rises and falls is seen; then Brent's method (R. P. Brent 1973,
+Algorithms for Minimization without Derivatives, chapter 4) between the last value that keeps the limit and the next.
+Here are the numbers alone: `next_indices` says which values to drive next, given those that were.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+SCAN_INTERVALS = 16
+MAX_REFINEMENTS = 16  # bisection needs 10: a sixteenth of 9999 steps
+MAX_VALUES = SCAN_INTERVALS + 1 + MAX_REFINEMENTS
+
+# By the index of a value: what is held to the limit; infinite where the car cannot be driven with it.
+Bounds = Mapping[int, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """The values that may be tried: both ends of a range and between them the multiples of a decimal step.
+
+    Attributes:
+        low: Lowest value, index 0.
+        high: Highest value, index `last`.
+        exponent: The step is 10 to this power.
+        first: Index 1 is this multiple of the step.
+        last: Index of the highest value.
+    """
+
+    low: float
+    high: float
+    exponent: int
+    first: int
+    last: int
+
+    @classmethod
+    def of(cls, low: float, high: float, *, whole: bool) -> "Axis":
+        """Between 1000 and 9999 steps over the range, or steps of 1 where the values are whole numbers and fewer."""
+        exponent = math.floor(math.log10(high - low)) - 3
+        exponent = max(0, exponent) if whole else exponent
+        step = 10.0**exponent
+        first, after = math.floor(low / step + 1e-6) + 1, math.ceil(high / step - 1e-6)
+        return cls(low=low, high=high, exponent=exponent, first=first, last=after - first + 1)
+
+    def value(self, index: int) -> float:
+        """The value of that index, short in decimals."""
+        if index in (0, self.last):
+            return self.low if index == 0 else self.high
+        return round((self.first + index - 1) * 10.0**self.exponent, -self.exponent)
+
+    @property
+    def scan(self) -> list[int]:
+        """The indices tried first, evenly over the range with both ends."""
+        return sorted({round(self.last * part / SCAN_INTERVALS) for part in range(SCAN_INTERVALS + 1)})
+
+
+class _NotTriedError(Exception):
+    """Brent's method asks for a value that was not tried yet."""
+
+    def __init__(self, index: int) -> None:
+        self.index = index
+
+
+def next_indices(axis: Axis, limit: float, bounds: Bounds) -> list[int]:
+    """Which values to try next; none where the bracket is one step wide, or enough were tried."""
+    scan = axis.scan
+    if missing := [index for index in scan if index not in bounds]:
+        return missing
+    low, high = bracket(axis, limit, bounds)
+    left = MAX_REFINEMENTS - (len(bounds) - len(scan))
+    if low is None or high - low <= 1 or left == 0:
+        return []
+    start = max(index for index in scan if index <= low)
+    # Brent's method is slow where the metric touches the limit: bisection, when no more steps than it needs are left.
+    tight = high - low > 2 ** (left - 1)
+    asked = None if tight else _brent(start, min(index for index in scan if index > start), limit, bounds)
+    return [(low + high) // 2 if asked is None else asked]
+
+
+def bracket(axis: Axis, limit: float, bounds: Bounds) -> tuple[int | None, int]:
+    """The largest value tried that keeps the limit (None: none does), and the next larger one tried or itself."""
+    low = max((index for index, bound in bounds.items() if bound <= limit), default=None)
+    if low is None or low == axis.last:
+        return low, axis.last
+    return low, min(index for index in bounds if index > low)
+
+
+def _brent(low: int, high: int, limit: float, bounds: Bounds) -> int | None:
+    """What Brent's method tries next between these, played again with what is known; None where it has ended."""
+    from scipy.optimize import brentq  # takes a tenth of a second: most processes never need it
+
+    finite = [abs(bounds[end] - limit) for end in (low, high) if math.isfinite(bounds[end])]
+    far = max(finite) or 1.0  # how far off a bound counts that is infinite, or at the limit as a whole plateau may be
+
+    def margin(index: float) -> float:
+        nearest = round(index)
+        if nearest not in bounds:
+            raise _NotTriedError(nearest)
+        difference = bounds[nearest] - limit
+        if difference == 0:
+            return -far
+        return difference if math.isfinite(difference) else far
+
+    try:
+        brentq(margin, low, high, xtol=0.5)
+    except _NotTriedError as missing:
+        return missing.index
+    return None
+
+
+def spans_over(limit: float, bounds: Bounds, below: int) -> list[tuple[int, int]]:
+    """Where, below that index, the values tried do not keep the limit: first and last index of each such stretch."""
+    spans: list[tuple[int, int]] = []
+    kept = True
+    for index in sorted(index for index in bounds if index < below):
+        over = bounds[index] > limit
+        if over:
+            spans.append((index, index) if kept else (spans.pop()[0], index))
+        kept = not over
+    return spans
+
+
+def turning_points(bounds: Bounds, resolution: float) -> list[int]:
+    """Where the bounds cease to rise or to fall, with both ends; fewer than three where they are monotone.
+
+    Args:
+        bounds: Finite ones.
+        resolution: A turn back by no more than this share of the greatest magnitude is none [1].
+    """
+    indices = sorted(bounds)
+    least = resolution * max(map(abs, bounds.values()), default=0.0)
+    points, extreme, direction = indices[:1], indices[:1], 0
+    for index in indices[1:]:
+        step = bounds[index] - bounds[extreme[0]]
+        if step * direction > 0 or (direction == 0 and abs(step) > least):
+            direction = direction or (1 if step > 0 else -1)
+            extreme = [index]
+        elif direction and abs(step) > least:
+            points.append(extreme[0])
+            extreme, direction = [index], -direction
+    return points + extreme if direction else points

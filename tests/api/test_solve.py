@@ -1,0 +1,235 @@
+"""The largest value that keeps a limit, over HTTP, by the client and at the command line: known answers."""
+
+import asyncio
+import itertools
+import json
+import threading
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.runs.solve.models import Solution, SolveRequest
+from ridelab import Ridelab, RidelabAPIError
+from sim_core.study.intervals import mean_with_interval
+from tests.api.cli import Cli
+
+PEAK = "bump.body_acceleration.peak"
+SMOOTH = {"road": {"roughness": 0, "length": 118}}
+HEIGHT = {"scenario": SMOOTH, "strategy": "passive", "field": "road.bump.height", "metric": PEAK}
+
+
+def ask(client: httpx.Client, **body: Any) -> httpx.Response:
+    return client.post("/api/v1/solve", json=body)
+
+
+def solved(client: httpx.Client, **body: Any) -> Solution:
+    response = ask(client, **body)
+    assert response.status_code == 200, response.text
+    return Solution.model_validate(response.json())
+
+
+def peaks(client: httpx.Client, scenario: Any, strategy: str, roads: int = 1) -> list[float]:
+    """The metric on each road, from runs of one road each."""
+    values = []
+    for seed in range(1, roads + 1):
+        road = {**scenario.get("road", {}), "seed": seed}
+        body = {"scenario": {**scenario, "road": road}, "strategies": [strategy]}
+        metrics = client.post("/api/v1/runs", json=body).json()["strategies"][strategy]["metrics"]
+        values.append(metrics["bump"]["body_acceleration"]["peak"])
+    return values
+
+
+def test_a_linear_cars_peak_is_proportional_to_the_bump(client: httpx.Client) -> None:
+    """On a smooth road the passive car's answer is limit over slope."""
+    (at_one_cm,) = peaks(client, {"road": {**SMOOTH["road"], "bump": {"height": 0.01}}}, "passive")
+    found = solved(client, **HEIGHT, range=[0.01, 0.2], limit=4)
+    expected = 4 / (at_one_cm / 0.01)
+    assert found.bracket[0] <= expected <= found.bracket[1]
+    assert found.bracket[1] - found.value == pytest.approx(1e-4), "a step is a thousandth of the range, rounded down"
+    assert found.metric_value == pytest.approx(found.value / 0.01 * at_one_cm, rel=1e-9)
+    assert (found.unit, found.metric_unit, found.warnings, found.interval) == ("m", "m/s^2", [], None)
+    assert found.runs == len(found.tried) <= 22
+    assert [each.value for each in found.tried] == sorted(each.value for each in found.tried)
+
+
+def test_its_run_opens_and_asked_again_all_is_stored(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    body = {**HEIGHT, "range": [0.02, 0.19], "limit": 3}
+    first = ask(service.client, **body).json()
+    run = service.client.get(f"/api/v1/runs/{first['run_id']}").json()
+    assert run["scenario"]["road"]["bump"]["height"] == first["value"]
+    assert run["strategies"]["passive"]["metrics"]["bump"]["body_acceleration"]["peak"] == first["metric_value"]
+
+    async def refuse(*_: Any, **__: Any) -> None:
+        raise AssertionError("nothing is left to compute")
+
+    monkeypatch.setattr(service.app.state.workers, "call", refuse)
+    assert ask(service.client, **body).json() == first
+
+
+def test_how_fast_over_a_hump_so_that_the_interval_keeps_the_limit(client: httpx.Client) -> None:
+    scenario = {"road": {"length": 118, "bump": {"shape": "circular", "height": 0.075, "width": 3.7}}}
+    speed = {"scenario": scenario, "strategy": "passive", "field": "speed.initial_speed_kmh", "metric": PEAK}
+    found = solved(client, **speed, range=[10, 40], limit=3.5, roads=3)
+    assert (found.unit, found.runs) == ("km/h", 3 * len(found.tried))
+    values = {}
+    for value in found.bracket:
+        at = {**scenario, "speed": {"initial_speed_kmh": value}}
+        values[value] = mean_with_interval(peaks(client, at, "passive", roads=3))
+    below, above = (values[value] for value in found.bracket)
+    assert below.high <= 3.5 < above.high
+    assert found.metric_value == below.high
+    assert found.interval is not None
+    assert found.interval.model_dump() == {"mean": below.value, "low": below.low, "high": below.high}
+    assert client.get(f"/api/v1/runs/{found.run_id}").json()["roads"] == 3
+    alone = solved(client, **speed, range=[10, 40], limit=3.5)
+    assert alone.value > found.value, "one road's value has no interval to keep"
+
+
+def test_a_metric_that_is_not_monotone_is_said(client: httpx.Client) -> None:
+    """A long bump is a gentle one, but half a wavelength that meets both axles is worse than a shorter one."""
+    body = {**HEIGHT, "field": "road.bump.width", "range": [0.5, 15]}
+    widths = {each.value: each.metric_value for each in solved(client, **body, limit=20).tried}
+    values = list(widths.values())
+    assert any(a is not None and b is not None and a > b for a, b in itertools.pairwise(values))
+    found = solved(client, **body, limit=4)
+    assert found.value == 15
+    over = [value for value, peak in widths.items() if peak is not None and peak > 4]
+    assert over
+    said = "\n".join(found.warnings)
+    assert "not monotone: " in said
+    assert "Not every smaller value keeps the limit: 0.5 to" in said
+    assert f"to {over[-1]:g} m exceed it" in said
+
+
+def test_the_last_crossing_counts_where_there_are_several(client: httpx.Client) -> None:
+    """Drop height of a pothole and height of a bump: |height| decides, so -0.2 does not keep what 0.05 keeps."""
+    found = solved(client, **HEIGHT, range=[-0.2, 0.2], limit=3)
+    assert found.value == pytest.approx(0.048, abs=0.002)
+    (low, high) = (each for each in found.tried if each.value in (-0.2, 0.2))
+    assert low.metric_value == pytest.approx(high.metric_value)
+    assert "Not every smaller value keeps the limit: -0.2 to" in found.warnings[0]
+    assert "falls to 0 at 0, rises to" in found.warnings[1]
+
+
+def test_all_of_a_range_or_none_of_it(client: httpx.Client) -> None:
+    all_of_it = solved(client, **HEIGHT, range=[0.01, 0.02], limit=4)
+    assert (all_of_it.value, all_of_it.bracket) == (0.02, (0.02, 0.02))
+    assert all_of_it.warnings == ["The top of the range, 0.02 m, keeps the limit: a larger value may keep it too."]
+    none_of_it = ask(client, **HEIGHT, range=[0.1, 0.2], limit=4)
+    assert none_of_it.status_code == 422
+    problem = none_of_it.json()
+    assert problem["type"].endswith(":no-solution")
+    (place,) = problem["errors"]
+    assert place["pointer"] == "/range"
+    assert "the least, 6.2" in place["message"]
+    assert place["message"].endswith("is at 0.1 m")
+
+
+def test_what_a_field_does_not_change_and_what_cannot_be_driven_is_said(client: httpx.Client) -> None:
+    unread = solved(client, **{**HEIGHT, "field": "speed.target_speed_kmh"}, range=[10, 50], limit=20)
+    assert "passive may not depend on speed.target_speed_kmh" in unread.warnings[0]
+    beyond = solved(client, **{**HEIGHT, "field": "road.bump.width"}, range=[10, 26], limit=4)
+    assert beyond.bracket == (18, 18.01), "the road ends at 118 m"
+    assert "could not be tried" in beyond.warnings[0]
+    assert "The bump must end before the road does" in beyond.warnings[0]
+    assert beyond.runs < len(beyond.tried)
+
+
+def test_whole_numbers(client: httpx.Client) -> None:
+    body = {"scenario": SMOOTH, "strategy": "lqr", "metric": "travel_time", "field": "road.bump.count"}
+    found = ask(client, **body, range=[1, 2], limit=1000).json()
+    assert json.dumps(found["bracket"]) == "[2, 2]"
+
+
+@pytest.mark.parametrize(
+    ("change", "pointer", "says"),
+    [
+        ({"field": "road.bump.hight"}, "/field", "perhaps road.bump.height"),
+        ({"field": "road.bump.shape"}, "/field", "Unknown field road.bump.shape"),
+        ({"field": "road.seed"}, "/field", "there are"),
+        ({"metric": "bump.nothing"}, "/metric", "Unknown metric"),
+        ({"metric": "events.target_reached"}, "/metric", "Unknown metric"),
+        ({"metric": "events.ecu_most_iterations"}, "/metric", "passive has no"),
+        ({"strategy": "fast"}, "/strategy", "Unknown strategy"),
+        ({"range": [0.2, 0.1]}, "/range", "the first smaller"),
+        ({"range": [0.1, 3]}, "/range/1", "less than or equal to 1"),
+        ({"range": [0.1]}, "/range/1", "required"),
+        ({"field": "road.bump.count", "range": [1.5, 3]}, "/range/0", "integer"),
+        ({"field": "road.bump.width", "range": [30, 50]}, "/range", "The bump must end"),
+        ({"roads": 51}, "/roads", "50"),
+        ({"limit": "4"}, "/limit", "number"),
+        ({"scenario": {"road": {"bump": {"height": 3}}}}, "/scenario/road/bump/height", "1"),
+    ],
+)
+def test_what_cannot_be_asked_is_refused_where_it_stands(
+    client: httpx.Client, change: dict[str, Any], pointer: str, says: str
+) -> None:
+    response = ask(client, **{**HEIGHT, "range": [0.1, 0.2], "limit": 4, **change})
+    assert response.status_code == 422
+    place = response.json()["errors"][0]
+    assert place["pointer"] == pointer
+    assert says in place["message"]
+
+
+def test_the_cost_of_all_that_may_be_tried_is_limited_before_anything_is_driven(
+    service: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def refuse(*_: Any, **__: Any) -> None:
+        raise AssertionError("it is refused first")
+
+    monkeypatch.setattr(service.app.state.workers, "call", refuse)
+    response = ask(service.client, **{**HEIGHT, "strategy": "lv_hil"}, range=[0.05, 0.2], limit=4, roads=50)
+    assert response.status_code == 422
+    assert response.json()["type"].endswith(":cost-limit")
+
+
+def test_nothing_more_is_driven_once_the_client_is_gone(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    workers, driven, gone = service.app.state.workers, [], threading.Event()
+    original = workers.call
+
+    async def slow(function: Any, scenario: Any, *arguments: Any) -> Any:
+        driven.append(scenario.road.bump.height)
+        await asyncio.sleep(0.2)  # longer than the client waits
+        return await original(function, scenario, *arguments)
+
+    monkeypatch.setattr(workers, "call", slow)
+    with pytest.raises(httpx.ReadTimeout):
+        service.client.post("/api/v1/solve", json={**HEIGHT, "range": [0.031, 0.2], "limit": 4}, timeout=0.3)
+    gone.wait(1.0)  # nothing is to happen
+    assert len(driven) <= 3
+
+
+def test_the_client_and_the_command(client: httpx.Client, cli: Cli) -> None:
+    with Ridelab(str(client.base_url)) as ridelab:
+        found = ridelab.solve(SMOOTH, "passive", "road.bump.height", (0.01, 0.2), PEAK, 4)
+        answer = ask(client, **HEIGHT, range=[0.01, 0.2], limit=4).json()
+        assert found.answer == answer
+        assert (found.value, found.bracket, found.run_id) == (answer["value"], (0.064, 0.0641), answer["run_id"])
+        assert ridelab.get_run(found.run_id)["passive"].figures()[PEAK] == found.metric_value
+        with pytest.raises(RidelabAPIError) as refused:
+            ridelab.solve(SMOOTH, "passive", "road.bump.height", (0.1, 0.2), PEAK, 4)
+        assert refused.value.kind == "no-solution"
+        several = ridelab.solve({}, "passive", "road.bump.height", (0.01, 0.2), PEAK, 4, roads=2)
+        assert several.interval is not None
+        assert several.interval.high == several.metric_value
+    asked = ("solve", "--set", "road.roughness=0", "--set", "road.length=118", "-s", "passive")
+    field, limit = ("--field", "road.bump.height=0.01:0.2"), ("--limit", f"{PEAK}=4")
+    assert json.loads(cli(*asked, *field, *limit, "--json")) == answer
+    shown = cli(*asked, *field, *limit)
+    assert "road.bump.height at most 0.064 m" in shown
+    assert f"/r/{found.run_id}" in shown
+    cli(*asked, "--field", "road.bump.height=0.1:0.2", *limit, code=1)
+    assert "the least, 6.2" in cli.error
+    cli(*asked, "--field", "road.bump.hight=0.1:0.2", *limit, code=2)
+    assert cli.error.startswith("field: Unknown field road.bump.hight")
+    cli(*asked, "--field", "road.bump.height=0.1:0.2:3", *limit, code=2)
+    cli(*asked, *field, "--limit", "4", code=2)
+    assert "--limit takes METRIC=MOST" in cli.error
+
+
+def test_every_field_that_takes_a_number_is_offered() -> None:
+    offered = SolveRequest.model_json_schema()["properties"]["field"]["enum"]
+    assert "speed.target_speed_kmh" in offered
+    assert "mpc.stage_weights.bump.2" in offered
+    assert not {"mpc.preview", "mpc.stage_weights.bump", "vehicle.tyre_lift_off"} & set(offered)
