@@ -50,10 +50,13 @@ def _library() -> ctypes.CDLL:
     if not _LIBRARY.is_file():
         raise RidelabError(_NOT_BUILT)
     library = ctypes.CDLL(str(_LIBRARY))
-    array, integer = np.ctypeslib.ndpointer(dtype=np.float64, flags="C_CONTIGUOUS"), ctypes.c_int
+    array, integer = (
+        ctypes.c_void_p,
+        ctypes.c_int,
+    )  # addresses of contiguous float64
     library.ridelab_drive.restype = None
     library.ridelab_drive.argtypes = [
-        *(ctypes.POINTER(_Car), ctypes.c_void_p, ctypes.c_void_p, integer, integer, integer, integer, ctypes.c_double),
+        *(ctypes.POINTER(_Car), array, array, integer, integer, integer, integer, ctypes.c_double),
         *(array, ctypes.c_double, integer, array, array, array, array, integer, integer),
     ]
     return library
@@ -74,32 +77,40 @@ class NonlinearCar(DrivenCar):
         self._states = STATES if actuator.bandwidth is None else STATES + FORCES
         self.size = self._states + (0 if estimator is None else STATES)
         self._estimator = None if estimator is None else _matrices(estimator)
-        self._inputs = None if estimator is None else np.ascontiguousarray(estimator.input)
+        self._inputs = np.empty(0) if estimator is None else np.ascontiguousarray(estimator.input)
         fine = disturbance.shape[1] // DISTURBANCES
         short = substeps(vehicle, actuator, step / fine)
         self._drive = _library().ridelab_drive
         self._car = _car(vehicle, actuator)
         self._sizes = fine, short, step / fine / short
-        self._disturbance = np.ascontiguousarray(disturbance)
+        self._disturbance = np.ascontiguousarray(disturbance, dtype=np.float64)
         self._before = before
         self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
+        self._addresses = self._inputs.ctypes.data, self._disturbance.ctypes.data, self._table.ctypes.data
 
     def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        steps = len(feed)
-        loop = np.empty((steps + 1, self.size + FORCES))
+        loop = np.empty((len(feed) + 1, self.size + FORCES))
         loop[0] = start
-        inputs = None if self._inputs is None else self._inputs[first:].ctypes.data
-        self._drive(
-            *(self._car, self._estimator, inputs, self._states, steps, *self._sizes),
-            *(np.ascontiguousarray(law.gain), law.force_limit, law.dissipative, np.ascontiguousarray(feed)),
-            *(self._disturbance[first : first + steps], loop, self._table, first - self._before, self._table.shape[2]),
-        )
+        self._run(law, np.ascontiguousarray(law.gain, dtype=np.float64), first, np.ascontiguousarray(feed), loop)
         return loop
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        return self.free_run(_HELD, step, np.concatenate([state, command]), command[np.newaxis])[1, : self.size]
+        loop = np.zeros((2, self.size + FORCES))
+        loop[0, : self.size] = state
+        self._run(_HELD, _HELD.gain, step, np.ascontiguousarray(command), loop)
+        return loop[1, : self.size]
+
+    def _run(self, law: LinearLaw, gain: FloatArray, first: int, feed: FloatArray, loop: FloatArray) -> None:
+        """Fill `loop` (steps + 1, size + 2) from its first row on, with gain (2, 10) and feed (steps, 2) contiguous."""
+        inputs, disturbance, table = self._addresses
+        self._drive(
+            *(self._car, self._estimator, inputs + 8 * STATES * first, self._states, len(loop) - 1, *self._sizes),
+            *(gain.ctypes.data, law.force_limit, law.dissipative, feed.ctypes.data),
+            *(disturbance + 8 * self._disturbance.shape[1] * first, loop.ctypes.data, table),
+            *(first - self._before, self._table.shape[2]),
+        )
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As DrivenCar says: what was sampled while it drove."""
