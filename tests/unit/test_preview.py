@@ -72,6 +72,13 @@ def test_what_is_told_is_what_the_view_compares(view: dict[str, Any], title: str
     assert preview.of_run(run(members), view, WHEN).title == title
 
 
+@pytest.mark.parametrize(("height", "road"), [(0.0, "measured road"), (0.1, "measured road, bump 0.10 m × 4 m")])
+def test_a_measured_road_is_called_so(height: float, road: str) -> None:
+    shown = run({}, height=height)
+    shown["scenario"]["road"]["profile"] = "pwida6DsrD3-Rq1gNrUpPD"
+    assert preview.of_run(shown, {}, WHEN).description.startswith(f"{road}, 50 → 22.5 km/h; ")
+
+
 @pytest.mark.parametrize(
     "strategies", [{}, {"lv": {"status": "failed", "reason": "x"}}, {"lv": {"status": "ok", "metrics": {"other": {}}}}]
 )

@@ -142,12 +142,14 @@ def _field(field: Mapping[str, str]) -> str:
 
 
 def _drive(scenario: JsonObject) -> list[str]:
-    bump, speed = scenario["road"]["bump"], scenario["speed"]
+    road, speed = scenario["road"], scenario["speed"]
+    bump, measured = road["bump"], road["profile"] is not None
     height, width = bump["height"], f"{bump['width']:g} m"
     kind = "kerb" if bump["shape"] == "kerb" else "bump" if height > 0 else "pothole"
     several = f"{bump['count']} × " if bump["count"] > 1 else ""
-    obstacle = f"{several}{kind} {_length(abs(height))} m × {width}" if height else "no bump"
-    return [f"{obstacle}, {speed['initial_speed_kmh']:g} → {speed['target_speed_kmh']:g} km/h"]
+    obstacle = f"{several}{kind} {_length(abs(height))} m × {width}" if height else "" if measured else "no bump"
+    shown = ", ".join(filter(None, ["measured road" if measured else "", obstacle]))
+    return [f"{shown}, {speed['initial_speed_kmh']:g} → {speed['target_speed_kmh']:g} km/h"]
 
 
 def _length(value: float) -> str:
