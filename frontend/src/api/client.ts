@@ -19,6 +19,7 @@ import type {
   Paper,
   PaperFigure,
   Preset,
+  Question,
   RealtimeReport,
   ReadingEffects,
   RoadsAnswer,
@@ -26,6 +27,7 @@ import type {
   Scenario,
   SeriesByStrategy,
   SharedView,
+  Solution,
   Strategy,
   StrategyId,
   VehiclePreset,
@@ -64,6 +66,9 @@ export const api = {
   createRun: async (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal, over: RoadsOptions | null = null) =>
     readRun(await post<RunAnswer | RoadsAnswer>("/runs", { scenario, strategies, ...over }, { signal })),
   run: async (id: string, signal?: AbortSignal) => readRun(await get<RunAnswer | RoadsAnswer>(`/runs/${encodeURIComponent(id)}`, signal)),
+
+  solve: (scenario: Scenario, question: Question, roads: number, signal?: AbortSignal) =>
+    post<Solution>("/solve", { scenario, ...question, roads }, { signal }),
 
   /** The controller's C sources, as a zip. */
   controller: async (scenario: Scenario) => (await send(`${BASE}/controller`, sending("POST", { scenario }))).blob(),

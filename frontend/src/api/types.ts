@@ -72,6 +72,16 @@ export interface Run extends RunAnswer {
   readonly over: OverRoads | null;
 }
 
+/** What `/solve` is asked beside scenario and roads. */
+export interface Question {
+  readonly field: string;
+  readonly strategy: StrategyId;
+  readonly metric: string;
+  readonly range: readonly [number, number];
+  readonly limit: number;
+}
+export type Solution = Deep<Schemas["Solution"]>;
+
 export interface LiveAnswer extends RunBase {
   readonly strategies: Readonly<Record<StrategyId, Deep<Schemas["LiveResult"]> | Failure>>;
 }

@@ -1,0 +1,144 @@
+/** How large may a field be, so that a metric keeps a limit? Asked over the form's scenario, answered with a value for it. */
+
+import { Button, Group, List, Modal, Select, Text, TextInput } from "@mantine/core";
+import { useMutation } from "@tanstack/react-query";
+import { useMemo, useState } from "react";
+import { api } from "../api/client";
+import { explain } from "../api/problem";
+import type { Question, Solution } from "../api/types";
+import { fullName, OPENING_FIGURE, optionsOf, type Figure } from "../batch/figures";
+import { setAt } from "../editor/path";
+import { useEdit, useLab, useReadOnly, useScenario } from "../state/context";
+import type { Catalogues } from "../state/useCatalogues";
+import { pointerOf, sweepFields, type SweepField } from "../sweep/fields";
+import sweep from "../sweep/sweep.module.css";
+import { Fault } from "../ui/Fault";
+import ui from "../ui/ui.module.css";
+import { formatExact, formatInput, formatResult, prettyUnit } from "../units/format";
+import { askable, readDraft, type SolveDraft } from "./draft";
+
+const FIRST_FIELD = "road.bump.height";
+
+interface Props {
+  readonly catalogues: Catalogues;
+  readonly onClose: () => void;
+}
+
+export function SolveDialog({ catalogues: { form, strategies, figures }, onClose }: Props) {
+  const fields = useMemo(() => sweepFields(form).filter(askable), [form]);
+  const scenario = useScenario();
+  const selected = useLab((state) => state.strategies);
+  const roads = useLab((state) => state.roads);
+  const [draft, setDraft] = useState<SolveDraft>(() => ({
+    ...rangeOf(fields, FIRST_FIELD),
+    strategy: selected[0] ?? strategies[0]?.id ?? "",
+    metric: OPENING_FIGURE,
+    limit: "",
+  }));
+  const field = fields.find(({ name }) => name === draft.field);
+  const figure = figures.find(({ key }) => key === draft.metric);
+  const leaf = field?.leaf.kind === "number" ? field.leaf : null;
+  const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: null };
+  const search = useMutation({ mutationFn: (asked: Question) => api.solve(scenario, asked, roads) });
+  const patch = (change: Partial<SolveDraft>) => {
+    search.reset();
+    setDraft({ ...draft, ...change });
+  };
+  const entry = (key: "from" | "to" | "limit", label: string, unit: string) => (
+    <TextInput
+      size="xs"
+      className={sweep.end ?? ""}
+      inputMode="decimal"
+      label={label}
+      value={draft[key]}
+      {...(unit === "" ? {} : { rightSection: <span className={ui.dim}>{unit}</span>, rightSectionWidth: 48 })}
+      rightSectionPointerEvents="none"
+      onChange={(event) => patch({ [key]: event.currentTarget.value })}
+    />
+  );
+  const unit = prettyUnit(leaf?.unit ?? "1");
+  return (
+    <Modal opened onClose={onClose} title="How large may it be?" size="lg" closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}>
+      <Text size="sm" c="dimmed">
+        The largest value in a range that keeps a metric at or below a limit{roads > 1 ? ` with its 95 % interval over ${roads} roads` : ""}. Everything else stays
+        as in the form.
+      </Text>
+      <Group gap="xs" align="flex-end">
+        <Select size="xs" label="Field" searchable allowDeselect={false} data={bySection(fields)} value={draft.field} onChange={(name) => name !== null && patch(rangeOf(fields, name))} />
+        {entry("from", "From", unit)}
+        {entry("to", "To", unit)}
+      </Group>
+      <Group gap="xs" align="flex-end">
+        <Select size="xs" label="Strategy" allowDeselect={false} data={strategies.map(({ id, label }) => ({ value: id, label }))} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id })} />
+        <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
+        {entry("limit", "At most", prettyUnit(figure?.unit ?? "1"))}
+      </Group>
+      {wrong !== null && <Fault>{wrong}</Fault>}
+      {search.error && <Fault>{explain(search.error)}</Fault>}
+      {search.data && field && figure && <Answer {...{ field, figure, onClose }} found={search.data} />}
+      <Group justify="flex-end" gap="xs">
+        <Button variant="default" onClick={onClose}>
+          Close
+        </Button>
+        <Button disabled={question === null} loading={search.isPending} onClick={() => question && search.mutate(question)}>
+          Find
+        </Button>
+      </Group>
+    </Modal>
+  );
+}
+
+function rangeOf(fields: readonly SweepField[], name: string): Pick<SolveDraft, "field" | "from" | "to"> {
+  const field = fields.find((each) => each.name === name);
+  const [low, high] = field?.leaf.kind === "number" ? field.leaf.soft : [0, 1];
+  return { field: name, from: formatInput(low), to: formatInput(high) };
+}
+
+const bySection = (fields: readonly SweepField[]) =>
+  [...new Set(fields.map(({ section }) => section))].map((section) => ({
+    group: section,
+    items: fields.filter((field) => field.section === section).map(({ name, title }) => ({ value: name, label: title })),
+  }));
+
+interface AnswerProps {
+  readonly found: Solution;
+  readonly field: SweepField;
+  readonly figure: Figure;
+  readonly onClose: () => void;
+}
+
+function Answer({ found, field, figure, onClose }: AnswerProps) {
+  const edit = useEdit();
+  const readOnly = useReadOnly();
+  const [, above = found.value] = found.bracket;
+  const take = () => {
+    edit.commit(setAt(edit.newest(), pointerOf(field.name), found.value));
+    onClose();
+  };
+  return (
+    <div role="status">
+      <Group gap="sm">
+        <Text fw={600}>
+          {field.title} at most {formatExact(found.value, found.unit)}
+        </Text>
+        {!readOnly && (
+          <Button size="compact-sm" variant="light" onClick={take}>
+            Put it into the form
+          </Button>
+        )}
+      </Group>
+      <Text size="sm">
+        {fullName(figure)}: {formatResult(found.metric_value * figure.scale)} {prettyUnit(figure.unit)} there
+        {found.interval ? ", the upper end of its interval" : ""}.{" "}
+        {above > found.value ? `${formatExact(above, found.unit)} does not keep the limit.` : ""}
+      </Text>
+      {found.warnings.length > 0 && (
+        <List size="sm">
+          {found.warnings.map((warning) => (
+            <List.Item key={warning}>{warning}</List.Item>
+          ))}
+        </List>
+      )}
+    </div>
+  );
+}

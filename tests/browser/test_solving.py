@@ -1,0 +1,31 @@
+"""How large may it be: asked in the dialog, answered with a value that goes into the form."""
+
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import LONG_MS, Dashboard
+
+
+def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    page.get_by_role("button", name="How large may it be?").click()
+    dialog = page.get_by_role("dialog", name="How large may it be?")
+    find = dialog.get_by_role("button", name="Find")
+    expect(find).to_be_disabled()
+    dialog.get_by_label("From").fill("0.2")
+    dialog.get_by_label("To", exact=True).fill("0.1")
+    expect(dialog.get_by_role("alert")).to_have_text("From has to be less than to")
+    dialog.get_by_label("From").fill("0.08")
+    dialog.get_by_role("combobox", name="Strategy").click()
+    page.get_by_role("listbox").get_by_role("option", name="Passive", exact=True).click()
+    dialog.get_by_label("At most").fill("4")
+    find.click()
+    expect(dialog.get_by_role("alert")).to_contain_text("No value tried from 0.08 to 0.1 m keeps", timeout=LONG_MS)
+    dialog.get_by_label("From").fill("0.01")
+    find.click()
+    answer = dialog.get_by_role("status")
+    expect(answer).to_contain_text("Height at most 0.06", timeout=LONG_MS)
+    expect(answer).to_contain_text("does not keep the limit")
+    answer.get_by_role("button", name="Put it into the form").click()
+    expect(dialog).not_to_be_visible()
+    expect(page.get_by_role("textbox", name="Height", exact=True)).to_have_value("0.06467")
