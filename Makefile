@@ -53,6 +53,9 @@ margins: setup ## how much worse LQR is than LV, and every strategy against pass
 	$(BIN)/ridelab run paper --roads 10 --strategy lv,lqr --baseline lv
 	$(BIN)/ridelab run paper --roads 10
 
+robust: development ## searches the preset `robust` again and drives it at points it never saw: some ten minutes
+	$(BIN)/python -m benchmarks.robust
+
 paper: setup ## the paper's tables against ours, cell by cell, both readings also on roads 21 to 60; all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
 	$(BIN)/ridelab paper --seeds 21-60 | tail -6

@@ -11,7 +11,7 @@ from sim_core.strategies import STRATEGIES as KNOWN
 
 SAMPLES = 200
 BASELINE = "lv"
-STRATEGIES = ("lv", "lqr", "suspension_only", "passive")
+STRATEGIES = ("lv", "lqr", "skyhook", "speed_only", "passive")
 FIGURES = (*PAPER_METRICS, *LIMITS_EXCEEDED)
 
 
@@ -30,6 +30,7 @@ UNCERTAINTIES = (
     Uncertainty(field="mismatch.springs", low=0.9, high=1.1, why="Scatter of manufacture, and age"),
     Uncertainty(field="mismatch.damping", low=0.7, high=1.3, why="Oil temperature and wear"),
     Uncertainty(field="mismatch.tyres", low=0.9, high=1.1, why="Pressure and temperature"),
+    Uncertainty(field="mismatch.rebound_ratio", low=1, high=3, why="Dampers resist rebound more than compression"),
     Uncertainty(field="mismatch.preview_offset", low=-0.3, high=0.3, why="Where the sensors place the road ahead"),
     Uncertainty(field="mismatch.preview_gain", low=0.85, high=1.15, why="Scale of the measured height"),
     Uncertainty(field="mismatch.preview_noise", low=0, high=0.003, why="Noise of each measured height"),

@@ -165,7 +165,7 @@ def test_the_command_prints_the_summary_the_service_gives(
     [
         (["--exact", ",".join(each.field for each in UNCERTAINTIES)], "Nothing is uncertain: every field is exact"),
         (["--exact", "road.bump.height"], "--exact: road.bump.height is not varied"),
-        (["--baseline", "speed_only"], "--baseline: speed_only is not among the strategies"),
+        (["--baseline", "groundhook"], "--baseline: groundhook is not among the strategies"),
     ],
 )
 def test_a_study_of_nothing_is_refused(
