@@ -93,6 +93,12 @@ READINGS: dict[str, Reading] = {
                     "ahead is ours",
                     changes={"mpc.preview": "lookahead"},
                 ),
+                Choice(
+                    id="obstacle",
+                    label="Bump alone",
+                    source="Section 3.1: sensors identify the bump and its distance",
+                    changes={"mpc.preview": "obstacle"},
+                ),
                 Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"mpc.preview": "wheelbase"}),
                 Choice(
                     id="none",
@@ -113,6 +119,7 @@ READINGS: dict[str, Reading] = {
                     source="Section 4.2.2 names its objective and no preview",
                     changes={"lqr.preview": "none"},
                 ),
+                Choice(id="obstacle", label="Bump alone", source=OURS, changes={"lqr.preview": "obstacle"}),
                 Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"lqr.preview": "wheelbase"}),
                 Choice(id="lookahead", label="Road ahead", source=OURS, changes={"lqr.preview": "lookahead"}),
             ),

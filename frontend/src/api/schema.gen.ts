@@ -8462,11 +8462,11 @@ export interface operations {
                 /** @description A named set of readings; single ones beside it override it */
                 interpretation?: "default" | "favourable";
                 /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. By default as the interpretation has it. */
-                lqr_preview?: ("none" | "wheelbase" | "lookahead") | null;
+                lqr_preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
                 /** @description Answer at once with the cells that are there; the others are `pending` */
                 partial?: boolean;
                 /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. By default as the interpretation has it. */
-                preview?: ("none" | "wheelbase" | "lookahead") | null;
+                preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
                 /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. By default as the interpretation has it. */
                 road_end?: ("150" | "110") | null;
                 /** @description Control interval: The paper does not give it. By default as the interpretation has it. */
@@ -8802,9 +8802,9 @@ export interface operations {
                 /** @description A named set of readings; single ones beside it override it */
                 interpretation?: "default" | "favourable";
                 /** @description Preview for LQR too: The paper's LQR has none. With the same preview it is the fairer opponent. By default as the interpretation has it. */
-                lqr_preview?: ("none" | "wheelbase" | "lookahead") | null;
+                lqr_preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
                 /** @description Road preview: Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of the road ahead decides most of the paper's claims. By default as the interpretation has it. */
-                preview?: ("none" | "wheelbase" | "lookahead") | null;
+                preview?: ("lookahead" | "obstacle" | "wheelbase" | "none") | null;
                 /** @description End of the road: Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles. By default as the interpretation has it. */
                 road_end?: ("150" | "110") | null;
                 /** @description Control interval: The paper does not give it. By default as the interpretation has it. */
