@@ -95,7 +95,7 @@ READINGS: dict[str, Reading] = {
                 ),
                 Choice(
                     id="obstacle",
-                    label="Bump alone",
+                    label="Bump",
                     source="Section 3.1: sensors identify the bump and its distance",
                     changes={"mpc.preview": "obstacle"},
                 ),
@@ -119,7 +119,7 @@ READINGS: dict[str, Reading] = {
                     source="Section 4.2.2 names its objective and no preview",
                     changes={"lqr.preview": "none"},
                 ),
-                Choice(id="obstacle", label="Bump alone", source=OURS, changes={"lqr.preview": "obstacle"}),
+                Choice(id="obstacle", label="Bump", source=OURS, changes={"lqr.preview": "obstacle"}),
                 Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"lqr.preview": "wheelbase"}),
                 Choice(id="lookahead", label="Road ahead", source=OURS, changes={"lqr.preview": "lookahead"}),
             ),

@@ -34,7 +34,8 @@ function NewStudy() {
         <Text className={ui.lead ?? ""}>
           The controllers assume one car, exact sensors and ideal actuators. Here every strategy drives the same random cars, whose
           sensors and actuators differ a little from that. How much of each lead is left? With the paper’s weights LV keeps its lead
-          over LQR on the bump and loses it on the rough road; with the preset Robust LV it keeps both.
+          over LQR on the bump and loses it on the rough road; with the preset Robust LV it keeps both, as long as its own state is
+          measured exactly.
         </Text>
         {failure ? (
           <CouldNotLoad message={failure.message} />
