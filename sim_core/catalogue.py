@@ -161,7 +161,7 @@ EVENTS = _catalogue(
         key="airborne_ms",
         label="Airborne",
         unit="ms",
-        description="time either tyre is off the road; a linear tyre, which cannot lift off, pulls on it then",
+        description="time either tyre is off the road, or would have to pull on it where it cannot lift off",
     ),
     Quantity(key="front_airborne_ms", label="Front tyre airborne", unit="ms"),
     Quantity(key="rear_airborne_ms", label="Rear tyre airborne", unit="ms"),

@@ -24,6 +24,7 @@ from sim_core.scenario import Actuator, Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy
 
 _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = LONGEST_RUN, 16
+_SAME_FORCE = 1e-6  # [N]: rounding
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -61,7 +62,7 @@ class ClosedLoop:
         loop = np.zeros((steps + 1, n + FORCES))  # [plant state; previous command] at every control instant
         limited = 0
         for stage, first, last in stages:
-            law = self._controller.law(stage)
+            law, before = self._controller.law(stage), limited
             feed = self._controller.feed(stage, first, last)
             k, block = first, _LONGEST_BLOCK
             while k < last:
@@ -80,6 +81,11 @@ class ClosedLoop:
                     loop[k + 1, :n] = car.advance(k, state, command)
                     loop[k + 1, n:] = command
                     limited, k, block = limited + limit_binds, k + 1, _BLOCK_AFTER_LIMIT
+            if law.force_limit < np.inf:  # which the car may have met by itself
+                wanted = loop[first:last, :STATES] @ law.gain[:, :STATES].T + feed
+                limited = before + int(
+                    (np.abs(loop[first + 1 : last + 1, n:] - wanted) > _SAME_FORCE).any(axis=1).sum()
+                )
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
     def _actuated(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:

@@ -18,6 +18,7 @@ from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, strategy_named
 
+MAX_FINE_STEPS = 3e6  # of one run: about 800 MB
 MAX_STEP_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
 
 # Seconds of each unit of `work`; entries are those of matrices.
@@ -73,7 +74,8 @@ def check_affordable(scenario: Scenario, strategy: Strategy, time: float) -> Non
     Raises:
         TooExpensiveError: There are too many.
     """
-    if _cost(work(scenario, strategy, time, LimitShares(limited=1.0))) > MAX_STEP_COST:
+    counts = work(scenario, strategy, time, LimitShares(limited=1.0))
+    if _cost(counts) > MAX_STEP_COST or counts["fine steps"] > MAX_FINE_STEPS:
         raise TooExpensiveError("The run has too many steps", fields=_fields(strategy))
 
 

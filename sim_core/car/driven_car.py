@@ -7,7 +7,7 @@ from math import inf
 from sim_core.arrays import FloatArray
 from sim_core.car.half_car import FORCES, STATES
 
-MEASURED = STATES + FORCES  # what a law multiplies: the state, then the previous command
+LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -61,7 +61,7 @@ class DrivenCar(ABC):
 
     @abstractmethod
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
-        """P (size,) at the end of a control step that begins with `state` and holds `command` (2,) [N]."""
+        """The state p (size,) at the end of a control step that begins with `state` and holds `command` (2,) [N]."""
 
     @abstractmethod
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:

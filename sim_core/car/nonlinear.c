@@ -1,6 +1,6 @@
 /* The half-car where it is not linear: dampers that resist rebound more than compression, bump stops, tyres that lift
-   off. Runge-Kutta steps of third order (docs/physics.md, "Dampers, stops and lift-off"). nonlinear.py
-   describes every argument. */
+   off. Runge-Kutta steps of third order (docs/physics.md, "Dampers, stops and lift-off"). The
+   model and its source: nonlinear.py. */
 
 #include <stddef.h>
 
@@ -120,8 +120,20 @@ static void estimate(const struct estimator *estimator, const struct car *car, c
     }
 }
 
-void ridelab_drive(const struct car *car, const struct estimator *estimator, const double *input, int states, int steps, int fine, int substeps, double h, const double *gain,
-                   double limit, int dissipative, const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
+/* Control steps in which u = gain [state; previous command] + feed, within the limit and, if dissipative, none where it
+   would put energy in. Arrays are C-contiguous:
+
+   estimator        of the state, or NULL; its input, 8 numbers a step
+   states           8, or 10 with a lagging actuator's forces
+   fine, substeps   fine steps in a control step, steps of h [s] in a fine one
+   gain             2 x 10; feed: 2 a step [N]
+   disturbance      3 a fine step: both road velocities [m/s], braking [m/s^2]
+   loop             a row before each step and after the last, [estimated state; state; previous command]; the first row
+                    is an input
+   table            10 x (fine + 1) x columns samples; step i fills column + i, unless that is negative */
+void ridelab_drive(const struct car *car, const struct estimator *estimator, const double *input, int states, int steps,
+                   int fine, int substeps, double h, const double *gain, double limit, int dissipative,
+                   const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
 {
     int estimated = estimator ? 8 : 0, size = estimated + states, width = size + 2;
     for (int step = 0; step < steps; step++, column++) {

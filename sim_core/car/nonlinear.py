@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import MEASURED, DrivenCar, Estimator, LinearLaw
+from sim_core.car.driven_car import LAW_INPUTS, DrivenCar, Estimator, LinearLaw
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
 from sim_core.car.plant import RECORDED
 from sim_core.errors import RidelabError
@@ -22,7 +22,7 @@ from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_ANGLE = 0.1  # of the fastest pole in one step of Runge-Kutta [rad]
 _SIGNALS = len(RECORDED)
-_HELD = LinearLaw(gain=np.zeros((FORCES, MEASURED)))
+_NO_FEEDBACK = LinearLaw(gain=np.zeros((FORCES, LAW_INPUTS)))
 _LIBRARY = Path(__file__).with_name("libnonlinear.so.1")  # setup.py builds it; no module, so not called like one
 _NOT_BUILT = "The part that steps a nonlinear car is not built: install Ridelab with `make setup` or from its wheel"
 
@@ -99,7 +99,7 @@ class NonlinearCar(DrivenCar):
         """As DrivenCar says."""
         loop = np.zeros((2, self.size + FORCES))
         loop[0, : self.size] = state
-        self._run(_HELD, _HELD.gain, step, np.ascontiguousarray(command), loop)
+        self._run(_NO_FEEDBACK, _NO_FEEDBACK.gain, step, np.ascontiguousarray(command), loop)
         return loop[1, : self.size]
 
     def _run(self, law: LinearLaw, gain: FloatArray, first: int, feed: FloatArray, loop: FloatArray) -> None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.car.driven_car import MEASURED, LinearLaw
+from sim_core.car.driven_car import LAW_INPUTS, LinearLaw
 from sim_core.car.half_car import FORCES
 
 WITHIN = 1 - 1e-9  # of a limit: so that rounding does not pass it
@@ -65,7 +65,7 @@ class Controller(ABC):
         """
 
 
-_NO_FORCE = LinearLaw(gain=np.zeros((FORCES, MEASURED)))
+_NO_FORCE = LinearLaw(gain=np.zeros((FORCES, LAW_INPUTS)))
 
 
 class PassiveController(Controller):

@@ -5,7 +5,7 @@ and the pitch rate. The road is white velocity noise to the filter, the braking 
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 from scipy.linalg import expm
@@ -16,10 +16,12 @@ from sim_core.car.driven_car import Estimator
 from sim_core.car.half_car import DISTURBANCES, STATES, discrete, half_car, measurement
 from sim_core.car.road import REFERENCE_FREQUENCY
 from sim_core.control.lqr import riccati, solve
+from sim_core.errors import RidelabError
 from sim_core.scenario import Estimation, Scenario, Vehicle
 
 _NOISE_STREAM = 6  # a generator of its own beside the road's
-_LEAST_ROUGHNESS = 1e-6  # a filter that believes in a smooth road would believe no sensor [m³]
+_LEAST_ROUGHNESS = 1e-6  # on a smoother road the filter would ignore its sensors [m³]
+_UNSTABLE = "No stable Kalman filter was found for this vehicle and these sensors"
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -48,10 +50,15 @@ def kalman_filter(vehicle: Vehicle, noise: Estimation, step: float, intensity: f
     R = np.diag(np.square([noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]))
     P = riccati(A.T, C.T, Q, R, np.zeros((STATES, len(C))))
     gain = solve(C @ P @ C.T + R, C @ P).T
+    closed = A - gain @ C @ A
+    if not np.isfinite(closed).all() or np.abs(np.linalg.eigvals(closed)).max() >= 1:
+        raise RidelabError(_UNSTABLE, field="estimation.kind")
     return KalmanFilter(gain=gain, covariance=P - gain @ C @ P)
 
 
-def make_estimator(scenario: Scenario, step: float, speed: float, disturbance: FloatArray) -> Estimator | None:
+def make_estimator(
+    scenario: Scenario, step: float, speed: float, disturbance: FloatArray, per_control: int = 1
+) -> Estimator | None:
     """What estimates the state for a scenario's controllers, or None where they have the state itself.
 
     Args:
@@ -59,13 +66,18 @@ def make_estimator(scenario: Scenario, step: float, speed: float, disturbance: F
         step: Between measurements [s].
         speed: For which the filter is made [m/s].
         disturbance: In each step, fine step after fine step (steps, 3 · fine), as `RoadInput.disturbance`.
+        per_control: Measurements in a control step: each has so many times the variance, so that together they tell as
+            much as one.
 
     Raises:
         RidelabError: There is no such filter.
     """
-    noise = scenario.estimation
-    if noise.kind == "exact":
+    if scenario.estimation.kind == "exact":
         return None
+    noise = scenario.estimation
+    if per_control > 1:
+        names = "acceleration_noise", "deflection_noise", "pitch_rate_noise"
+        noise = noise.model_copy(update={name: getattr(noise, name) * sqrt(per_control) for name in names})
     roughness = max(scenario.road.roughness, _LEAST_ROUGHNESS)
     intensity = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
     filtered = kalman_filter(scenario.vehicle, noise, step, intensity)

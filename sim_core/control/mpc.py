@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import BoolArray, FloatArray
 from sim_core.caching import cached
-from sim_core.car.driven_car import MEASURED, LinearLaw
+from sim_core.car.driven_car import LAW_INPUTS, LinearLaw
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.control.controller import WITHIN, Controller
 from sim_core.control.cost import KILO, CostTerms, stage_cost
@@ -79,14 +79,14 @@ def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> P
     """Roll the discrete model over the horizon; after the last move the force is held."""
     model = discrete(vehicle, sample_time)
     A, B, E = model.A, model.B * KILO, model.E
-    parameters, free = MEASURED + DISTURBANCES * horizon, FORCES * moves
+    parameters, free = LAW_INPUTS + DISTURBANCES * horizon, FORCES * moves
     n = STATES + FORCES + DISTURBANCES
     before, z_moves = np.empty((STATES, horizon, parameters)), np.zeros((n, horizon, free))
     x_parameters, x_moves = np.eye(STATES, parameters), np.zeros((STATES, free))
     travel_parameters, travel_moves = np.empty((2, horizon, parameters)), np.empty((2, horizon, free))
     for i in range(horizon):
         move = FORCES * min(i, moves - 1)
-        columns = MEASURED + horizon * np.arange(DISTURBANCES) + i
+        columns = LAW_INPUTS + horizon * np.arange(DISTURBANCES) + i
         before[:, i], z_moves[:STATES, i] = x_parameters, x_moves
         z_moves[STATES : STATES + FORCES, i, move : move + FORCES] = np.eye(FORCES)
         x_parameters, x_moves = A @ x_parameters, A @ x_moves
@@ -141,8 +141,8 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     H = p.z_moves.T @ weighted + p.end_moves.T @ end + change
     H = (H + H.T) / 2
     linear = weighted[: len(p.x_parameters)].T @ p.x_parameters + end.T @ p.end_parameters
-    linear[:, STATES:MEASURED] += change_previous / KILO
-    linear[:, MEASURED:] += weighted[
+    linear[:, STATES:LAW_INPUTS] += change_previous / KILO
+    linear[:, LAW_INPUTS:] += weighted[
         -DISTURBANCES * horizon.prediction :
     ].T  # the preview is the last of z as it stands
     optimum = -solve(H, linear)
@@ -155,8 +155,8 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
         linear=2 * linear,
         rows_parameters=np.vstack([p.travel_parameters, -p.travel_parameters]) * CENTI,
         row_limits=np.full(4 * horizon.prediction, terms.deflection_limit * CENTI),
-        law=LinearLaw(gain=optimum[:FORCES, :MEASURED] * KILO),
-        feed=optimum[:FORCES, MEASURED:] * KILO,
+        law=LinearLaw(gain=optimum[:FORCES, :LAW_INPUTS] * KILO),
+        feed=optimum[:FORCES, LAW_INPUTS:] * KILO,
         checks=checks,
         bounds=bounds,
         bound=_bound(checks),
@@ -165,8 +165,8 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
 
 def _bound(checks: FloatArray) -> NDArray[np.float32]:
     """`MpcDesign.bound` of a design with these checks."""
-    by_disturbance = checks[:, MEASURED:].reshape(len(checks), DISTURBANCES, -1)
-    gain = np.hstack([checks[:, :MEASURED], by_disturbance[:, 2].sum(axis=1)[:, None]])
+    by_disturbance = checks[:, LAW_INPUTS:].reshape(len(checks), DISTURBANCES, -1)
+    gain = np.hstack([checks[:, :LAW_INPUTS], by_disturbance[:, 2].sum(axis=1)[:, None]])
     norms = np.linalg.norm(by_disturbance, axis=2)
     return np.vstack([np.hstack([gain, norms]), np.hstack([-gain, norms])]).astype(np.float32)
 

@@ -72,7 +72,8 @@ def trusted(seen: FloatArray, roughness: float, expected: ExpectedErrors) -> Flo
     weight = np.exp(-((2 * pi * n * expected.offset) ** 2) / 2)
     if expected.noise:
         density = roughness * REFERENCE_FREQUENCY**2 / (n**2 + CUTOFF_FREQUENCY**2)
-        weight *= density / (density + 2 * expected.noise**2 * GRID)
+        total = density + 2 * expected.noise**2 * GRID
+        weight *= np.divide(density, total, out=np.ones_like(n), where=total > 0)
     mirrored = np.concatenate([seen, seen[::-1]])  # so that no end jumps to the other
     return np.asarray(np.fft.irfft(np.fft.rfft(mirrored) * weight)[: len(seen)])
 

@@ -60,7 +60,7 @@ def drive_ecu(
     disturbance = road_input.disturbance.reshape(-1, DISTURBANCES * fine)
     before = road_input.drive.before * n
     step = road_input.step / n
-    estimator = make_estimator(scenario, step, motion.initial_speed, disturbance)
+    estimator = make_estimator(scenario, step, motion.initial_speed, disturbance, per_control=n)
     car = on_road(scenario.real_vehicle, scenario.actuator, step, disturbance, before, estimator=estimator)
     numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
     if calibration.predicts:  # a command is made for the stage in which it takes effect

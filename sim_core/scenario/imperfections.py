@@ -33,7 +33,7 @@ class Actuator(Part):
         None,
         "N",
         "Saturation",
-        "Greatest force the actuator gives, which no controller knows; none is the force limit they do know.",
+        "Greatest force the actuator gives, unknown to every controller; none: the force limit.",
         soft=(500, 10_000),
         ge=1,
         le=1_000_000,
@@ -108,7 +108,7 @@ class Mismatch(Part):
         le=2,
     )
     preview_delay: float = quantity(
-        0, "s", "Preview delay", "The road ahead comes so late (lookahead, obstacle).", soft=(0, 0.05), ge=0, le=1
+        0, "s", "Preview delay", "Delay of what the sensors see (lookahead, obstacle).", soft=(0, 0.05), ge=0, le=1
     )
 
     def real(self, vehicle: Vehicle) -> Vehicle:

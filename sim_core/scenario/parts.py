@@ -115,7 +115,7 @@ class Road(Part):
         None,
         pattern=ID_PATTERN,
         title="Measured profile",
-        description="Id of a measured road, which stands in place of roughness and seed; none is a made one. Its file "
+        description="Id of a measured road, in place of one made from roughness and seed. Its file "
         "is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].",
     )
     bump: Bump = Bump()
@@ -229,7 +229,7 @@ class Mpc(Part):
         "lookahead",
         title="Preview",
         description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the "
-        "sensors see (lookahead), or of that the bump alone (obstacle).",
+        "sensors see (lookahead), or the bump alone (obstacle).",
     )
     expected_offset: float = quantity(
         0,
@@ -312,7 +312,7 @@ class Hook(Part):
     semi_active: bool = Field(
         False,
         title="Semi-active",
-        description="The actuator only takes energy out, as a damper whose force is set: what would put some in is 0.",
+        description="The actuator only takes energy out, like a controlled damper: a force that would add some is 0.",
     )
 
 

@@ -111,13 +111,13 @@ class Vehicle(Part):
     tyre_lift_off: bool = Field(
         False,
         title="Tyres lift off",
-        description="A tyre never pulls on the road: its load ends at nothing. Off, as in the paper, it does.",
+        description="On, a tyre cannot pull on the road: its load is never below 0. Off, as in the paper, it can.",
     )
     anti_dive: float = quantity(
         0,
         "1",
         "Anti-dive",
-        "tan β L / h of the front links: times the front's share of the braking, what they carry of its load transfer.",
+        "Share of the load transfer that the front links would carry if only the front wheels braked: tan β L / h.",
         soft=(0, 1),
         ge=-1,
         le=3,
@@ -126,7 +126,7 @@ class Vehicle(Part):
         0,
         "1",
         "Anti-lift",
-        "tan β L / h of the rear links: times the rear's share of the braking, what they carry of its load transfer.",
+        "Share of the load transfer that the rear links would carry if only the rear wheels braked: tan β L / h.",
         soft=(0, 1),
         ge=-1,
         le=3,

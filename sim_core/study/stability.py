@@ -29,7 +29,9 @@ JUDGED = {
     SuspensionPolicy.MPC_BY_ROAD,
     SuspensionPolicy.MPC_BY_STAGE,
 }
-_ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))  # no law depends on it
+_ANY_ROAD = Road(
+    roughness=0, length=30, bump=Bump(height=0, start=20)
+)  # no law depends on it, a Kalman filter on the roughness alone
 
 
 def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
@@ -65,7 +67,7 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
     stages = STAGES if actuated else ("cruise",)
     distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}
-    estimator = make_estimator(believed, step, motion.initial_speed, np.zeros((1, DISTURBANCES))) if actuated else None
+    estimator = make_estimator(scenario, step, motion.initial_speed, np.zeros((1, DISTURBANCES))) if actuated else None
     loop = control_step(car, scenario.real_vehicle, estimator)
     return min(damping(closed_loop_matrix(loop, controller.law(stage)), step) for stage in distinct.values())
 

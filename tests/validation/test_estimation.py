@@ -12,9 +12,11 @@ from sim_core.control.estimator import _accumulated, kalman_filter, make_estimat
 from sim_core.control.lqr import LqrController, regulator
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import drive
+from sim_core.errors import RidelabError
 from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, SpeedPolicy, strategy_named
+from sim_core.study.stability import least_damping
 from tests.validation.reference import adaptive
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import state_space
@@ -152,3 +154,20 @@ def test_better_sensors_drive_better() -> None:
         for each in (bad, KALMAN, Estimation())
     ]
     assert pitch == sorted(pitch, reverse=True)
+
+
+def test_margins_are_judged_with_the_filter_that_drives() -> None:
+    """On a rougher road the filter trusts its sensors more, and the loop's margin is another."""
+    noisy = Estimation(kind="kalman", deflection_noise=0.01)
+    judged = [
+        least_damping(Scenario(estimation=noisy, mismatch=Mismatch(body_mass=0.5), road=Road(roughness=each)), "lqr")
+        for each in (64e-6, 1024e-6)
+    ]
+    assert judged[0] != pytest.approx(judged[1], rel=0.01)
+
+
+def test_a_filter_that_is_not_stable_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Doubling may settle where rounding has the last word: here on a covariance below zero."""
+    monkeypatch.setattr("sim_core.control.estimator.riccati", lambda *_: -0.9999 * np.eye(8) * 0.002**2)
+    with pytest.raises(RidelabError, match="No stable Kalman filter"):
+        kalman_filter(CAR, KALMAN, STEP, 2 * INTENSITY)

@@ -42,6 +42,7 @@ def test_semi_active_is_the_same_stepped_in_c_and_step_by_step(
     monkeypatch.setattr(HookController, "clipped", property(lambda _: False, lambda *_: None), raising=False)
     single = simulate(scenario, law)
     assert single.events["limited_steps"] > 100
+    assert in_c.events["limited_steps"] == pytest.approx(single.events["limited_steps"], rel=0.02)
     for name, values in single.series.items():
         # A speed near zero may have either sign: such a step differs, and little follows from it.
         assert np.std(in_c.series[name] - values) <= 0.02 * (np.std(values) or 1.0), name

@@ -110,6 +110,7 @@ def test_trust_is_the_best_linear_estimate() -> None:
     assert error == pytest.approx(best, rel=0.1)
     assert error < 0.3 * np.mean((seen - true) ** 2)
     assert trusted(seen, roughness, ExpectedErrors()) is seen
+    assert np.isfinite(trusted(seen, 0.0, ExpectedErrors(noise=1e-170))).all()
 
 
 def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() -> None:

@@ -976,7 +976,7 @@ export interface components {
             rate_limit?: number | null;
             /**
              * Saturation
-             * @description Greatest force the actuator gives, which no controller knows; none is the force limit they do know.
+             * @description Greatest force the actuator gives, unknown to every controller; none: the force limit.
              */
             saturation?: number | null;
         };
@@ -2755,7 +2755,7 @@ export interface components {
             groundhook_damping: number;
             /**
              * Semi-active
-             * @description The actuator only takes energy out, as a damper whose force is set: what would put some in is 0.
+             * @description The actuator only takes energy out, like a controlled damper: a force that would add some is 0.
              * @default false
              */
             semi_active: boolean;
@@ -3412,7 +3412,7 @@ export interface components {
             damping: number;
             /**
              * Preview delay
-             * @description The road ahead comes so late (lookahead, obstacle).
+             * @description Delay of what the sensors see (lookahead, obstacle).
              * @default 0
              */
             preview_delay: number;
@@ -3530,7 +3530,7 @@ export interface components {
             prediction_horizon: number;
             /**
              * Preview
-             * @description What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the sensors see (lookahead), or of that the bump alone (obstacle).
+             * @description What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the sensors see (lookahead), or the bump alone (obstacle).
              * @default lookahead
              * @enum {string}
              */
@@ -4002,7 +4002,7 @@ export interface components {
             length: number;
             /**
              * Measured profile
-             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one. Its file is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].
+             * @description Id of a measured road, in place of one made from roughness and seed. Its file is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].
              */
             profile?: string | null;
             /**
@@ -4042,7 +4042,7 @@ export interface components {
             length: number;
             /**
              * Measured profile
-             * @description Id of a measured road, which stands in place of roughness and seed; none is a made one. Its file is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].
+             * @description Id of a measured road, in place of one made from roughness and seed. Its file is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].
              */
             profile?: string | null;
             /**
@@ -6188,13 +6188,13 @@ export interface components {
         Vehicle: {
             /**
              * Anti-dive
-             * @description tan β L / h of the front links: times the front's share of the braking, what they carry of its load transfer.
+             * @description Share of the load transfer that the front links would carry if only the front wheels braked: tan β L / h.
              * @default 0
              */
             anti_dive: number;
             /**
              * Anti-lift
-             * @description tan β L / h of the rear links: times the rear's share of the braking, what they carry of its load transfer.
+             * @description Share of the load transfer that the rear links would carry if only the rear wheels braked: tan β L / h.
              * @default 0
              */
             anti_lift: number;
@@ -6301,7 +6301,7 @@ export interface components {
             rebound_ratio: number;
             /**
              * Tyres lift off
-             * @description A tyre never pulls on the road: its load ends at nothing. Off, as in the paper, it does.
+             * @description On, a tyre cannot pull on the road: its load is never below 0. Off, as in the paper, it can.
              * @default false
              */
             tyre_lift_off: boolean;
