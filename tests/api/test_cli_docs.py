@@ -120,7 +120,7 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.usefixtures("reproduced")
-@pytest.mark.parametrize("name", ["cli.md", "api.md", "notebook.md", "guide.md"])
+@pytest.mark.parametrize("name", ["cli.md", "api.md", "notebook.md"])
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

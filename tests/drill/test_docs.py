@@ -21,8 +21,11 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
         yield service.client
 
 
-def test_robustness_md(client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    check("robustness.md", client, tmp_path, monkeypatch)
+@pytest.mark.parametrize("name", ["robustness.md", "guide.md"])
+def test_a_page_shows_what_its_commands_print(
+    name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    check(name, client, tmp_path, monkeypatch)
 
 
 def test_the_causes_in_paper_md() -> None:
