@@ -77,18 +77,11 @@ class Chunks:
         await _cancel(self._committing)
 
     async def _compute(self, cluster: "Cluster", handed_out: HandOut, runs: list[WaitingRun]) -> None:
-        chunk = Chunk(
-            group=handed_out.group,
-            core_version=CORE_VERSION,
-            schema_version=handed_out.job.schema_version,
-            base=handed_out.job.request["scenario"],
-            runs=runs,
-            roads=await self._roads(handed_out.job, runs),
-            budget=CHUNK_BUDGET,
-            timeout=self._timeout,
-        )
         committing = False
         try:
+            chunk = await self._chunk(handed_out, runs)
+            if chunk is None:
+                return
             outcome = await _outcome(cluster, chunk)
             if outcome.computed is not None:
                 computed, failures = _split(handed_out, runs, outcome.computed)
@@ -101,6 +94,26 @@ class Chunks:
         finally:
             if not committing:
                 self._end(handed_out)
+
+    async def _chunk(self, handed_out: HandOut, runs: list[WaitingRun]) -> Chunk | None:
+        """The chunk with its roads; None where the database has failed: its runs are handed out again."""
+        try:
+            roads = await self._roads(handed_out.job, runs)
+        except (SQLAlchemyError, OSError) as error:
+            logger.warning("A chunk's roads could not be read: %s", type(error).__name__)
+            handed_out.take_back(runs)
+            await asyncio.sleep(PAUSE)  # the database may be back by then
+            return None
+        return Chunk(
+            group=handed_out.group,
+            core_version=CORE_VERSION,
+            schema_version=handed_out.job.schema_version,
+            base=handed_out.job.request["scenario"],
+            runs=runs,
+            roads=roads,
+            budget=CHUNK_BUDGET,
+            timeout=self._timeout,
+        )
 
     async def _roads(self, job: StoredJob, runs: Sequence[WaitingRun]) -> dict[str, MeasuredRoad]:
         """The measured roads that these runs name."""

@@ -16,6 +16,8 @@ MAX_LINES = 350_000  # a height every 9 mm on the longest road
 MAX_LINE = 500  # characters
 MAX_GAP = 5.0  # between two heights [m]
 WIDE_GAP = 0.25  # beyond which a warning says what is missing [m]
+MAX_NUMBER = 1e12  # in any unit
+MAX_HEIGHT = 1e5  # beyond which it is none [m]
 HILLY = 1.0  # heights beyond this, without the slope, may be in another unit [m]
 
 UNITS = {
@@ -78,6 +80,7 @@ def read(content: bytes) -> Survey:
     columns = [table[:, index] * scale for index, scale in enumerate(scales)]
     distance, tracks = columns[order[0]], [columns[index] for index in order[1:]]
     _check_distances(distance, numbers)
+    _check_heights(tracks, numbers)
     return _survey(distance, tracks)
 
 
@@ -102,11 +105,11 @@ def _columns(names: Sequence[str], line: int) -> tuple[list[float], list[int]]:
     """Each column's unit in metres, and the columns of distance and height, or left and right height."""
     titles, scales = [], []
     for name in names:
-        title, bracket, unit = name.replace("(", "[").replace(")", "]").partition("[")
+        title, bracket, unit = name.replace('"', "").replace("(", "[").replace(")", "]").partition("[")
         unit = unit.strip().removesuffix("]").strip().lower()
         if not bracket or unit not in UNITS:
             raise SurveyError(f"{FORM}; units are {', '.join(dict.fromkeys(UNITS))}", line)
-        titles.append(title.strip().strip('"').strip().lower())
+        titles.append(title.strip().lower())
         scales.append(UNITS[unit])
     for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT)):
         found = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
@@ -132,6 +135,8 @@ def _table(lines: Iterator[tuple[int, str]], separator: str, columns: int) -> tu
             raise SurveyError("A value is not a number", number) from None
         if not all(map(math.isfinite, row)):
             raise SurveyError("A value is not a finite number", number)
+        if max(map(abs, row)) > MAX_NUMBER:
+            raise SurveyError(f"A value is beyond {MAX_NUMBER:g}", number)
         numbers.append(number)
         rows.append(row)
     if len(rows) < 2:
@@ -154,10 +159,16 @@ def _check_distances(distance: FloatArray, numbers: Sequence[int]) -> None:
         raise SurveyError(f"A road is {MIN_LENGTH:g} m long at least; is the unit right?", numbers[-1])
 
 
+def _check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int]) -> None:
+    beyond = np.flatnonzero(np.abs(tracks).max(axis=0) > MAX_HEIGHT)
+    if len(beyond):
+        raise SurveyError(f"A height of more than {MAX_HEIGHT / 1000:g} km; is the unit right?", numbers[beyond[0]])
+
+
 def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
     made = surveyed(distance, np.mean(tracks, axis=0))
     most = float(np.abs(made.heights).max())
-    if most > 1000:
+    if not most <= 1000:  # nor NaN
         raise SurveyError("Heights differ by kilometres; is the unit right?", 1)
     road, widest = MeasuredRoad.of(made.heights), float(np.diff(distance).max())
     warnings = ["The mean of left and right track is taken"] if len(tracks) == 2 else []

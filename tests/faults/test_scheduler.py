@@ -2,12 +2,14 @@
 
 import asyncio
 import contextlib
+import itertools
 import sqlite3
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from sqlalchemy.exc import IntegrityError, OperationalError
 
@@ -23,8 +25,10 @@ from backend.metrics import REGISTRY
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job_runs import JobRow
+from backend.store.roads import RoadStore
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
+from sim_core.scenario.measured import MeasuredRoad
 from tests.servers import loops
 
 RUNS = 40
@@ -92,9 +96,14 @@ class Here:
         return function(*args)
 
 
-def submitted(store: Store, *, core_version: str = CORE_VERSION, first_seed: int = 0) -> StoredJob:
-    """A batch, accepted by that core version, with that version's keys."""
+def submitted(
+    store: Store, *, core_version: str = CORE_VERSION, first_seed: int = 0, road: MeasuredRoad | None = None
+) -> StoredJob:
+    """A batch, accepted by that core version, with that version's keys; on a measured road where there is one."""
     base = Scenario().model_dump(mode="json")
+    if road is not None:
+        store.roads.save(road)
+        base["road"]["profile"] = road.id
     seeds = list(range(first_seed, first_seed + RUNS))
     runs = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs
     request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
@@ -112,6 +121,7 @@ def drive(
     *,
     core_version: str = CORE_VERSION,
     background: Any = Here(),  # noqa: B008  # it has no state
+    road: MeasuredRoad | None = None,
     **patches: Any,
 ) -> list[JobRow]:
     """The rows of a batch after a driver with that cluster has finished it."""
@@ -119,7 +129,7 @@ def drive(
     async def run() -> list[JobRow]:
         store = Store(f"sqlite:///{folder}/ridelab.sqlite")
         store.migrate()
-        batch = submitted(store, core_version=core_version)
+        batch = submitted(store, core_version=core_version, road=road)
         for name, value in patches.items():
             setattr(store.job_runs, name, value(getattr(store.job_runs, name)))
         Misbehaving.behaviour = staticmethod(behaviour)
@@ -202,6 +212,24 @@ def test_a_worker_that_is_lost_at_once_each_time_fails_its_run_and_no_other(tmp_
     rows = drive(tmp_path, unreadable)
     assert [row.position for row in rows if row.status == "failed"] == [17]
     assert len(Misbehaving.chunks) < 40, "not for ever"
+
+
+def test_a_chunk_whose_roads_cannot_be_read_is_handed_out_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    load, failures = RoadStore.load, itertools.count()
+
+    def failing(roads: RoadStore, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
+        if next(failures) < 3:
+            raise OperationalError("SELECT", {}, Exception("the disk is away"))
+        return load(roads, ids)
+
+    monkeypatch.setattr(RoadStore, "load", failing)
+    road = MeasuredRoad.of(np.zeros(20_001))
+    rows = drive(tmp_path, answered, road=road)
+    assert [row.status for row in rows] == ["ok"] * RUNS
+    assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
+    assert {each for chunk in Misbehaving.chunks for each in chunk.roads} == {road.id}
 
 
 def test_an_unforeseen_error_on_the_way_fails_a_run_and_ends_the_job(tmp_path: Path) -> None:

@@ -28,6 +28,8 @@ def test_units_separators_and_the_first_distance_are_the_headers_matter() -> Non
         b"\xef\xbb\xbf# surveyed today\r\n\r\n" + file().replace(b"\n", b"\r\n"),
         file(rows=later),
         file(head="height [mm],distance [m]\n", rows=swapped),
+        file(head='"distance [m]", "height [mm]"\n'),
+        file(head='"Distance" [m];"Height" (mm)\n', rows=comma),
     ):
         assert read(other).road == plain.road
     assert plain.road.length == 19.9
@@ -67,6 +69,11 @@ def test_what_was_done_is_said() -> None:
         (b"# a\n\ndistance [m],height [mm]\n0,0\n\n1,zwei\n", 6, "A value is not a number"),
         (b"distance [m],height [mm]\n0,0\n1,nan\n9,0\n", 3, "A value is not a finite number"),
         (b"distance [m],height [mm]\n0,0\n1,1e999\n9,0\n", 3, "A value is not a finite number"),
+        (b"distance [m],height [m]\n0,0\n1,1.7e308\n5,-1.7e308\n", 3, "A value is beyond 1e+12"),
+        (b"distance [km],height [m]\n1e307,0\n2e307,0\n", 2, "A value is beyond 1e+12"),
+        (b"distance [m],height [km]\n0,0\n1,0\n5,101\n", 4, "A height of more than 100 km"),
+        (b"distance [m],left [m],right [m]\n0,0,0\n1,1e11,-1e11\n5,0,0\n", 3, "A height of more than 100 km"),
+        (b"distance [m],height [m]\n0,0\n1,90000\n5,0\n9,0\n", 1, "Heights differ by kilometres"),
         (b"distance [m],height [mm]\n0,0\n1\n9,0\n", 3, "The header has 2 columns and this line 1"),
         (b"distance [m],height [mm]\n0,0\n2,0\n1.5,0\n9,0\n", 4, "The distance goes back"),
         (b"distance [m],height [mm]\n0,0\n2,0\n2,1\n9,0\n", 4, "The distance stands still"),
