@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sim_core.errors import RidelabError
+from sim_core.errors import MissingRoadError, RidelabError
 
 # What a refused run's sender can do; the solver first, since it changes most.
 CHEAPER_RUN = "the solver DAQP, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
@@ -79,6 +79,10 @@ class CostLimitError(ServiceError):
     kind = "cost-limit"
 
 
+class ShortRoadError(InvalidError):
+    """The measured road is shorter than the scenario's."""
+
+
 class NoSolutionError(ServiceError):
     """No value in the range keeps the limit."""
 
@@ -141,3 +145,7 @@ class WorkersBusyError(TemporaryError):
 
 class EcuUnavailableError(RidelabError):
     """The ECU's program cannot take part here and now; the scenario is not to blame, and the result is not kept."""
+
+
+# What refuses a run without its scenario being to blame: the next try may succeed, and nothing is kept.
+NOT_CACHEABLE = (EcuUnavailableError, MissingRoadError)

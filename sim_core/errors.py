@@ -27,6 +27,10 @@ class UnstableVehicleError(RidelabError):
     """The passive car has no stationary response, so a normalised cost cannot be formed."""
 
 
+class MissingRoadError(RidelabError):
+    """The scenario names a measured road whose heights nobody handed over."""
+
+
 class TooExpensiveError(RidelabError):
     """The run would do more than one run may; the same scenario always does.
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 import orjson
 
 from backend.ecu.drive import simulate
-from backend.errors import EcuUnavailableError
+from backend.errors import NOT_CACHEABLE
 from backend.jobs.chunk import ComputedRun, WaitingRun
 from backend.jobs.reproduction import work as paper
 from backend.jobs.sweep.plan import scenario_at
@@ -43,7 +43,7 @@ def run_chunk(
             status, summary = "ok", _summary(scenario, run.strategy)
         except RidelabError as error:
             status, summary = "failed", orjson.dumps(refusal(error)).decode()
-            cacheable = not isinstance(error, EcuUnavailableError)
+            cacheable = not isinstance(error, NOT_CACHEABLE)
         elapsed = elapsed_ms(begin)
         computed[run.key] = ComputedRun(
             key=run.key,

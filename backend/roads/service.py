@@ -6,7 +6,7 @@ from dataclasses import asdict
 import numpy as np
 
 from backend.compute.workers import Workers
-from backend.errors import InvalidError, NotFoundError
+from backend.errors import InvalidError, NotFoundError, ShortRoadError
 from backend.http.admission import Admission
 from backend.http.limits import ConcurrencyLimit
 from backend.roads import survey
@@ -70,7 +70,8 @@ class Roads:
         """The scenario with the heights of the measured road it names.
 
         Raises:
-            InvalidError: There is no such road, or it is shorter than the scenario's.
+            InvalidError: There is no such road.
+            ShortRoadError: It is shorter than the scenario's.
         """
         profile = scenario.road.profile
         if profile is None:
@@ -78,7 +79,7 @@ class Roads:
         road = (await self.named([profile]))[profile]
         if scenario.road.length > road.length:
             message = f"The measured road is {road.length:g} m long: the road's length can be at most that"
-            raise InvalidError(f"{message}.", pointer="/scenario/road/length")
+            raise ShortRoadError(f"{message}.", pointer="/scenario/road/length")
         return scenario.on(road)
 
     async def named(self, ids: Iterable[str], pointer: str = POINTER) -> Mapping[str, MeasuredRoad]:

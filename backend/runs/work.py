@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import orjson
 
 from backend.ecu.drive import simulate
-from backend.errors import EcuUnavailableError
+from backend.errors import NOT_CACHEABLE
 from backend.json_types import JsonObject
 from backend.runs.series import SeriesArray, pack
 from sim_core.errors import RidelabError, TooExpensiveError
@@ -61,7 +61,7 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
-        elapsed, cacheable = elapsed_ms(begin), not isinstance(error, EcuUnavailableError)
+        elapsed, cacheable = elapsed_ms(begin), not isinstance(error, NOT_CACHEABLE)
         summary = refusal(error)
         return Outcome(status="failed", summary=summary, compute_ms=elapsed, cacheable=cacheable, points=points)
     summary = orjson.loads(summary_json(result))

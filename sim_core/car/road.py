@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.errors import RidelabError
+from sim_core.errors import MissingRoadError, RidelabError
 from sim_core.scenario import Bump, Road
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
@@ -211,12 +211,13 @@ def profile(road: Road) -> RoadProfile:
     """The road of a scenario.
 
     Raises:
-        RidelabError: It names a measured road whose heights nobody handed over, or that is shorter.
+        MissingRoadError: It names a measured road whose heights nobody handed over.
+        RidelabError: The measured road is shorter.
     """
     if road.profile is None:
         return RoadProfile(*_roughness(road.roughness, road.seed, road.length), road.bump)
     if road.measured is None:
-        raise RidelabError("The measured road of this id is not here", field="road.profile")
+        raise MissingRoadError("The measured road of this id is not here", field="road.profile")
     if road.length > road.measured.length:
         message = f"The measured road is {road.measured.length:g} m long: the road's length can be at most that"
         raise RidelabError(message, field="road.length")

@@ -41,7 +41,8 @@ class Axis:
         exponent = math.floor(math.log10(high - low)) - 3
         exponent = max(0, exponent) if whole else exponent
         step = 10.0**exponent
-        first, after = math.floor(low / step + 1e-6) + 1, math.ceil(high / step - 1e-6)
+        slack = 1e-6 + 1e-15 * max(abs(low), abs(high)) / step  # both divisions round
+        first, after = math.floor(low / step + slack) + 1, math.ceil(high / step - slack)
         return cls(low=low, high=high, exponent=exponent, first=first, last=after - first + 1)
 
     def value(self, index: int) -> float:

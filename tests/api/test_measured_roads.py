@@ -129,6 +129,22 @@ def test_a_measured_road_is_one_road(client: httpx.Client, scenario: dict[str, A
     ]
 
 
+def test_how_long_a_road_may_be_counts_what_the_profile_does_not_have(
+    client: httpx.Client, scenario: dict[str, Any]
+) -> None:
+    body = {"scenario": scenario, "strategy": "passive", "field": "road.length", "metric": "travel_time", "limit": 1000}
+    found = client.post("/api/v1/solve", json={**body, "range": [120, 145]}).json()
+    assert found["value"] == pytest.approx(139.9, abs=0.02)
+    assert found["bracket"][1] > 139.9
+    assert "The measured road is 139.9 m long" in found["warnings"][0]
+    (error,) = client.post("/api/v1/solve", json={**body, "range": [141, 145]}).json()["errors"]
+    assert error["pointer"] == "/range"
+    assert "The measured road is 139.9 m long" in error["message"]
+    too_long = {"road": {**scenario["road"], "length": 141}}
+    width = {**body, "scenario": too_long, "field": "road.bump.width", "range": [1, 2]}
+    assert client.post("/api/v1/solve", json=width).json()["errors"][0]["pointer"] == "/scenario/road/length"
+
+
 @pytest.mark.parametrize(
     ("content", "headers", "status", "said"),
     [

@@ -148,11 +148,14 @@ def test_whole_numbers(client: httpx.Client) -> None:
         ({"field": "road.bump.hight"}, "/field", "perhaps road.bump.height"),
         ({"field": "road.bump.shape"}, "/field", "Unknown field road.bump.shape"),
         ({"field": "road.seed"}, "/field", "there are"),
+        ({"field": "hil.seed"}, "/field", "there are"),
         ({"metric": "bump.nothing"}, "/metric", "Unknown metric"),
         ({"metric": "events.target_reached"}, "/metric", "Unknown metric"),
         ({"metric": "events.ecu_most_iterations"}, "/metric", "passive has no"),
         ({"strategy": "fast"}, "/strategy", "Unknown strategy"),
         ({"range": [0.2, 0.1]}, "/range", "the first smaller"),
+        ({"range": [0, 5e-324]}, "/range", "as wide as 1e-09 of its larger end"),
+        ({"field": "road.bump.width", "range": [1, 1.0000000000000002]}, "/range", "as wide as 1e-09"),
         ({"range": [0.1, 3]}, "/range/1", "less than or equal to 1"),
         ({"range": [0.1]}, "/range/1", "required"),
         ({"field": "road.bump.count", "range": [1.5, 3]}, "/range/0", "integer"),
@@ -232,4 +235,5 @@ def test_every_field_that_takes_a_number_is_offered() -> None:
     offered = SolveRequest.model_json_schema()["properties"]["field"]["enum"]
     assert "speed.target_speed_kmh" in offered
     assert "mpc.stage_weights.bump.2" in offered
+    assert not {"road.seed", "hil.seed"} & set(offered)
     assert not {"mpc.preview", "mpc.stage_weights.bump", "vehicle.tyre_lift_off"} & set(offered)

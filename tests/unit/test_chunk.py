@@ -48,6 +48,13 @@ def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: 
     }
 
 
+def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_kept() -> None:
+    base = {**BASE, "road": {**BASE["road"], "profile": "A" * 22}}
+    (run,) = work.run_chunk(base, 1, waiting(0.05), {}, 60)
+    assert (run.status, run.cacheable) == ("failed", False)
+    assert json.loads(run.summary) == {"reason": "The measured road of this id is not here"}
+
+
 def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
     with pytest.raises(SweepError) as caught:
         plan(BASE, ["lv"], Sweep.model_validate({"grid": {"road.bmp": [1], "road.seed": [-1]}}))

@@ -1,5 +1,6 @@
 """The search for a limit by itself, on functions whose answer is known."""
 
+import itertools
 import math
 from collections.abc import Callable
 
@@ -79,6 +80,14 @@ def test_every_rising_metric_is_bracketed_within_a_thousandth(
     below, above = found(low, high, 0, lambda x: math.copysign(abs(x - root) ** power, x - root) - 1e-300)
     assert below <= root <= above or above == high
     assert above - below <= width / 1000 * (1 + 1e-6)
+
+
+@given(st.floats(-1e4, 1e4).map(lambda low: round(low, 3)), st.floats(1e-9, 1))
+def test_the_values_of_a_narrow_range_rise(low: float, share: float) -> None:
+    axis = Axis.of(low, low + share * max(abs(low), 1e-3) * 1.01, whole=False)
+    indices = sorted({*axis.scan, 1, 2, axis.last - 2, axis.last - 1})
+    values = [axis.value(index) for index in indices]
+    assert all(before < after for before, after in itertools.pairwise(values))
 
 
 def test_where_a_metric_turns_and_where_it_is_over_the_limit() -> None:

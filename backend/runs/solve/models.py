@@ -12,8 +12,11 @@ from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario, dotted
 from sim_core.study.limit_search import Axis
 
-UNORDERED = "road.seed"  # a greater seed is another road, not more of anything
-FIELDS = [name for name, field in dotted.fields().items() if field.kind in ("number", "integer") and name != UNORDERED]
+UNORDERED = ("road.seed", "hil.seed")  # a greater seed is another road or other noise, not more of anything
+FIELDS = [
+    name for name, field in dotted.fields().items() if field.kind in ("number", "integer") and name not in UNORDERED
+]
+NARROWEST, LEAST_WIDTH = 1e-9, 1e-15  # of a range: as a share of its larger end, and in the field's unit
 
 Value = int | float  # a whole-number field's stays one
 
@@ -43,6 +46,11 @@ class SolveRequest(RequestModel):
     def _field_takes_it(cls, ends: tuple[float, float], info: ValidationInfo) -> tuple[float, float]:
         if not ends[0] < ends[1]:
             raise PydanticCustomError("empty_range", "A range is [lowest, highest], the first smaller than the second")
+        if ends[1] - ends[0] < max(NARROWEST * max(map(abs, ends)), LEAST_WIDTH):
+            context = {"share": NARROWEST}
+            raise PydanticCustomError(
+                "narrow_range", "A range is as wide as {share} of its larger end at least", context
+            )
         name = info.data.get("field")
         for index, end in enumerate(ends if name is not None else ()):
             try:

@@ -2,6 +2,7 @@
 
 from pydantic import ValidationError
 
+from backend.errors import ShortRoadError
 from backend.http.admission import Admission
 from backend.jobs.sweep.plan import contradiction, scenario_at
 from backend.runs.service import Runs
@@ -12,6 +13,8 @@ from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
 from sim_core.study.limit_search import MAX_VALUES, next_indices
 from sim_core.workload import estimate
+
+LENGTH = "road.length"
 
 
 class Solver:
@@ -45,7 +48,12 @@ class Solver:
             scenario = _scenario(request, index)
         except ValidationError as error:
             return Tried(reason=contradiction(error))
-        run, _ = await self._runs.drive(scenario, [request.strategy], client, roads=request.roads, baseline=None)
+        try:
+            run, _ = await self._runs.drive(scenario, [request.strategy], client, roads=request.roads, baseline=None)
+        except ShortRoadError as error:
+            if request.field != LENGTH:  # every value would fail alike: the scenario is to blame
+                raise
+            return Tried(reason=error.message.removesuffix("."))
         failures = [each.summary["reason"] for each in run.results if each.status != "ok"]
         if failures:
             return Tried(run_id=run.id, reason=failures[0])
