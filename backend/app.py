@@ -133,9 +133,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             roads=measured,
         )
         app.state.sweeps = sweeps
-        app.state.tunings = TuningService(
-            store=store, background=background, admission=admission, settings=settings, roads=measured
-        )
+        app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)
         steps = TuningSteps(store, sweeps)
         scheduler = Scheduler(store=store, settings=settings, background=background, steppers={"tuning": steps})
         scheduler.start()

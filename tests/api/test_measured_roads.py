@@ -112,7 +112,6 @@ def test_what_cannot_be_driven_names_its_field(
     if "length" not in road:
         body = {"scenario": wrong, "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0, 0.1]}}}
         answers.append(client.post("/api/v1/batches", json=body))
-        answers.append(client.post("/api/v1/tunings", json={"scenario": wrong, "trials": 1, "seeds": [1]}))
     for answer in answers:
         assert answer.status_code == 422
         (error,) = answer.json()["errors"]
@@ -126,6 +125,10 @@ def test_a_measured_road_is_one_road(client: httpx.Client, scenario: dict[str, A
     answer = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["passive"], "roads": 3})
     assert answer.json()["errors"] == [
         {"pointer": "/roads", "message": "A measured road is one road: roads can only be 1"}
+    ]
+    answer = client.post("/api/v1/tunings", json={"scenario": scenario, "trials": 1})
+    assert answer.json()["errors"] == [
+        {"pointer": "/scenario/road/profile", "message": "A measured road is one road: there is none to compare on"}
     ]
 
 

@@ -136,6 +136,8 @@ class TuningRequest(RequestModel):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
+        if self.scenario.road.profile is not None:
+            raise inconsistent("scenario.road.profile", "A measured road is one road: there is none to compare on")
         if set(self.seeds) & set(self.fresh_seeds):
             raise inconsistent("fresh_seeds", "A fresh road is none that was trained on")
         written = [objective.stored() for objective in self.objectives]

@@ -15,11 +15,9 @@ from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights
 from backend.jobs.tuning.steps import first_progress
 from backend.json_types import JsonObject
-from backend.roads.service import Roads
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
-from backend.store.roads import measured_roads
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 
@@ -27,14 +25,11 @@ from sim_core.workload import estimate
 class TuningService:
     """The service of tunings; its methods belong to the event loop."""
 
-    def __init__(
-        self, *, store: Store, background: Workers, admission: Admission, settings: Settings, roads: Roads
-    ) -> None:
+    def __init__(self, *, store: Store, background: Workers, admission: Admission, settings: Settings) -> None:
         self.jobs = Jobs("tuning", store=store, admission=admission, settings=settings)
         self._store = store
         self._background = background
         self._admission = admission
-        self._roads = roads
         self._settings = settings
 
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
@@ -44,14 +39,13 @@ class TuningService:
             ServiceError: As `create`.
         """
         stored = request.stored()
-        roads = await self._roads.named(measured_roads(stored["scenario"]))
         runs, cost = self._workload(stored, request.trials)
         first = first_weights(stored["scenario"], request.strategy, stored["search"])
         points = [{**weights, "road.seed": seed} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
         with self._admission.computing(client, request.scenario, [request.strategy]):
             each = await self._background.call(
-                plan.pilot, stored["scenario"], [request.strategy], sweep, roads, ends_with_caller=True
+                plan.pilot, stored["scenario"], [request.strategy], sweep, ends_with_caller=True
             )
         return TuningEstimate(
             runs=runs,
@@ -73,7 +67,6 @@ class TuningService:
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
-        await self._roads.named(measured_roads(stored["scenario"]))
         _, cost = self._workload(stored, request.trials)
         await self.jobs.check_room()
         job = StoredJob(
