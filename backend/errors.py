@@ -63,6 +63,18 @@ class GoneError(ServiceError):
     kind = "other-core-version"
 
 
+class RoadGoneError(GoneError):
+    """The measured road of a stored run is not stored any more."""
+
+    kind = "road-gone"
+
+    def __init__(self) -> None:
+        super().__init__(
+            "The measured road of this run is not stored any more: what is not stored of the run cannot be made "
+            "again before somebody sends the road's file."
+        )
+
+
 class ConflictError(ServiceError):
     """What is asked for does not fit the state of what is there; its kind says why."""
 

@@ -69,6 +69,7 @@ _LIST = (
         "Other core version",
         "Another version computed the run, and its time histories are gone; its metrics stay.",
     ),
+    _kind("road-gone", 410, "Road gone", "The measured road of the run is not stored any more; send its file again."),
     _kind("too-long", 413, "Too long", "The request body is longer than allowed."),
     _kind("address-too-long", 414, "Address too long", "The address with its parameters is longer than allowed."),
     _kind(

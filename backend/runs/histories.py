@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from backend.compute.workers import Workers
-from backend.errors import GoneError
+from backend.errors import GoneError, InvalidError, RoadGoneError
 from backend.http.admission import Admission
 from backend.roads.service import Roads
 from backend.runs import exports, pins
@@ -50,7 +50,7 @@ class Histories:
         """The strategies that have time histories, with as many samples as figures need.
 
         Raises:
-            GoneError: Another core version computed the run and nothing is pinned.
+            GoneError: Another core version computed the run, or its road is gone, and nothing is pinned.
         """
         keys = await self.keys(stored)
         if not keys:
@@ -58,6 +58,7 @@ class Histories:
         pinned = await self._pinned(keys)
         scenario = Scenario.model_validate(stored.scenario)
         if pinned is None:
+            await self._on_its_road(scenario)
             results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
             return {strategy: item.outcome for strategy, item in results.items()}
         with self._admission.computing(client, scenario, ()):
@@ -81,9 +82,20 @@ class Histories:
         if pinned is not None:
             with self._admission.computing(client, scenario, ()):  # a place, but next to no work
                 return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
-        scenario = await self._roads.on(scenario)
+        scenario = await self._on_its_road(scenario)
         with self._admission.computing(client, scenario, keys):
             return await self._workers.call(exports.render, scenario, export)
+
+    async def _on_its_road(self, scenario: Scenario) -> Scenario:
+        """A stored run's scenario with the heights of its measured road.
+
+        Raises:
+            RoadGoneError: The road is not stored any more.
+        """
+        try:
+            return await self._roads.on(scenario)
+        except InvalidError:
+            raise RoadGoneError from None
 
     async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
         """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""

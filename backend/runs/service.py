@@ -10,7 +10,7 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest
 from backend.compute.workers import Workers
-from backend.errors import GoneError, InvalidError, NewerSchemaError, NotFoundError
+from backend.errors import GoneError, InvalidError, NewerSchemaError, NotFoundError, RoadGoneError
 from backend.http.admission import Admission
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
@@ -25,6 +25,7 @@ from backend.runs.results import Result, Results
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
 from backend.runs.work import Outcome
 from backend.store import Store, StoredResult, StoredRun
+from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import NewerScenarioError, restored
@@ -41,6 +42,7 @@ class Runs:
         self._store = store
         self._results = results
         self._admission = admission
+        self._roads = roads
         self._histories = Histories(store=store, workers=workers, results=results, admission=admission, roads=roads)
         self._store_usable = True
 
@@ -96,6 +98,7 @@ class Runs:
             roads=roads,
             baseline=against,
         )
+        await self._roads.named(measured_roads(run.scenario))  # results in memory outlive the road
         saved = await self._store.write(self._store.runs.save, run)
         return saved, {name: all(each[name].cached for each in results) for name in names}
 
@@ -200,11 +203,11 @@ class Runs:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
             raise InvalidError(message, parameter="baseline")
         outcomes: Mapping[str, Outcome] = {}
-        gone = False
+        gone = None
         try:
             outcomes = await self._histories.outcomes(stored, client)
-        except GoneError:
-            gone = True
+        except GoneError as error:
+            gone = error.message
         against = baseline or stored.baseline or default_baseline(names)
         facts = run_report.RunFacts(
             answer=run_answer(stored, baseline=against).model_dump(mode="json"),
@@ -222,6 +225,7 @@ class Runs:
 
         Raises:
             NotFoundError: There is none.
+            RoadGoneError: It would be computed on a measured road that is not stored any more.
             TemporaryError: Too much is being computed.
         """
         stored = await self._store.read(self._store.runs.load, run_id)
@@ -246,7 +250,10 @@ class Runs:
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
         """A run whose results were removed, by this core version, which it then names."""
         scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
-        _, outcomes = await self._computed(scenario, names, stored.roads, client)
+        try:
+            _, outcomes = await self._computed(scenario, names, stored.roads, client)
+        except InvalidError:
+            raise RoadGoneError from None
         await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
         return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from datetime import UTC, datetime
 
-from sqlalchemy import select
+from sqlalchemy import select, update
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import roads
@@ -34,10 +34,11 @@ class RoadStore:
         self._database = database
 
     def save(self, road: MeasuredRoad) -> None:
-        """Commit a road; one that is there stays."""
+        """Commit a road; one that is there is as new: retention counts from now."""
         row = {"id": road.id, "samples": road.samples, "content": road.content, "created_at": datetime.now(UTC)}
         with self._database.writing() as connection:
             insert_new(connection, roads, [row])
+            connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=row["created_at"]))
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
         """Those of the roads that are stored, by id."""

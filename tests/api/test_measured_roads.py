@@ -9,8 +9,11 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
+from sqlalchemy import delete, update
 
+from backend.db.tables import results, roads, run_roads
 from backend.roads.survey import read
+from backend.runs.memory import Memory
 from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
@@ -119,6 +122,33 @@ def test_what_cannot_be_driven_names_its_field(
         assert error["message"].startswith(said)
     body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.profile": [MISSING]}}}
     assert client.post("/api/v1/batches", json=body).json()["errors"][0]["pointer"] == "/sweep"
+
+
+def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
+    service: Service, client: httpx.Client, scenario: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    road = send(client, FILE.replace("0.1,", "0.1,1")).json()["id"]
+    there = {"road": {**scenario["road"], "profile": road}}
+    run = service.run(["passive"], there).json()
+    assert service.live(["speed_only"], there).status_code == 200, "its result is in memory"
+    with service.app.state.store.writing() as connection:
+        connection.execute(delete(run_roads).where(run_roads.c.road_id == road))
+        connection.execute(delete(roads).where(roads.c.id == road))
+    refused = service.run(["speed_only"], there)
+    assert (refused.status_code, refused.json()["errors"][0]["pointer"]) == (422, "/scenario/road/profile")
+    path = f"/api/v1/runs/{run['id']}"
+    assert client.get(path).json()["strategies"].keys() == {"passive"}
+    for histories in ("series", "figures", "figures/road"):
+        answer = client.get(f"{path}/{histories}")
+        assert (answer.status_code, answer.json()["type"].rpartition(":")[2]) == (410, "road-gone")
+    report = client.get(f"{path}/report.html")
+    assert report.status_code == 200
+    assert "They are gone. The measured road of this run is not stored any more" in report.text
+    with service.app.state.store.writing() as connection:
+        expired = update(results).where(results.c.strategy == "passive").values(status="expired", summary="{}")
+        connection.execute(expired)
+    monkeypatch.setattr(Memory, "get", lambda *_: None)
+    assert client.get(path).status_code == 410
 
 
 def test_a_measured_road_is_one_road(client: httpx.Client, scenario: dict[str, Any]) -> None:

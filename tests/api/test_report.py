@@ -158,7 +158,7 @@ def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, A
     assert "script-src 'none'" in answer.headers["content-security-policy"]
     root = read(answer.text)
     check(root)
-    assert "They are gone: core 0.0.2" in root.text
+    assert "They are gone. Core version 0.0.2" in root.text
     assert not list(root.all("script"))
     peak = run["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
     assert next(root.all("td", data_cell=CELL)).attributes["data-value"] == str(peak)

@@ -117,6 +117,16 @@ def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     assert there() == ["a run's"]
 
 
+def test_a_road_that_is_sent_again_counts_from_then(store: Store) -> None:
+    road = MeasuredRoad.of(np.zeros(600))
+    store.roads.save(road)
+    with store.writing() as connection:
+        connection.execute(update(roads).values(created_at=LONG_AGO))
+    store.roads.save(road)
+    apply(store, retention_days=30)
+    assert store.roads.load([road.id]) == {road.id: road}
+
+
 def test_the_oldest_goes_first_where_all_is_too_large(store: Store) -> None:
     with store.writing() as connection:
         for key, size, when in (("plain-3", 3_000_000, LONG_AGO), ("labelled-3", 100_000, datetime.now(UTC))):

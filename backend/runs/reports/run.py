@@ -59,7 +59,7 @@ class RunFacts:
         baseline: Whose figures the changes refer to.
         outcomes: By strategy, with the time histories there are.
         axis: `position` or `time`, for x of the figures.
-        gone: Whether time histories there were cannot be had any more.
+        gone: Why time histories there were cannot be had any more; None where they can.
     """
 
     answer: JsonObject
@@ -67,7 +67,7 @@ class RunFacts:
     baseline: str
     outcomes: Mapping[str, Outcome]
     axis: str
-    gone: bool
+    gone: str | None
 
 
 def report(facts: RunFacts, *, compressed: bool) -> Report:

@@ -3823,7 +3823,7 @@ export interface components {
              * Type
              * @enum {string}
              */
-            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:token-required" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:other-token" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:not-deletable" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:no-solution" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
+            type: "urn:problem-type:ridelab:malformed-request" | "urn:problem-type:ridelab:two-lengths" | "urn:problem-type:ridelab:token-required" | "urn:problem-type:ridelab:forbidden" | "urn:problem-type:ridelab:cross-site" | "urn:problem-type:ridelab:other-token" | "urn:problem-type:ridelab:not-found" | "urn:problem-type:ridelab:method-not-allowed" | "urn:problem-type:ridelab:slow-body" | "urn:problem-type:ridelab:slow-head" | "urn:problem-type:ridelab:idempotency-key-reused" | "urn:problem-type:ridelab:not-ended" | "urn:problem-type:ridelab:done" | "urn:problem-type:ridelab:not-deletable" | "urn:problem-type:ridelab:other-core-version" | "urn:problem-type:ridelab:road-gone" | "urn:problem-type:ridelab:too-long" | "urn:problem-type:ridelab:address-too-long" | "urn:problem-type:ridelab:unsupported-media-type" | "urn:problem-type:ridelab:other-host" | "urn:problem-type:ridelab:invalid-request" | "urn:problem-type:ridelab:refused" | "urn:problem-type:ridelab:unknown" | "urn:problem-type:ridelab:cost-limit" | "urn:problem-type:ridelab:too-expensive" | "urn:problem-type:ridelab:no-solution" | "urn:problem-type:ridelab:strict-json" | "urn:problem-type:ridelab:too-many-requests" | "urn:problem-type:ridelab:headers-too-long" | "urn:problem-type:ridelab:internal-error" | "urn:problem-type:ridelab:unavailable" | "urn:problem-type:ridelab:full" | "urn:problem-type:ridelab:connections" | "urn:problem-type:ridelab:store-unavailable" | "urn:problem-type:ridelab:worker-lost" | "urn:problem-type:ridelab:newer-schema" | "urn:problem-type:ridelab:ecu-unavailable" | "urn:problem-type:ridelab:not-built";
         };
         /**
          * ProblemPlace
@@ -9461,7 +9461,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. */
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. `road-gone`: The measured road of the run is not stored any more; send its file again. */
             410: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9565,7 +9565,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. */
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. `road-gone`: The measured road of the run is not stored any more; send its file again. */
             410: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9769,7 +9769,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. */
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. `road-gone`: The measured road of the run is not stored any more; send its file again. */
             410: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
