@@ -130,7 +130,7 @@ def test_the_command_answers_machines_and_writes_the_report(
     [
         (
             ["--reading", "preview=crystal_ball"],
-            "preview: Input should be 'none', 'wheelbase' or 'lookahead'",
+            "preview: Input should be 'lookahead', 'obstacle', 'wheelbase' or 'none'",
         ),
         (["--reading", "crystal=ball"], "crystal: Unknown parameter crystal; there are seeds"),
         (["--reading", "preview"], "--reading takes READING=CHOICE"),
