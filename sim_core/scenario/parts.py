@@ -37,7 +37,7 @@ class Bump(Part):
         0.1, "m", "Height", "Crest height; 0 is no bump, negative a pothole.", soft=(-0.15, 0.2), ge=-1, le=1
     )
     width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
-    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=2000)
+    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=3000)
     count: int = count(
         1,
         "Bumps",

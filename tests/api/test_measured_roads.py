@@ -219,6 +219,34 @@ def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: h
     assert "Line 3: A value is not a finite number" in cli.error
 
 
+@pytest.mark.parametrize(
+    ("length", "hump", "bump"),
+    [
+        (50, None, {"height": 0, "start": 46, "width": 4}),
+        (200, None, {"height": 0, "start": 100, "width": 4}),
+        (5, None, {"height": 0, "start": 1, "width": 4}),
+        (2500, 2300, {"height": 0, "start": pytest.approx(2300, abs=0.5), "width": pytest.approx(3, abs=1)}),
+    ],
+)
+def test_the_commands_scenario_can_be_driven(
+    cli: Cli, tmp_path: Path, length: int, hump: int | None, bump: dict[str, Any]
+) -> None:
+    x = np.arange(0, length + 0.05, 0.1)
+    inside = np.zeros(len(x), bool) if hump is None else (x > hump) & (x < hump + 3)
+    height = 80 * np.where(inside, (1 - np.cos(2 * np.pi * (x - (hump or 0)) / 3)) / 2, 0)
+    file, made = tmp_path / "road.csv", tmp_path / "road.json"
+    file.write_text(HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(x, height, strict=True)))
+    cli("road", file, "--out", made)
+    assert json.loads(made.read_text())["road"]["bump"] == bump
+    run = json.loads(cli("run", made, "-s", "passive", "--json"))
+    assert run["strategies"]["passive"]["status"] == "ok"
+
+
+def test_a_file_that_is_not_there_is_named(cli: Cli) -> None:
+    cli("road", "nofile.csv", code=2)
+    assert "nofile.csv: neither a file nor a measured road's id" in cli.error
+
+
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_samples_are_what_their_command_prints_and_have_their_bumps(name: str) -> None:
     text = (ROADS / f"{name}.csv").read_text()

@@ -1,6 +1,7 @@
 """`ridelab road`: measured roads, sent to a service and made a scenario."""
 
 import json
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
@@ -8,12 +9,15 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import options
-from ridelab.cli.reporting import deliver, print_json
+from ridelab.cli.reporting import InputError, deliver, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
+from ridelab.client import Ridelab
 
 _WHICH = "A measured profile as CSV, distance [m] and height [mm] in its header; or the id of one that was sent."
 _OUT = "Write a scenario on that road there, for every command that takes one; - is stdout."
+_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{21}")
+_NARROWEST, _WIDEST = 0.1, 100.0  # bump of a scenario [m]
 _HEADS = ("bump at [m]", "width [m]", "height [m]")
 
 
@@ -25,10 +29,11 @@ def road(
 ) -> None:
     """Send a measured road, or show one: what was done to the file, its length, the bumps in it.
 
-    The scenario of --out goes by the largest bump that was found, and adds none; where none was, it keeps its own.
+    In the scenario of --out the car brakes for the largest bump that was found, and none is added. Where none was
+    found, it brakes for a place 100 m on, or at the end of a shorter road.
     """
     ridelab = services.at()
-    found = ridelab.upload_road(which) if Path(which).is_file() else ridelab.road(which)
+    found = _found(which, ridelab)
     if out is not None:
         deliver([json.dumps(_scenario(found), indent=1).encode() + b"\n"], out)
     elif as_json:
@@ -43,10 +48,17 @@ def road(
             typer.echo("No bump was found in it")
 
 
+def _found(which: str, ridelab: Ridelab) -> dict[str, Any]:
+    if Path(which).is_file():
+        return ridelab.upload_road(which)
+    if not _ID.fullmatch(which):
+        raise InputError(f"{which}: neither a file nor a measured road's id")
+    return ridelab.road(which)
+
+
 def _scenario(found: Mapping[str, Any]) -> dict[str, Any]:
-    made: dict[str, Any] = {"profile": found["id"], "length": found["length"]}
-    if found["bumps"]:
-        bump = found["bumps"][0]
-        start = max(1.0, bump["start"])
-        made["bump"] = {"height": 0, "start": start, "width": min(bump["width"], round(found["length"] - start, 2))}
-    return {"road": made}
+    length = found["length"]
+    bump = next(iter(found["bumps"]), {"start": min(100.0, length - 4.0), "width": 4.0})
+    start = round(min(max(1.0, bump["start"]), length - _NARROWEST), 2)
+    width = min(bump["width"], round(length - start, 2), _WIDEST)
+    return {"road": {"profile": found["id"], "length": length, "bump": {"height": 0, "start": start, "width": width}}}
