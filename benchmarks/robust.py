@@ -8,25 +8,21 @@ default robustness study's: a car, sensors, actuators and a road, none of which 
 import argparse
 import json
 import os
+from collections.abc import Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from functools import partial
+from typing import Any
 
-for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ.setdefault(_name, "1")  # before numpy loads: small products are ten times slower in many threads
+import numpy as np
+import optuna
+from scipy.stats import qmc
 
-from collections.abc import Sequence  # noqa: E402 - after the thread limits above
-from concurrent.futures import Executor, ProcessPoolExecutor  # noqa: E402
-from functools import partial  # noqa: E402
-from typing import Any  # noqa: E402
-
-import numpy as np  # noqa: E402
-import optuna  # noqa: E402
-from scipy.stats import qmc  # noqa: E402
-
-from backend.analysis.robustness import UNCERTAINTIES  # noqa: E402
-from sim_core.arrays import FloatArray  # noqa: E402
-from sim_core.catalogue import METRICS, PAPER_METRICS  # noqa: E402
-from sim_core.scenario import Scenario, dotted  # noqa: E402
-from sim_core.scenario.presets import preset  # noqa: E402
-from sim_core.simulate import simulate  # noqa: E402
+from backend.analysis.robustness import UNCERTAINTIES
+from sim_core.arrays import FloatArray
+from sim_core.catalogue import METRICS, PAPER_METRICS
+from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
 
 SHARE = 0.9  # of the points: a lead counts where so many of them have it
 LOSSES = 2  # of the eight metrics, in which an LQR with the same preview may be as good
@@ -55,8 +51,8 @@ def points(count: int, seed: int) -> list[Changes]:
     rows = qmc.LatinHypercube(d=len(UNCERTAINTIES), rng=np.random.default_rng(seed)).random(count)
     low, high = (np.array([getattr(each, end) for each in UNCERTAINTIES]) for end in ("low", "high"))
     names = [each.field for each in UNCERTAINTIES]
-    found = [dict(zip(names, map(float, low + row * (high - low)), strict=True)) for row in rows]
-    return [each | {"road.seed": int(each["road.seed"])} for each in found]
+    values = [dict(zip(names, map(float, low + row * (high - low)), strict=True)) for row in rows]
+    return [each | {"road.seed": int(each["road.seed"])} for each in values]
 
 
 def metrics(point: Changes, strategy: str, changes: Changes) -> list[float]:
