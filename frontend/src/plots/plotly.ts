@@ -104,6 +104,6 @@ export interface PlotElement extends HTMLElement {
 let loading: Promise<Plotly> | null = null;
 
 export function loadPlotly(): Promise<Plotly> {
-  loading ??= import("plotly.js-basic-dist-min").then((module) => module.default);
+  loading ??= import("./bundle").then((module) => module.default);
   return loading;
 }
