@@ -11,13 +11,17 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Quantity:
-    """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/nomenclature.md."""
+    """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/nomenclature.md.
+
+    From `notable` on [unit] it is worth a warning, where it is one that warns.
+    """
 
     key: str
     label: str
     unit: str
     symbol: str = ""
     description: str = ""
+    notable: float = 0.0
 
 
 def _catalogue(*items: Quantity) -> dict[str, Quantity]:
@@ -162,6 +166,7 @@ EVENTS = _catalogue(
         label="Airborne",
         unit="ms",
         description="time either tyre is off the road, or would have to pull on it where it cannot lift off",
+        notable=1.0,
     ),
     Quantity(key="front_airborne_ms", label="Front tyre airborne", unit="ms"),
     Quantity(key="rear_airborne_ms", label="Rear tyre airborne", unit="ms"),
@@ -182,6 +187,7 @@ EVENTS = _catalogue(
         label="Travel over the limit, whole run",
         unit="mm",
         description="largest deflection beyond mpc.deflection_limit anywhere, also while braking; 0 if held",
+        notable=0.1,
     ),
     Quantity(
         key="limited_steps",

@@ -6,7 +6,7 @@ from typing import Any
 
 import orjson
 from fastapi import Response
-from pydantic import BaseModel
+from pydantic import BaseModel, Field
 
 from backend.api import router
 from backend.json_types import JsonObject
@@ -48,6 +48,7 @@ class QuantityAnswer(Answer):
     unit: str
     symbol: str
     description: str
+    notable: float = Field(description="From this size on an event is worth a warning; 0 for what warns of nothing")
 
 
 class Catalogue(Answer):

@@ -4,6 +4,7 @@ import "@mantine/core/styles.layer.css";
 import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
 import { StrictMode, Suspense } from "react";
 import { createRoot } from "react-dom/client";
+import { api } from "./api/client";
 import { App } from "./App";
 import { LazyBatchPage } from "./batch/lazy";
 import "./global.css";
@@ -26,7 +27,7 @@ const batchId = /^\/b\/([^/]+)\/?$/.exec(window.location.pathname)?.[1];
 
 function dashboard() {
   const router = createRouter();
-  const lab = createLab(router, queries);
+  const lab = createLab({ api, router, queries });
   // The first run, the plotting code and the form are fetched at the same time.
   lab.open(router.get());
   router.onTravel(lab.travel);

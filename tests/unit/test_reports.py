@@ -106,7 +106,7 @@ def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
 
 def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[str, Outcome]) -> None:
     entry = {"status": "ok", "arrival_speed_kmh": 41.26, "events": {}}
-    assert doubts({**entry, "events": {"airborne_ms": 0.0, "travel_exceeded_mm": 0.0, "target_reached": None}}) == []
+    assert doubts({**entry, "events": {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}}) == []
     events = {
         "airborne_ms": 94.0,
         "travel_exceeded_mm": 1.57,

@@ -1,7 +1,7 @@
 """What makes a result one that no real car would have, or that says less than it seems, in plain words."""
 
 from backend.json_types import JsonObject
-from backend.runs.reports.numbers import NOTHING, amount, in_words, with_unit
+from backend.runs.reports.numbers import amount, in_words, with_unit
 from sim_core.catalogue import EVENTS
 
 
@@ -10,12 +10,12 @@ def doubts(entry: JsonObject) -> list[str]:
     if entry["status"] != "ok":
         return [f"It could not run: {entry['reason']}"]
     events, sentences = entry["events"], []
-    if airborne := _above_zero(events, "airborne_ms"):
+    if airborne := _notable(events, "airborne_ms"):
         sentences.append(
             f"Airborne: for {airborne} a tyre's dynamic load is below minus its static load. The model's linear "
             "tyre then pulls on the road, which a real one cannot."
         )
-    if exceeded := _above_zero(events, "travel_exceeded_mm"):
+    if exceeded := _notable(events, "travel_exceeded_mm"):
         sentences.append(
             f"Over travel: the suspension goes {exceeded} beyond its travel limit. The model has no bump stops."
         )
@@ -36,9 +36,9 @@ def doubts(entry: JsonObject) -> list[str]:
     return sentences
 
 
-def _above_zero(events: JsonObject, event: str) -> str | None:
-    """An event's amount with its unit, where there is any."""
+def _notable(events: JsonObject, event: str) -> str | None:
+    """An event's amount with its unit, where it is worth a warning."""
     value = events.get(event)
-    if not isinstance(value, int | float) or value <= NOTHING:
+    if not isinstance(value, int | float) or value < EVENTS[event].notable:
         return None
     return amount(value, EVENTS[event].unit)

@@ -111,6 +111,8 @@ export const api = {
     `${BASE}/runs/${encodeURIComponent(id)}/report.html?${new URLSearchParams({ x, ...(baseline === null ? {} : { baseline }) })}`,
 };
 
+export type Api = typeof api;
+
 export type Readiness = "ready" | "starting" | "down";
 
 /** Asks whether the server can work; never throws. */

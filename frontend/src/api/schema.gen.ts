@@ -3858,6 +3858,11 @@ export interface components {
             key: string;
             /** Label */
             label: string;
+            /**
+             * Notable
+             * @description From this size on an event is worth a warning; 0 for what warns of nothing
+             */
+            notable: number;
             /** Symbol */
             symbol: string;
             /** Unit */

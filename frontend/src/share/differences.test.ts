@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Catalogue, Run, Summary } from "../api/types";
 import { compareRuns } from "./differences";
 
-const quantity = (key: string, label: string, unit = "1") => ({ key, label, unit, symbol: "", description: "" });
+const quantity = (key: string, label: string, unit = "1") => ({ key, label, unit, symbol: "", description: "", notable: 0 });
 const CATALOGUE: Catalogue = {
   signals: [quantity("body_acceleration", "Body acceleration", "m/s^2")],
   metric_signals: ["body_acceleration"],
@@ -37,6 +37,11 @@ describe("the same scenario computed twice", () => {
       ["Body acceleration: Peak, bump", 2, 1],
       ["Weighted RMS", 1, 1.1],
     ]);
+  });
+
+  it("leaves room for rounding", () => {
+    const { differences } = compareRuns(run({ lv: summary(0, true, 1) }), run({ lv: summary(1e-17, true, 1 + 1e-7) }), CATALOGUE, {});
+    expect(differences).toEqual([]);
   });
 
   it("says which strategies cannot be compared", () => {

@@ -27,6 +27,8 @@ interface Named {
   readonly metric: string;
   readonly unit: string;
   readonly value: Figure;
+  /** From SI to `unit`. */
+  readonly scale: number;
 }
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
@@ -39,12 +41,12 @@ function figuresOf(summary: Summary, catalogue: Catalogue, templates: Figures): 
       const { unit, scale } = shownUnit(signal, templates, catalogue);
       return Object.entries(statistics).map(([statistic, value]): Named => {
         const place = `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
-        return { metric: `${name(catalogue.signals, signal)}: ${place}`, unit, value: typeof value === "number" ? value * scale : null };
+        return { metric: `${name(catalogue.signals, signal)}: ${place}`, unit, value: typeof value === "number" ? value * scale : null, scale };
       });
     }),
   );
   const named = (list: Catalogue["comfort"], read: (key: string) => Figure | undefined) =>
-    list.map(({ key, label, unit }): Named => ({ metric: label, unit, value: read(key) ?? null }));
+    list.map(({ key, label, unit }): Named => ({ metric: label, unit, value: read(key) ?? null, scale: 1 }));
   return [
     ...metrics,
     ...named(catalogue.comfort, (key) => summary.comfort[key]),
@@ -53,9 +55,13 @@ function figuresOf(summary: Summary, catalogue: Catalogue, templates: Figures): 
   ];
 }
 
-function sizeOf(then: Figure, now: Figure): number {
+/** Room for rounding, as `ridelab compare` leaves it: a part of the value, and an amount in SI units. */
+const [RELATIVE, ABSOLUTE] = [1e-6, 1e-9];
+
+function sizeOf({ value: then, scale }: Named, now: Figure): number {
   if (then === now) return 0;
   if (typeof then !== "number" || typeof now !== "number") return Infinity;
+  if (Math.abs(now - then) <= Math.max(ABSOLUTE * scale, RELATIVE * Math.abs(then))) return 0;
   return Math.abs(now - then) / Math.max(Math.abs(then), Math.abs(now));
 }
 
@@ -72,10 +78,11 @@ export function compareRuns(then: Run, now: Run, catalogue: Catalogue, templates
       continue;
     }
     const news = new Map(figuresOf(after, catalogue, templates).map(({ metric, value }) => [metric, value]));
-    for (const { metric, unit, value } of figuresOf(before, catalogue, templates)) {
+    for (const figure of figuresOf(before, catalogue, templates)) {
+      const { metric, unit, value } = figure;
       const current = news.get(metric) ?? null;
       compared += 1;
-      const size = sizeOf(value, current);
+      const size = sizeOf(figure, current);
       if (size > 0) differences.push({ strategy, metric, unit, then: value, now: current, size });
     }
   }

@@ -2,8 +2,8 @@
 
 import type { QueryClient } from "@tanstack/react-query";
 import { ApiProblem, isTransient } from "../api/problem";
-import type { Run } from "../api/types";
-import { OVERVIEW_POINTS, seriesQuery } from "./queries";
+import type { Run, SeriesByStrategy, StrategyId } from "../api/types";
+import { OVERVIEW_POINTS, seriesKey } from "./queries";
 import type { Histories } from "./shown";
 
 /** What is final about missing time histories is told in their place; anything else may still pass. */
@@ -12,9 +12,26 @@ function withoutSeries(error: unknown): Histories {
   throw error;
 }
 
-export async function historiesOf(run: Run, queries: QueryClient): Promise<Histories> {
-  // One that could not be computed takes nothing from the others.
-  const ids = Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : []));
-  if (ids.length === 0) return { series: {}, missing: "None of its strategies could be computed." };
-  return queries.query(seriesQuery(run.id, ids, OVERVIEW_POINTS)).then((series) => ({ series, missing: null }), withoutSeries);
+/** One that could not be computed takes nothing from the others. */
+export const computedOf = ({ strategies }: Pick<Run, "strategies">): readonly StrategyId[] =>
+  Object.entries(strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : []));
+
+export const NOTHING_COMPUTED = "None of its strategies could be computed.";
+
+type FetchSeries = (id: string, strategies: readonly StrategyId[], points: number, signal: AbortSignal) => Promise<SeriesByStrategy>;
+
+/** From the cache, or fetched under the caller's signal: whoever asks for something else stops this as well. */
+export async function historiesOf(run: Run, queries: QueryClient, fetchSeries: FetchSeries, signal: AbortSignal): Promise<Histories> {
+  const ids = computedOf(run);
+  if (ids.length === 0) return { series: {}, missing: NOTHING_COMPUTED };
+  const key = seriesKey(run.id, ids, OVERVIEW_POINTS);
+  const cached = queries.getQueryData<SeriesByStrategy>(key);
+  if (cached) return { series: cached, missing: null };
+  try {
+    const series = await fetchSeries(run.id, ids, OVERVIEW_POINTS, signal);
+    queries.setQueryData(key, series);
+    return { series, missing: null };
+  } catch (error) {
+    return withoutSeries(error);
+  }
 }

@@ -28,6 +28,10 @@ export interface LabState {
   /** How many roads an exact run drives. */
   readonly roads: number;
   readonly shown: Shown | null;
+  /** The newest exact result: under a moving slider it is no longer what is shown. */
+  readonly exact: Shown | null;
+  /** The exact result before the last edit. */
+  readonly before: Shown | null;
   /** The link this page shows: while there is one, nothing can be edited. */
   readonly shared: Link | null;
   readonly busy: boolean;

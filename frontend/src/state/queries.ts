@@ -37,13 +37,14 @@ export const figuresQuery = queryOptions({ queryKey: ["figures"], queryFn: ({ si
 export const runKey = (id: string) => ["run", id] as const;
 
 /** A shared result; it never changes, apart from the version of the server that shows it. */
-export const linkQuery = (slug: string) =>
-  queryOptions({ queryKey: ["link", slug], queryFn: ({ signal }) => api.link(slug, signal), ...FOR_EVER });
+export const linkKey = (slug: string) => ["link", slug] as const;
+
+export const seriesKey = (id: string, strategies: readonly StrategyId[], points: number) => ["series", id, points, strategies] as const;
 
 /** Time histories of a run; runs are immutable, so an answer never grows stale. */
 export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number) {
   return queryOptions({
-    queryKey: ["series", id, points, strategies],
+    queryKey: seriesKey(id, strategies, points),
     queryFn: ({ signal }) => api.series(id, strategies, points, signal),
     staleTime: Infinity,
     gcTime: 5 * 60_000,

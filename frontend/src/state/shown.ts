@@ -1,6 +1,7 @@
 /** What the plots and tables show: one complete answer, exact or live. */
 
 import { decodeSeries } from "../api/decode";
+import { sameValue } from "../editor/path";
 import type { Failure, LiveAnswer, OverRoads, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
 
 export interface Timing {
@@ -86,4 +87,29 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
     missing: null,
     timing: timing(answer.strategies, roundTripMs, false),
   };
+}
+
+interface Results {
+  readonly shown: Shown | null;
+  readonly exact: Shown | null;
+  readonly before: Shown | null;
+}
+
+/** A new exact result is shown. The one of another scenario before it stays to compare with. */
+export function landed({ exact, before }: Results, next: Shown): Results {
+  const edited = exact !== null && !sameValue(exact.scenario, next.scenario);
+  return { shown: next, exact: next, before: edited ? exact : before };
+}
+
+/** The state before the edit that is shown, one under way included. */
+export const beforeEdit = ({ shown, exact, before }: Results): Shown | null => (shown?.source === "live" ? exact : before);
+
+/** Whether a result answers this question, for some of its strategies. */
+export function answers({ source, scenario, over, summaries }: Shown, question: { readonly scenario: Scenario | undefined; readonly roads: number; readonly strategies: readonly StrategyId[] }): boolean {
+  return (
+    source === "exact" &&
+    (over?.roads ?? 1) === question.roads &&
+    question.strategies.every((id) => id in summaries) &&
+    sameValue(scenario, question.scenario)
+  );
 }

@@ -1,5 +1,11 @@
 /** One restartable timeout. */
-export function createTimer(delayMs: number, action: () => void) {
+
+export interface Timer {
+  readonly start: () => void;
+  readonly stop: () => void;
+}
+
+export function createTimer(delayMs: number, action: () => void): Timer {
   let handle: ReturnType<typeof setTimeout> | null = null;
   const stop = () => {
     if (handle !== null) clearTimeout(handle);

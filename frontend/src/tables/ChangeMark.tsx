@@ -11,10 +11,12 @@ interface Props {
   readonly baseline: number | null | undefined;
   /** Over several roads the paired change. */
   readonly paired?: Interval | null | undefined;
+  /** From the values to the unit shown. */
+  readonly scale?: number;
 }
 
-export function ChangeMark({ value, baseline, paired }: Props) {
-  const { percent, half, verdict } = paired ? pairedChange(paired) : changeAgainst(value, baseline);
+export function ChangeMark({ value, baseline, paired, scale }: Props) {
+  const { percent, half, verdict } = paired ? pairedChange(paired) : changeAgainst(value, baseline, scale);
   if (percent === null) return <span className={classes.change}>–</span>;
   return (
     <span className={classes.change} data-verdict={verdict}>

@@ -110,7 +110,7 @@ function Cell({ name, first, value, baseline, overRoads, isBaseline, scale }: Ce
   return (
     <td className={classes.cell} data-first={first || undefined} data-cell={name} data-value={value ?? ""}>
       <Estimated value={value} interval={overRoads.interval} scale={scale} />
-      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} paired={overRoads.change} />}
+      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} paired={overRoads.change} scale={scale} />}
     </td>
   );
 }

@@ -52,7 +52,7 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
                     {id === scene.baseline ? (
                       <span className={classes.change}>&nbsp;</span>
                     ) : (
-                      <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={overRoads.change} />
+                      <ChangeMark value={value} baseline={scene.baseline === null ? null : valueOf(scene.baseline, signal)} paired={overRoads.change} scale={scale} />
                     )}
                   </td>
                 );

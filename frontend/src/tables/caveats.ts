@@ -1,7 +1,7 @@
 /** What makes a result one that no real car would have had, or that is not comparable with the others. */
 
-import type { Catalogue, Summary } from "../api/types";
-import { formatInput, isNothing, prettyUnit } from "../units/format";
+import type { Catalogue, Quantity, Summary } from "../api/types";
+import { formatInput, prettyUnit } from "../units/format";
 
 type Events = Summary["events"];
 
@@ -13,19 +13,19 @@ export interface Caveat {
   readonly description: string;
 }
 
-type Wording = (value: number | boolean, unit: string) => string | null;
+type Wording = (value: number | boolean, quantity: Pick<Quantity, "unit" | "notable">) => string | null;
 
 const amount = (value: number, unit: string) => `${formatInput(value < 10 ? Number(value.toPrecision(2)) : Math.round(value))}\u00a0${prettyUnit(unit)}`;
 
-/** Above nothing, in words; `null` for none of it. */
-const above =
+/** In words from the size on that the catalogue says; `null` below it. */
+const notable =
   (say: (shown: string) => string): Wording =>
-  (value, unit) =>
-    typeof value === "number" && value > 0 && !isNothing(value) ? say(amount(value, unit)) : null;
+  (value, quantity) =>
+    typeof value === "number" && value >= quantity.notable ? say(amount(value, quantity.unit)) : null;
 
 const WORDINGS: Readonly<Record<string, Wording>> = {
-  airborne_ms: above((shown) => `airborne ${shown}`),
-  travel_exceeded_mm: above((shown) => `${shown} over the travel limit`),
+  airborne_ms: notable((shown) => `airborne ${shown}`),
+  travel_exceeded_mm: notable((shown) => `${shown} over the travel limit`),
   target_reached: (value) => (value === false ? "target speed not reached" : null),
 };
 
@@ -36,7 +36,7 @@ export function caveatsOf(events: Events | undefined, catalogue: Pick<Catalogue,
   return Object.entries(WORDINGS).flatMap(([event, wording]) => {
     const value = events?.[event];
     const quantity = catalogue.events.find(({ key }) => key === event);
-    const text = value === null || value === undefined ? null : wording(value, quantity?.unit ?? "1");
-    return text === null ? [] : [{ event, text, description: `${quantity?.label ?? event}: ${quantity?.description ?? ""}` }];
+    const text = value === null || value === undefined || quantity === undefined ? null : wording(value, quantity);
+    return text === null ? [] : [{ event, text, description: `${quantity?.label}: ${quantity?.description}` }];
   });
 }

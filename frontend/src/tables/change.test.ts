@@ -8,6 +8,12 @@ describe("change against the baseline", () => {
     expect(changeAgainst(1, 1)).toEqual({ percent: 0, half: 0, verdict: "same" });
   });
 
+  it("has no verdict between two equal shown numbers", () => {
+    expect(changeAgainst(1.002, 1)).toEqual({ percent: expect.closeTo(0.2) as number, half: 0, verdict: "same" });
+    expect(changeAgainst(0.0100449, 0.010049, 1000).verdict).toBe("same");
+    expect(changeAgainst(1.006, 1).verdict).toBe("worse");
+  });
+
   it("does not exist against nothing or zero", () => {
     expect(changeAgainst(5, 0)).toEqual({ percent: null, half: 0, verdict: "none" });
     expect(changeAgainst(null, 5).percent).toBeNull();

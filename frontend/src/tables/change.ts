@@ -1,7 +1,7 @@
 /** Change against a baseline, and what it means. */
 
 import type { Interval } from "../api/types";
-import { isNothing } from "../units/format";
+import { formatResult, isNothing } from "../units/format";
 
 export type Verdict = "better" | "worse" | "same" | "none";
 
@@ -16,11 +16,17 @@ export interface Change {
 /** Smaller changes than this [%] would print as zero. */
 const NOTHING = 0.05;
 
-/** Every compared figure is one where lower is better. A change against a zero baseline does not exist. */
-export function changeAgainst(value: number | null | undefined, baseline: number | null | undefined): Change {
+/**
+ * Every compared figure is one where lower is better. A change against a zero baseline does not exist, and between two
+ * that are shown by the same digits none is better.
+ *
+ * @param scale From the values to the unit shown.
+ */
+export function changeAgainst(value: number | null | undefined, baseline: number | null | undefined, scale = 1): Change {
   if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) return { percent: null, half: 0, verdict: "none" };
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;
   if (Math.abs(percent) < NOTHING) return { percent: 0, half: 0, verdict: "same" };
+  if (formatResult(value * scale) === formatResult(baseline * scale)) return { percent, half: 0, verdict: "same" };
   return { percent, half: 0, verdict: percent < 0 ? "better" : "worse" };
 }
 

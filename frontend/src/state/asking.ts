@@ -1,0 +1,173 @@
+/** What the lab asks of the server, and how an answer changes what is shown. */
+
+import type { QueryClient } from "@tanstack/react-query";
+import type { Api } from "../api/client";
+import { isTransient } from "../api/problem";
+import type { Link, Run, Scenario, StrategyId } from "../api/types";
+import type { Group } from "../editor/schema";
+import { cursor } from "./cursor";
+import { createExactRequests } from "./exactRequest";
+import { historiesOf } from "./histories";
+import { begin, record } from "./history";
+import type { LabState } from "./labState";
+import { createLive } from "./live";
+import { NO_ERRORS, problemOf } from "./problems";
+import { linkKey, runKey } from "./queries";
+import type { Router } from "./router";
+import { readSharedView } from "./sharing";
+import { fromRun, landed } from "./shown";
+import type { Store } from "./store";
+import { createTimer } from "./timer";
+
+const STALE_AFTER_MS = 200;
+
+/** Of the server's API what the lab uses. */
+export type LabApi = Pick<Api, "createRun" | "run" | "series" | "link" | "live">;
+
+/** What only the loaded form says: where an error belongs, and what the page draws. */
+export interface Form {
+  readonly group: Group | null;
+  readonly signals: readonly string[];
+}
+
+export interface Services {
+  readonly api: LabApi;
+  readonly router: Router;
+  readonly queries: QueryClient;
+}
+
+export interface Asking {
+  /** Runs what the form says. */
+  readonly submit: (mode: "push" | "replace") => void;
+  readonly load: (id: string, hidden: readonly StrategyId[]) => void;
+  readonly openLink: (slug: string) => void;
+  /** Figures and curves of a scenario under a moving slider. */
+  readonly preview: (scenario: Scenario) => void;
+  /** Nobody waits for the exact answer any more: what is shown answers what is asked. */
+  readonly settle: () => void;
+  /** Asks again for what could not be had. */
+  readonly resume: () => void;
+}
+
+export function createAsking(store: Store<LabState>, { api, router, queries }: Services, form: () => Form): Asking {
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+  const grace = createTimer(STALE_AFTER_MS, () => patch({ stale: true }));
+  const live = createLive({ store, grace, api, router, form });
+  let unfinished: (() => void) | null = null;
+
+  const exact = createExactRequests({
+    store,
+    grace,
+    onError: (error, again) => {
+      if (isTransient(error)) unfinished = again;
+      patch(problemOf(error, form().group));
+    },
+  });
+
+  const ask: typeof exact.start = (request) => {
+    live.cancel();
+    unfinished = null;
+    exact.start(request);
+  };
+
+  // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
+  // shares or goes back to an address that is not of what is shown.
+
+  const submit: Asking["submit"] = (mode) => {
+    const { history, strategies, roads } = store.get();
+    if (strategies.length === 0) return;
+    const { baseline } = router.get().view;
+    const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
+    ask({
+      work: async (signal, isCurrent) => {
+        const startedAt = performance.now();
+        const run = await api.createRun(history?.present ?? {}, strategies, signal, over);
+        if (!isCurrent()) return;
+        queries.setQueryData(runKey(run.id), run);
+        if (history === null) patch({ history: begin(run.scenario) });
+        const histories = await historiesOf(run, queries, api.series, signal);
+        if (!isCurrent()) return;
+        const selected = store.get().strategies;
+        const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
+        router.showRun(run.id, { hidden }, mode);
+        patch({ ...landed(store.get(), fromRun(run, histories, performance.now() - startedAt, false)), drag: null, shared: null });
+      },
+      again: () => submit(mode),
+    });
+  };
+
+  const load: Asking["load"] = (id, hidden) => {
+    ask({
+      work: async (signal, isCurrent) => {
+        const startedAt = performance.now();
+        const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
+        if (!isCurrent()) return;
+        queries.setQueryData(runKey(id), run);
+        const histories = await historiesOf(run, queries, api.series, signal);
+        if (!isCurrent()) return;
+        const { history } = store.get();
+        router.arrive();
+        if (run.over) router.setView({ baseline: run.over.baseline });
+        patch({
+          ...landed(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
+          roads: run.over?.roads ?? 1,
+          history: history ? record(history, run.scenario) : begin(run.scenario),
+          strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
+          rejected: {},
+          drag: null,
+          shared: null,
+        });
+      },
+      again: () => load(id, hidden),
+      giveUp: leaveLink,
+    });
+  };
+
+  const openLink: Asking["openLink"] = (slug) => {
+    ask({
+      work: async (signal, isCurrent) => {
+        const startedAt = performance.now();
+        const link = queries.getQueryData<Link>(linkKey(slug)) ?? (await api.link(slug, signal));
+        if (!isCurrent()) return;
+        queries.setQueryData(linkKey(slug), link);
+        if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
+        const histories = link.run && (await historiesOf(link.run, queries, api.series, signal));
+        if (!isCurrent()) return;
+        const { view, strategies, at } = readSharedView(link);
+        router.arrive();
+        router.setView(view);
+        cursor.set(at);
+        const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
+        const roads = link.run?.over?.roads ?? 1;
+        patch({ shared: link, history: begin(link.scenario), strategies, roads, rejected: {}, drag: null, shown, exact: shown, before: null });
+      },
+      again: () => openLink(slug),
+      giveUp: leaveLink,
+    });
+  };
+
+  /** The address has nothing to show: neither is anything else shown under it. */
+  const leaveLink = () => {
+    router.arrive();
+    patch({ shared: null });
+  };
+
+  return {
+    submit,
+    load,
+    openLink,
+    preview: (scenario) => {
+      exact.cancel();
+      const some = store.get().strategies.length > 0;
+      patch({ busy: some });
+      if (some) live.request(scenario);
+    },
+    settle: () => {
+      live.cancel();
+      unfinished = null;
+      exact.cancel();
+      patch({ busy: false, stale: false, failure: null, refused: NO_ERRORS });
+    },
+    resume: () => unfinished?.(),
+  };
+}

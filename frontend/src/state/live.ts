@@ -1,0 +1,58 @@
+/** Figures and curves while a slider moves: one request at a time, the newest next. */
+
+import { ApiProblem, isTransient } from "../api/problem";
+import type { LiveAnswer, Scenario } from "../api/types";
+import type { Form, Services } from "./asking";
+import type { LabState } from "./labState";
+import { createLatest } from "./latest";
+import { NO_ERRORS, refusal } from "./problems";
+import { axisKey } from "./scene";
+import { fromLive } from "./shown";
+import type { Store } from "./store";
+import type { Timer } from "./timer";
+
+const POINTS = 700;
+const POINTS_MOST = 5000;
+
+interface Wish {
+  readonly scenario: Scenario;
+  readonly startedAt: number;
+}
+
+interface Parts extends Pick<Services, "api" | "router"> {
+  readonly store: Store<LabState>;
+  /** Marks what is shown as stale when it ends. */
+  readonly grace: Timer;
+  readonly form: () => Form;
+}
+
+export function createLive({ store, grace, api, router, form }: Parts) {
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+
+  /** Zoomed in, the same density of samples takes more of them over the whole run. */
+  const points = () => {
+    const { zoom, axis } = router.get().view;
+    const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
+    const part = zoom ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
+    return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
+  };
+
+  const { request, cancel } = createLatest<Wish, LiveAnswer>({
+    run: ({ scenario }, signal) => {
+      grace.start();
+      return api.live({ scenario, strategies: store.get().strategies, signals: form().signals, points: points() }, signal);
+    },
+    onAnswer: (answer, { scenario, startedAt }) => {
+      grace.stop();
+      const settled = store.get().drag === scenario;
+      const shown = fromLive(answer, performance.now() - startedAt);
+      patch({ shown, refused: NO_ERRORS, failure: null, ...(settled ? { busy: false, stale: false } : {}) });
+    },
+    onError: (error) => {
+      // While dragging, an overloaded or silent server only means no new curves; the release asks again.
+      grace.stop();
+      patch({ busy: false, stale: true, ...(error instanceof ApiProblem && !isTransient(error) ? refusal(error, form().group) : {}) });
+    },
+  });
+  return { request: (scenario: Scenario) => request({ scenario, startedAt: performance.now() }), cancel };
+}
