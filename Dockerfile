@@ -14,14 +14,14 @@ RUN python -m venv /opt/ridelab
 COPY requirements.lock requirements-ecu.lock ./
 RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
     -r requirements.lock -r requirements-ecu.lock
-COPY sim_core/car/nonlinear.c .
-RUN /opt/ridelab/bin/python -m ziglang cc -O2 -ffp-contract=off -fPIC -shared -o libnonlinear.so.1 nonlinear.c
+COPY sim_core/compiled/*.c ./
+RUN /opt/ridelab/bin/python -m ziglang cc -O3 -ffp-contract=off -fPIC -shared -o libridelab.so.1 *.c -lm
 
 FROM python:3.11-slim
 COPY --from=packages /opt/ridelab /opt/ridelab
 WORKDIR /app
 COPY sim_core/ sim_core/
-COPY --from=packages /build/libnonlinear.so.1 sim_core/car/
+COPY --from=packages /build/libridelab.so.1 sim_core/compiled/
 COPY backend/ backend/
 COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/

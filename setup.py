@@ -29,11 +29,11 @@ class BuildWithPage(build_py):
 
 
 class BuildAnywhere(build_ext):
-    """nonlinear.c for `ctypes`, by the machine's compiler or else by the package ziglang's."""
+    """The core's C for `ctypes`, by the machine's compiler or else by the package ziglang's."""
 
     def get_ext_filename(self, fullname: str) -> str:
-        """A library that `sim_core.car.nonlinear` loads: no Python module, and not called like one."""
-        return str(Path(*fullname.split(".")).with_name("libnonlinear.so.1"))
+        """A library that `sim_core.compiled.library` loads: no Python module, and not called like one."""
+        return str(Path(*fullname.split(".")).with_name("libridelab.so.1"))
 
     def build_extensions(self) -> None:
         """Compile."""
@@ -44,11 +44,15 @@ class BuildAnywhere(build_ext):
         super().build_extensions()
 
 
-# Without fused operations a step gives the same numbers on every processor.
-NONLINEAR = Extension(
-    "sim_core.car.nonlinear", ["sim_core/car/nonlinear.c"], extra_compile_args=["-O2", "-ffp-contract=off"]
+COMPILED = Path("sim_core", "compiled")
+LIBRARY = Extension(
+    "sim_core.compiled.libridelab",
+    sorted(str(file) for file in COMPILED.glob("*.c")),
+    # Without fused operations a run gives the same numbers on every processor.
+    extra_compile_args=["-O3", "-ffp-contract=off"],
+    libraries=["m"],
 )
 setup(
     cmdclass={"build_py": BuildWithPage, "build_ext": BuildAnywhere},
-    ext_modules=[NONLINEAR],
+    ext_modules=[LIBRARY],
 )

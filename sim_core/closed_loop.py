@@ -12,7 +12,6 @@ import numpy as np
 from sim_core.arrays import BoolArray, FloatArray
 from sim_core.car.driven_car import DrivenCar
 from sim_core.car.half_car import FORCES, STATES
-from sim_core.car.linear import LONGEST_RUN
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import Controller
 from sim_core.control.estimator import make_estimator
@@ -23,7 +22,7 @@ from sim_core.recording import Recording
 from sim_core.scenario import Actuator, Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy
 
-_LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = LONGEST_RUN, 16
+_LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 1024, 16  # control steps
 _SAME_FORCE = 1e-6  # [N]: rounding
 
 

@@ -8,7 +8,7 @@ from scipy.linalg import expm
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.recurrence import Recurrence, recurrence
+from sim_core.recurrence import run_recurrence
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
 Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
@@ -45,17 +45,17 @@ def wk_gain(frequency: FloatArray) -> FloatArray:
 class _Weighting:
     """Wk over a row of samples, straight between them: [state (8); samples] to the weighted samples but the last.
 
-    `inputs` (samples, 8) is what a row adds to the state after it, `between` that state over the rows.
+    From row to row the state is multiplied by `onward` (8, 8), and the samples add what `inputs` (samples, 8) gives.
     """
 
     outputs: FloatArray
     inputs: FloatArray
-    between: Recurrence
+    onward: FloatArray
 
 
 @cached
-def _weighting(step: float, samples: int, rows: int) -> _Weighting:
-    """For at most so many rows of so many samples, `step` [s] apart."""
+def _weighting(step: float, samples: int) -> _Weighting:
+    """For rows of so many samples, `step` [s] apart."""
     A, B, C = _wk_states()
     n = len(A)
     ramp = np.zeros((n + 2, n + 2))  # the state, the input, and its change over the step
@@ -70,7 +70,7 @@ def _weighting(step: float, samples: int, rows: int) -> _Weighting:
     return _Weighting(
         outputs=np.ascontiguousarray(np.stack(seen).T),
         inputs=np.ascontiguousarray(state[:, n:].T),
-        between=recurrence(state[:, :n], rows),
+        onward=np.ascontiguousarray(state[:, :n]),
     )
 
 
@@ -97,10 +97,11 @@ def weighted(columns: FloatArray, step: float, samples: int) -> FloatArray:
         step: In s.
         samples: How many, from the first on.
     """
-    weighting = _weighting(step, len(columns), 1 << columns.shape[1].bit_length())
-    inputs = columns.T @ weighting.inputs
-    states = weighting.between.run(np.zeros(inputs.shape[1]), inputs)[:-1]
-    n = states.shape[1]
+    weighting = _weighting(step, len(columns))
+    n = len(weighting.onward)
+    states = np.zeros((columns.shape[1], n))
+    np.matmul(columns[:, :-1].T, weighting.inputs, out=states[1:])
+    run_recurrence(weighting.onward, states)
     through = states @ weighting.outputs[:n]
     through += columns.T @ weighting.outputs[n:]
     return through.reshape(-1)[:samples]

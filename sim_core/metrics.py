@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.car.plant import RECORDED
@@ -19,12 +20,14 @@ from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
 from sim_core.recording import Recording
 from sim_core.result import Series, Span, StrategyResult
 from sim_core.scenario import Scenario, Vehicle
+from sim_core.sections import Integrand, SectionValues, over_sections
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
-from sim_core.windows import SNAP, Sections, Windows, sections_of, windows_of
+from sim_core.windows import Windows, section_ends, windows_of
 
 _ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
 _SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come before them
-_JUMPING = slice(2)  # the accelerations: they jump with the force and are steep lines in between
+# The accelerations jump with the force and are steep lines in between.
+_INTEGRANDS = [Integrand.SQUARE_OF_LINE] * 2 + [Integrand.SQUARE] * (len(METRIC_SIGNALS) - 2)
 _LOADS = slice(_ROW["front_tyre_load"], _ROW["rear_tyre_load"] + 1)
 _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
 
@@ -43,7 +46,8 @@ def evaluate(
     samples, commands = signals.shape[1:]
     bump_end = bump.end + scenario.vehicle.wheelbase
     windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, samples - 1, commands)
-    metrics = _by_window(signals, windows, road_input, scenario.real_vehicle)
+    values = over_sections(signals, _INTEGRANDS, windows.ends)
+    metrics = _by_window(values, signals[_LOADS], windows, road_input, scenario.real_vehicle)
 
     arrival = windows.arrival_speed
     static = scenario.real_vehicle.static_loads
@@ -63,7 +67,7 @@ def evaluate(
             **_power(signals[_FORCES], speeds, windows),
         },
         events={
-            **_airborne(signals[_LOADS], windows, static),
+            **_airborne(signals[_LOADS], values.highest[_LOADS], windows, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": bump_end <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
@@ -92,15 +96,14 @@ def evaluate(
 
 
 def _by_window(
-    table: FloatArray, windows: Windows, road_input: RoadInput, vehicle: Vehicle
+    values: SectionValues, loads: FloatArray, windows: Windows, road_input: RoadInput, vehicle: Vehicle
 ) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS."""
-    durations = windows.sections.durations
-    rough, bump, _ = squares = _squares(table, windows.sections).T
+    durations = windows.ends[:, 1] - windows.ends[:, 0]
+    rough, bump, _ = squares = values.integrals.T
     means = rough / durations[0], bump / durations[1], squares.sum(axis=0) / durations.sum()
-    highest = np.maximum(table.max(axis=1), -table.min(axis=1))
-    peaks = _peaks(table, highest, windows)
-    kinks = _peaks_at_kinks(table[_LOADS], highest[_LOADS], peaks[:, _LOADS], vehicle, windows, road_input)
+    peaks = values.peaks
+    kinks = _peaks_at_kinks(loads, values.highest[_LOADS], peaks[:, _LOADS], vehicle, windows, road_input)
     peaks[:, _LOADS] = np.maximum(peaks[:, _LOADS], kinks)
     return {
         window: {
@@ -124,59 +127,14 @@ def rms_between(series: Series, drive: Drive, stretches: Sequence[tuple[float, f
     """
     time = series["time"]
     fine_step = float(time[-1]) / (len(time) - 1)
-    table = np.stack([series.columns(signal) for signal in METRIC_SIGNALS])
-    fine, commands = table.shape[1] - 1, table.shape[2]
-    spans = [(drive.time_at(first) / fine_step, drive.time_at(last) / fine_step) for first, last in stretches]
-    if any(not 0 <= first < last <= fine * commands + SNAP for first, last in spans):
+    table = np.ascontiguousarray([series.columns(signal) for signal in METRIC_SIGNALS])
+    times = [(drive.time_at(first), drive.time_at(last)) for first, last in stretches]
+    ends = section_ends([(first / fine_step, last / fine_step) for first, last in times])
+    durations = ends[:, 1] - ends[:, 0]
+    if (durations <= 0).any() or ends.min() < 0 or ends.max() > (table.shape[1] - 1) * table.shape[2]:
         raise ValueError("A stretch ends behind its beginning and lies on the road that was driven")
-    sections = sections_of(spans, fine)
-    means = _squares(table, sections).sum(axis=1) / sections.durations.sum()
+    means = over_sections(table, _INTEGRANDS, ends).integrals.sum(axis=1) / durations.sum()
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
-
-
-def _squares(table: FloatArray, sections: Sections) -> FloatArray:
-    """The square of each of METRIC_SIGNALS, integrated over each section (8, sections), in fine steps."""
-    squares = _integrals(table, table, sections)
-    low, high = table[_JUMPING, :-1], table[_JUMPING, 1:]  # straight in between: the square's mean is (a² + ab + b²)/3
-    products = np.stack(
-        [np.vecdot(low[:, :, inner], high[:, :, inner]).sum(axis=1) for inner in sections.inner], axis=1
-    )
-    at_edges = (low[:, :, sections.edges] * high[:, :, sections.edges]).reshape(len(low), -1)
-    squares[_JUMPING] += (products + at_edges @ sections.shares.T - squares[_JUMPING]) / 3
-    return squares
-
-
-def _integrals(a: FloatArray, b: FloatArray, sections: Sections) -> FloatArray:
-    """The product of each signal in `a` with that in `b`, integrated by trapezoids over each section.
-
-    Args:
-        a: Signals (signals, fine steps of a command + 1, commands).
-        b: As many.
-        sections: Over which.
-
-    Returns:
-        In fine steps (signals, sections).
-    """
-    samples = np.stack([np.vecdot(a[:, :, inner], b[:, :, inner]) for inner in sections.inner], axis=1)
-    whole = samples.sum(axis=2) - (samples[:, :, 0] + samples[:, :, -1]) / 2
-    at_edges = a[:, :, sections.edges] * b[:, :, sections.edges]
-    lines = (at_edges[:, :-1] + at_edges[:, 1:]) / 2
-    return np.asarray(whole + lines.reshape(len(a), -1) @ sections.shares.T)
-
-
-def _peaks(table: FloatArray, highest: FloatArray, windows: Windows) -> FloatArray:
-    """Largest magnitude of each signal in each section (sections, signals), at samples and at its ends.
-
-    Args:
-        table: Signals (signals, fine steps of a command + 1, commands).
-        highest: Their largest magnitude under each command (signals, commands).
-        windows: Where the sections lie.
-    """
-    sections = windows.sections
-    inner = [highest[:, commands].max(axis=1, initial=0) for commands in sections.inner]
-    at_edges = table[:, :, sections.edges].reshape(len(table), -1)
-    edges = [np.abs(at_edges @ weights).max(axis=1, initial=0) for weights in windows.edge_values]
-    return np.maximum(inner, edges)
 
 
 def _peaks_at_kinks(
@@ -204,13 +162,13 @@ def _peaks_at_kinks(
     beside, on_bump = road_input.surface.slope_range()
     most_rise = max(tyres) * np.array([beside, on_bump, beside]) * windows.step_distance / 4
     near = np.ones(highest.shape, dtype=np.bool_)
-    for inner, peak, rise in zip(windows.sections.inner, peaks, most_rise, strict=True):
+    for inner, peak, rise in zip(windows.inner, peaks, most_rise, strict=True):
         near[:, inner] = highest[:, inner] >= peak[:, np.newaxis] - rise
-    kinks = np.flatnonzero(near.take(windows.kink_command))
+    kinks, command = _kinks_under(np.flatnonzero(near), windows.first_kink)
     samples, commands = loads.shape[1:]
     met = road_input.drive.kinks
     axle, step, share = met.axle(kinks), met.step[kinks] % (samples - 1), met.share[kinks]
-    sample = (axle * (samples - 1) + step) * commands + windows.kink_command[kinks]
+    sample = (axle * (samples - 1) + step) * commands + command
     before, after = loads.take(sample), loads.take(sample + commands)
     values = before + share * (after - before) + np.take(tyres, axle) * road_input.above_chord(kinks)
     if vehicle.tyre_lift_off:
@@ -220,27 +178,45 @@ def _peaks_at_kinks(
     return np.array([[values[first:last].max(initial=0) for first, last in axle] for axle in ends]).T
 
 
+def _kinks_under(commands: NDArray[np.intp], first_kink: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The kinks met under some commands, and the command each of them is met under; both as in `Windows.first_kink`."""
+    first = first_kink[commands]
+    count = first_kink[commands + 1] - first
+    command = np.repeat(np.arange(len(commands)), count)
+    number = np.arange(len(command)) - (count.cumsum() - count)[command]
+    return first[command] + number, commands[command]
+
+
 def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str, float]:
     """Mean and largest |u·ḋ| summed over both axles [W]."""
     mean = peak = 0.0
     if forces.any():
-        front, rear = np.abs(forces * speeds)
-        power = (front + rear)[np.newaxis]
-        mean = float(_integrals(power, np.ones_like(power), windows.sections).sum() / windows.sections.durations.sum())
-        peak = float(_peaks(power, power.max(axis=1), windows).max())
+        each = forces * speeds
+        power = np.abs(each, out=each).sum(axis=0, keepdims=True)
+        values = over_sections(power, [Integrand.VALUE], windows.ends)
+        mean = float(values.integrals.sum() / (windows.ends[-1, 1] - windows.ends[0, 0]))
+        peak = float(values.peaks.max())
     return {"actuator_mean_power": mean, "actuator_peak_power": peak}
 
 
-def _airborne(loads: FloatArray, windows: Windows, static: tuple[float, float]) -> dict[str, float]:
-    """Time with a tyre off the road, or pulling on it where it cannot lift off [ms]."""
+def _airborne(
+    loads: FloatArray, highest: FloatArray, windows: Windows, static: tuple[float, float]
+) -> dict[str, float]:
+    """Time with a tyre off the road, or pulling on it where it cannot lift off [ms].
+
+    Args:
+        loads: Front and rear (2, fine steps of a command + 1, commands) [N].
+        highest: Their largest magnitude under each command (2, commands) [N].
+        windows: Where the sections lie.
+        static: The static loads [N].
+    """
     keys = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
-    unloaded = loads <= -np.reshape(static, (2, 1, 1))
-    if not unloaded.any():
+    if (highest < np.reshape(static, (2, 1))).all():
         return dict.fromkeys(keys, 0.0)
-    front, rear = unloaded
+    front, rear = loads <= -np.reshape(static, (2, 1, 1))
     samples = np.array([front | rear, front, rear], dtype=np.float64)
-    milliseconds = _integrals(samples, samples, windows.sections).sum(axis=1) * (windows.fine_step * 1000)
-    return dict(zip(keys, milliseconds.tolist(), strict=True))
+    durations = over_sections(samples, [Integrand.VALUE] * 3, windows.ends).integrals.sum(axis=1)
+    return dict(zip(keys, (durations * (windows.fine_step * 1000)).tolist(), strict=True))
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

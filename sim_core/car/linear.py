@@ -1,4 +1,4 @@
-"""The linear car on its road: its steps are exact, and many of them are one matrix product.
+"""The linear car on its road: its steps are exact, and those in which no limit binds follow one matrix.
 
 See docs/decisions/0002-speculative-blocks.md.
 """
@@ -12,10 +12,8 @@ from sim_core.caching import cached
 from sim_core.car.driven_car import DrivenCar, Estimator, LinearLaw
 from sim_core.car.half_car import FORCES, STATES, measurement
 from sim_core.car.plant import Plant
-from sim_core.recurrence import Recurrence, recurrence
+from sim_core.recurrence import run_recurrence
 from sim_core.scenario import Vehicle
-
-LONGEST_RUN = 1024  # control steps in one `free_run`
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -58,6 +56,7 @@ def _sensors(plant: Plant, vehicle: Vehicle) -> tuple[FloatArray, FloatArray]:
     return np.hstack([sensors.C, sensors.D]), np.zeros_like(sensors.D)
 
 
+@cached
 def closed_loop_matrix(step: ControlStep, law: LinearLaw) -> FloatArray:
     """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
     n = len(step.A)
@@ -65,11 +64,6 @@ def closed_loop_matrix(step: ControlStep, law: LinearLaw) -> FloatArray:
     gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
     free = np.hstack([step.A, np.zeros((n, FORCES))])
     return np.vstack([free + step.B @ gain, gain])
-
-
-@cached
-def _block(step: ControlStep, law: LinearLaw) -> Recurrence:
-    return recurrence(closed_loop_matrix(step, law), LONGEST_RUN)
 
 
 class LinearCar(DrivenCar):
@@ -91,8 +85,11 @@ class LinearCar(DrivenCar):
 
     def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        forcing = self._forcing[first : first + len(feed)] + feed @ self._step.B.T
-        return _block(self._step, law).run(start, np.hstack([forcing, feed]))
+        z = np.empty((len(feed) + 1, self.size + FORCES))
+        z[0], z[1:, self.size :] = start, feed
+        np.add(self._forcing[first : first + len(feed)], feed @ self._step.B.T, out=z[1:, : self.size])
+        run_recurrence(closed_loop_matrix(self._step, law), z)
+        return z
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As DrivenCar says."""

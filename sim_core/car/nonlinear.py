@@ -1,4 +1,4 @@
-"""The half-car where dampers, stops and tyres are not linear, stepped by the C of nonlinear.c.
+"""The half-car where dampers, stops and tyres are not linear, stepped by the C of compiled/nonlinear_car.c.
 
 F_i = k_i d + c_i(ḋ) ḋ + stop_i(d) - u_i,  load_i = max(-k_t,i (z_w - z_r), -static load_i). The slope of each of these
 changes where a damper turns, a stop is met or a tyre lifts off; within a step of third order (Runge-Kutta: Ralston
@@ -7,9 +7,8 @@ an adaptive solver's.
 """
 
 import ctypes
-from functools import cache, lru_cache
+from functools import lru_cache
 from math import ceil, inf, pi
-from pathlib import Path
 
 import numpy as np
 
@@ -17,18 +16,16 @@ from sim_core.arrays import FloatArray
 from sim_core.car.driven_car import LAW_INPUTS, DrivenCar, Estimator, LinearLaw
 from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
 from sim_core.car.plant import RECORDED
-from sim_core.errors import RidelabError
+from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_ANGLE = 0.1  # of the fastest pole in one step of Runge-Kutta [rad]
 _SIGNALS = len(RECORDED)
 _NO_FEEDBACK = LinearLaw(gain=np.zeros((FORCES, LAW_INPUTS)))
-_LIBRARY = Path(__file__).with_name("libnonlinear.so.1")  # setup.py builds it; no module, so not called like one
-_NOT_BUILT = "The part that steps a nonlinear car is not built: install Ridelab with `make setup` or from its wheel"
 
 
 class _Car(ctypes.Structure):
-    """`struct car` of nonlinear.c; pairs are front and rear, `per_…` are inverses."""
+    """`struct car` of nonlinear_car.c; pairs are front and rear, `per_…` are inverses."""
 
     _fields_ = [
         *((name, ctypes.c_double) for name in ("per_body_mass", "per_pitch_inertia", "brake_moment", "corner")),
@@ -40,26 +37,11 @@ class _Car(ctypes.Structure):
     ]
 
 
-@cache
-def _library() -> ctypes.CDLL:
-    """The compiled nonlinear.c.
-
-    Raises:
-        RidelabError: It is not built.
-    """
-    if not _LIBRARY.is_file():
-        raise RidelabError(_NOT_BUILT)
-    library = ctypes.CDLL(str(_LIBRARY))
-    array, integer = (
-        ctypes.c_void_p,
-        ctypes.c_int,
-    )  # addresses of contiguous float64
-    library.ridelab_drive.restype = None
-    library.ridelab_drive.argtypes = [
-        *(ctypes.POINTER(_Car), array, array, integer, integer, integer, integer, ctypes.c_double),
-        *(array, ctypes.c_double, integer, array, array, array, array, integer, integer),
-    ]
-    return library
+_drive = function(
+    "drive",
+    *(ctypes.POINTER(_Car), ADDRESS, ADDRESS, INT, INT, INT, INT, DOUBLE),
+    *(ADDRESS, DOUBLE, INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS, INT, INT),
+)
 
 
 class NonlinearCar(DrivenCar):
@@ -80,13 +62,12 @@ class NonlinearCar(DrivenCar):
         self._inputs = np.empty(0) if estimator is None else np.ascontiguousarray(estimator.input)
         fine = disturbance.shape[1] // DISTURBANCES
         short = substeps(vehicle, actuator, step / fine)
-        self._drive = _library().ridelab_drive
         self._car = _car(vehicle, actuator)
         self._sizes = fine, short, step / fine / short
         self._disturbance = np.ascontiguousarray(disturbance, dtype=np.float64)
         self._before = before
         self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
-        self._addresses = self._inputs.ctypes.data, self._disturbance.ctypes.data, self._table.ctypes.data
+        self._addresses = address(self._inputs), address(self._disturbance), address(self._table)
 
     def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
         """As DrivenCar says."""
@@ -105,10 +86,10 @@ class NonlinearCar(DrivenCar):
     def _run(self, law: LinearLaw, gain: FloatArray, first: int, feed: FloatArray, loop: FloatArray) -> None:
         """Fill `loop` (steps + 1, size + 2) from its first row on, with gain (2, 10) and feed (steps, 2) contiguous."""
         inputs, disturbance, table = self._addresses
-        self._drive(
+        _drive(
             *(self._car, self._estimator, inputs + 8 * STATES * first, self._states, len(loop) - 1, *self._sizes),
-            *(gain.ctypes.data, law.force_limit, law.dissipative, feed.ctypes.data),
-            *(disturbance + 8 * self._disturbance.shape[1] * first, loop.ctypes.data, table),
+            *(address(gain), law.force_limit, law.dissipative, address(feed)),
+            *(disturbance + 8 * self._disturbance.shape[1] * first, address(loop), table),
             *(first - self._before, self._table.shape[2]),
         )
 
@@ -118,7 +99,7 @@ class NonlinearCar(DrivenCar):
 
 
 def _matrices(estimator: Estimator) -> ctypes.Array[ctypes.c_double]:
-    """`struct estimator` of nonlinear.c."""
+    """`struct estimator` of nonlinear_car.c."""
     parts = estimator.state, estimator.command, estimator.measurement
     numbers = np.concatenate([part.ravel() for part in parts])
     return (ctypes.c_double * len(numbers))(*numbers)

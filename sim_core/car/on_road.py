@@ -29,9 +29,6 @@ def on_road(
         before: Control steps before those on record.
         estimator: Between car and controller; None where that has the state itself.
         clipped: Whether the law's limits shape the force in most steps, so that blocks of free steps gain nothing.
-
-    Raises:
-        RidelabError: The part that steps such a car is not built.
     """
     if vehicle.linear and not clipped:
         matrices = plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES)

@@ -12,10 +12,12 @@ import daqp
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 
 if TYPE_CHECKING:
     import osqp
 
+_residual = function("residual", INT, INT, *[ADDRESS] * 9, result=DOUBLE)
 SolverName = Literal["daqp", "osqp"]
 TOLERANCE = 1e-6  # of the residuals
 MAX_EFFORT = 20.0  # of all QPs of one run, by `QpSolver.effort` [s]
@@ -47,17 +49,17 @@ def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multip
 
     For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
     those of the box, then of A y <= b; positive at an upper limit, negative at a lower one. Each row of the gradient is
-    judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force.
+    judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force. By the C of
+    compiled/optimality.c.
+
+    Raises:
+        ValueError: The arrays' lengths differ, or one is not contiguous.
     """
-    n = len(y)
-    box, rows = multipliers[:n], multipliers[n:]
-    above, slack = y - shape.low, np.concatenate([shape.high - y, b - shape.A @ y])
-    gradient = shape.H @ y + f + box + rows @ shape.A
-    force = 1 + np.abs(multipliers).max()
-    gap = multipliers * slack
-    gap[:n] = np.where(box < 0, box * above, gap[:n])
-    violations = np.abs(gradient) / (1 + np.abs(f)), -above, -slack, -rows / force, np.abs(gap) / force
-    return float(np.concatenate(violations).max())
+    n, rows = len(y), len(shape.A)
+    if not len(f) == len(shape.low) == len(shape.high) == n or len(b) != rows or len(multipliers) != n + rows:
+        raise ValueError("A QP and its answer have one length")
+    arrays = shape.H, shape.A, shape.low, shape.high, f, b, y, multipliers, np.empty(n)
+    return float(_residual(n, rows, *map(address, arrays)))
 
 
 class QpSolver(ABC):

@@ -1,15 +1,11 @@
 """Unequal dampers, bump stops and tyres that lift off, against an adaptive solver and against what is known of them."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from numpy.random import Generator, default_rng
 
-from sim_core.car import nonlinear
 from sim_core.controllers import mpc_designs
 from sim_core.drive.speed_profile import drive
-from sim_core.errors import RidelabError
 from sim_core.scenario import Actuator, Bump, Hil, Mismatch, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import strategy_named
@@ -129,11 +125,3 @@ def test_a_ratio_nobody_knows_of_is_that_of_the_real_car(strategy: str) -> None:
     unknown = simulate(Scenario(mismatch=Mismatch(rebound_ratio=2.5)), strategy)
     own = simulate(Scenario(vehicle=Vehicle(rebound_ratio=2.5)), strategy)
     assert unknown.summary() == own.summary()
-
-
-def test_where_it_is_not_built_it_says_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(nonlinear, "_LIBRARY", tmp_path / "none")
-    nonlinear._library.cache_clear()
-    with pytest.raises(RidelabError, match="make setup"):
-        simulate(Scenario(vehicle=NEVER_MET), "passive")
-    assert simulate(Scenario(), "passive").metrics

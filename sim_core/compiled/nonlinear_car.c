@@ -1,6 +1,6 @@
 /* The half-car where it is not linear: dampers that resist rebound more than compression, bump stops, tyres that lift
    off. Runge-Kutta steps of third order (docs/physics.md, "Dampers, stops and lift-off"). The
-   model and its source: nonlinear.py. */
+   model and its source: sim_core/car/nonlinear.py. */
 
 #include <stddef.h>
 

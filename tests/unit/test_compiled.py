@@ -1,0 +1,108 @@
+"""The core's C: each function against its definition in NumPy, and what it is never handed."""
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.random import default_rng
+
+from sim_core.arrays import FloatArray
+from sim_core.compiled.library import address, load
+from sim_core.control.qp import QpShape, residual
+from sim_core.recurrence import run_recurrence
+from sim_core.sections import Integrand, over_sections
+
+INTEGRAL_OF = {  # over one fine step from a to b
+    Integrand.VALUE: lambda a, b: (a + b) / 2,
+    Integrand.SQUARE: lambda a, b: (a**2 + b**2) / 2,
+    Integrand.SQUARE_OF_LINE: lambda a, b: (a**2 + a * b + b**2) / 3,
+}
+
+
+def test_where_it_is_not_built_it_says_what_to_do(tmp_path: Path) -> None:
+    with pytest.raises(ImportError, match="make setup"):
+        load(tmp_path / "libridelab.so.1")
+
+
+@pytest.mark.parametrize("array", [np.zeros((4, 4)).T[:2], np.zeros(4, dtype=np.float32)], ids=["strided", "single"])
+def test_it_is_handed_nothing_it_would_misread(array: FloatArray) -> None:
+    with pytest.raises(ValueError, match="contiguous"):
+        address(array)
+
+
+@pytest.mark.parametrize("n", [1, 10])
+def test_a_recurrence_is_step_after_step(n: int) -> None:
+    rng = default_rng(n)
+    matrix, states = rng.normal(size=(n, n)) / n, rng.normal(size=(50, n))
+    expected = states.copy()
+    for before, after in pairwise(expected):
+        after += matrix @ before
+    run_recurrence(matrix, states)
+    np.testing.assert_allclose(states, expected, rtol=1e-12)
+
+
+def in_section(integrand: Integrand, signal: FloatArray, first: float, last: float) -> tuple[float, float]:
+    """Integral and peak of a signal (fine + 1, commands) from one place to another, fine step after fine step."""
+    fine, integral, peak = len(signal) - 1, 0.0, 0.0
+    for step in range(int(first), int(np.ceil(last))):
+        command, row = divmod(step, fine)
+        a, b = signal[row : row + 2, command]
+        low, high = max(first - step, 0.0), min(last - step, 1.0)
+        integral += (high - low) * INTEGRAL_OF[integrand](a, b)
+        peak = max(peak, abs(a + low * (b - a)), abs(a + high * (b - a)))
+    return integral, peak
+
+
+@pytest.mark.parametrize("fine", [1, 4])
+def test_sections_are_the_sum_of_their_fine_steps(fine: int) -> None:
+    """Wherever they end: at a sample or between two, under a command or where it changes, both ends under one."""
+    table = default_rng(fine).normal(size=(3, fine + 1, 8))
+    ends = np.array([[0, 8], [0.5, 0.75], [0.2, 1], [1, 3.3], [2, 2], [2.7, 7.1], [7.5, 8]]) * fine
+    values = over_sections(table, list(Integrand), ends)
+    np.testing.assert_array_equal(values.highest, np.abs(table).max(axis=1))
+    for integrand, signal, integrals, peaks in zip(Integrand, table, values.integrals, values.peaks.T, strict=True):
+        expected = [in_section(integrand, signal, *section) for section in ends.tolist()]
+        np.testing.assert_allclose(np.transpose([integrals, peaks]), expected, rtol=1e-12, atol=1e-15)
+
+
+@pytest.mark.parametrize("ends", [(-1.0, 2.0), (3.0, 2.0), (0.0, 9.0), (np.nan, 2.0)])
+def test_no_section_ends_outside_the_record(ends: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match="section"):
+        over_sections(np.zeros((1, 3, 4)), [Integrand.VALUE], np.array([ends]))
+
+
+def test_what_is_not_finite_shows_in_its_section_alone() -> None:
+    table = np.ones((1, 3, 4))
+    table[0, 1, 3] = np.nan
+    values = over_sections(table, [Integrand.SQUARE], np.array([[0.0, 6.0], [6.0, 8.0]]))
+    np.testing.assert_array_equal(values.integrals, [[6.0, np.nan]])
+    np.testing.assert_array_equal(values.peaks, [[1.0], [np.nan]])
+
+
+def test_a_residual_is_the_largest_violation() -> None:
+    """Of stationarity, box, rows, signs of the rows' multipliers and gaps: each is the largest in some of these."""
+    rng = default_rng(1)
+    n, rows = 5, 7
+    root = rng.normal(size=(n, n))
+    shape = QpShape(H=root @ root.T, A=rng.normal(size=(rows, n)), low=-np.ones(n), high=np.ones(n))
+    largest = set()
+    for _ in range(300):
+        scale = 10 ** rng.uniform(-3, 3, size=4)
+        y, multipliers = scale[0] * rng.normal(size=n), scale[1] * rng.normal(size=n + rows)
+        box, of_rows = multipliers[:n], multipliers[n:]
+        f = scale[2] * rng.normal(size=n) - (shape.H @ y + box + shape.A.T @ of_rows)
+        b = scale[3] * rng.normal(size=rows) + shape.A @ y
+        slack, force = b - shape.A @ y, 1 + np.abs(multipliers).max()
+        gap = np.where(box < 0, y - shape.low, shape.high - y)
+        violations = [
+            np.abs(shape.H @ y + f + box + shape.A.T @ of_rows) / (1 + np.abs(f)),
+            np.maximum(shape.low - y, y - shape.high),
+            -slack,
+            -of_rows / force,
+            np.abs(np.concatenate([box * gap, of_rows * slack])) / force,
+        ]
+        worst = [float(each.max()) for each in violations]
+        largest.add(int(np.argmax(worst)))
+        assert residual(shape, f, b, y, multipliers) == pytest.approx(max(worst), rel=1e-9)
+    assert largest == set(range(5))
