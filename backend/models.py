@@ -34,9 +34,9 @@ class Answer(BaseModel):
     model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
 
 
-def inconsistent(field: str, message: str) -> PydanticCustomError:
-    """An error of a whole request that belongs to one field, dotted."""
-    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "reason": message})
+def inconsistent(field: str, message: str, key: str | None = None) -> PydanticCustomError:
+    """An error of a whole request that belongs to one field, dotted, or to a key in it."""
+    return PydanticCustomError("inconsistent", "{reason}", {"field": field, "key": key, "reason": message})
 
 
 def _check_strategy(name: str) -> str:

@@ -42,7 +42,7 @@ def compared(
     measured: Mapping[int, Roads],
     training: Sequence[int],
     fresh: Sequence[int],
-    objectives: int,
+    aims: Aims,
 ) -> list[ComparedPoint]:
     """Each set of weights over both sets of roads.
 
@@ -52,7 +52,7 @@ def compared(
         measured: Their runs.
         training: Seeds trained on.
         fresh: Seeds that nothing was trained on.
-        objectives: How many there are.
+        aims: What the tuning is after.
     """
     points = []
     for number, names in roles.items():
@@ -62,23 +62,26 @@ def compared(
                 trial=number,
                 roles=names,
                 weights=trials[number].weights,
-                training=_over(training, ours, papers, tuned=tuned),
-                fresh=_over(fresh, ours, papers, tuned=tuned),
-                verdict=[_verdict(fresh, ours, papers, index) for index in range(objectives)] if tuned else None,
+                training=_over(training, ours, papers, aims, tuned=tuned),
+                fresh=_over(fresh, ours, papers, aims, tuned=tuned),
+                verdict=[_verdict(fresh, ours, papers, index) for index in range(len(aims.objectives))]
+                if tuned
+                else None,
                 failures=[f"Road {seed}: {run.reason}" for seed, run in ours.items() if isinstance(run, Failure)],
             )
         )
     return points
 
 
-def _over(seeds: Sequence[int], ours: Roads, papers: Roads, *, tuned: bool) -> dict[str, TunedFigures]:
+def _over(seeds: Sequence[int], ours: Roads, papers: Roads, aims: Aims, *, tuned: bool) -> dict[str, TunedFigures]:
     """By key over the roads on which both sets of weights could be run."""
     both = _both(seeds, ours, papers)
     figures = {}
     for key in both[0][0] if both else ():
         values, base = [one[key] for one, _ in both], [other[key] for _, other in both]
         change = _change(values, base) if tuned else None
-        figures[key] = TunedFigures(mean=mean(values), worst=max(values), change=change)
+        quantile = None if aims.quantile is None else aims.over(values)
+        figures[key] = TunedFigures(mean=mean(values), worst=max(values), quantile=quantile, change=change)
     return figures
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
+import numpy as np
 import orjson
 
 from backend.analysis.objectives import StoredLimit, StoredObjective
@@ -32,6 +33,7 @@ class Aims:
 
     objectives: Sequence[StoredObjective]
     limits: Sequence[StoredLimit]
+    quantile: float | None = None  # of an objective over the roads; None for its mean
 
     @classmethod
     def of(cls, request: JsonObject) -> Self:
@@ -39,6 +41,7 @@ class Aims:
         return cls(
             objectives=[StoredObjective(**each) for each in request["objectives"]],
             limits=[StoredLimit(**each) for each in request["limits"]],
+            quantile=request.get("quantile"),
         )
 
     @property
@@ -56,6 +59,10 @@ class Aims:
         """The limited metrics and the paper's eight, by the keys of a comparison."""
         limited = {f"limits.{index}": METRICS[limit.figure] for index, limit in enumerate(self.limits)}
         return limited | {key: METRICS[key] for key in PAPER_METRICS}
+
+    def over(self, values: Sequence[float]) -> float:
+        """What an objective's values over the roads come to: their mean or the quantile (numpy's "linear" method)."""
+        return mean(values) if self.quantile is None else float(np.quantile(values, self.quantile))
 
     def measured(self, row: JobRow, passive: Summary) -> Measured | Failure:
         """One run's values.
@@ -76,7 +83,7 @@ class Aims:
         return objectives | {key: float(metric.of(summary)) for key, metric in self.metrics.items()}
 
     def trial(self, number: int, generation: int, weights: Weights, roads: Roads) -> StoredTrial:
-        """A set of weights by its runs: means of the objectives, the largest of each limited figure.
+        """A set of weights by its runs: each objective over the roads, the largest of each limited figure.
 
         Args:
             number: Of the trial.
@@ -96,7 +103,7 @@ class Aims:
             trial,
             status="ok",
             feasible=all(value <= most for value, most in zip(limits, self.most, strict=True)),
-            values=[mean([run[f"objectives.{index}"] for run in runs]) for index in range(len(self.objectives))],
+            values=[self.over([run[f"objectives.{index}"] for run in runs]) for index in range(len(self.objectives))],
             limits=limits,
         )
 

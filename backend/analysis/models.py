@@ -22,6 +22,9 @@ Cell = Annotated[
 ]
 
 
+TunedValue = int | float | str | list[float]  # a weight, three of them, a time, a number of steps, a choice
+
+
 class Place(Answer):
     """A run, its value, and the swept fields' values there."""
 
@@ -133,6 +136,7 @@ class TunedFigures(Answer):
 
     mean: float
     worst: float = Field(description="The largest over the roads")
+    quantile: float | None = Field(None, description="At the tuning's `quantile`; null where it has none")
     change: TunedChange | None = Field(description="Null for the paper's weights themselves and against zero")
 
 
@@ -149,7 +153,7 @@ class ComparedPoint(Answer):
 
     trial: int
     roles: list[str] = Field(description="paper, scenario, best.0 (of the first objective), knee")
-    weights: dict[str, float | list[float]]
+    weights: dict[str, TunedValue]
     training: dict[str, TunedFigures] = Field(description="By the figures' keys, over the training roads")
     fresh: dict[str, TunedFigures] = Field(description="The same over the fresh roads")
     verdict: list[Verdict] | None = Field(

@@ -3,6 +3,8 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 
+import numpy as np
+
 from backend.analysis.models import RobustnessDefaults, UncertainRange
 from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
@@ -49,6 +51,14 @@ def defaults() -> RobustnessDefaults:
         for each in UNCERTAINTIES
     ]
     return RobustnessDefaults(ranges=ranges, samples=SAMPLES, strategies=STRATEGIES, baseline=BASELINE, figures=FIGURES)
+
+
+def drawn(seed: int) -> dict[str, float]:
+    """A point of those ranges, the same one for the same seed; the road is not drawn."""
+    ranges = [each for each in UNCERTAINTIES if each.field != "road.seed"]
+    shares = np.random.default_rng(seed).random(len(ranges))
+    pairs = zip(ranges, shares, strict=True)
+    return {each.field: each.low + float(share) * (each.high - each.low) for each, share in pairs}
 
 
 def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> JsonObject:

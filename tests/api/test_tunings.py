@@ -7,6 +7,7 @@ import httpx
 import numpy as np
 import pytest
 
+from backend.jobs.tuning.space import road
 from tests.api.tuning import FRESH, SCENARIO, SEEDS, begin, events, trials, wait_for
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
@@ -145,7 +146,7 @@ def test_a_limit_nothing_keeps_leaves_the_papers_weights_alone(client: httpx.Cli
     assert tuning["history"][-1]["hypervolume"] == 0
 
 
-def test_the_weights_of_lv_and_of_suspension_control(client: httpx.Client) -> None:
+def test_the_weights_of_lv_of_uncertain_cars_and_of_suspension_control(client: httpx.Client) -> None:
     options = {"limits": [], "trials": 3, "population": 3, "fresh_seeds": [11, 12], "seeds": [1]}
     search = {"mpc.stage_weights.bump.2": [0.5, 50], "mpc.deflection_weight": [1, 9]}
     tuning = wait_for(client, begin(client, strategy="lv", search=search, **options)["id"])
@@ -164,5 +165,18 @@ def test_the_weights_of_lv_and_of_suspension_control(client: httpx.Client) -> No
         assert 0.5 <= other["weights"]["mpc.stage_weights.bump"][2] <= 50
         assert 1 <= other["weights"]["mpc.deflection_weight"] <= 9
         assert other["values"] != paper["values"]
+    uncertain = {"search": {"mpc.prediction_horizon": [20, 40]}, "previews": ["none", "obstacle"], "uncertain": True}
+    drawn = wait_for(
+        client, begin(client, strategy="lv", quantile=1, **uncertain, **(options | {"seeds": [1, 2]}))["id"]
+    )
+    assert (drawn["state"], drawn["uncertain"], drawn["quantile"]) == ("done", True, 1), drawn["reason"]
+    paper, *others = trials(client, drawn["id"])
+    assert (paper["weights"]["mpc.preview"], paper["weights"]["mpc.prediction_horizon"]) == ("lookahead", 30)
+    assert {each["weights"]["mpc.preview"] for each in others} <= {"none", "obstacle"}
+    rows = client.get(f"/api/v1/batches/{drawn['comparison']['batch']}/results").json()["rows"]
+    masses = [row["mismatch.body_mass"] for row in rows[:2]]
+    assert masses == [road({"uncertain": True}, seed)["mismatch.body_mass"] for seed in (1, 2)]
+    assert drawn["comparison"]["points"][0]["training"]["objectives.1"]["quantile"] == paper["values"][1]
+    assert drawn["comparison"]["points"][0]["training"]["objectives.1"]["worst"] == paper["values"][1]
     single = wait_for(client, begin(client, strategy="suspension_only", **options)["id"])
     assert set(single["paper"]["weights"]) == {"mpc.road_weights.rough", "mpc.road_weights.bump"}

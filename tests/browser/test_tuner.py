@@ -94,6 +94,17 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     )
     page.get_by_role("button", name="Remove the limit of Travel").click()
 
+    page.get_by_label("Tune Prediction horizon").check()
+    page.get_by_role("combobox", name="Preview", exact=True).press("ArrowDown")
+    for kind in ("Obstacle", "Lookahead"):
+        page.get_by_role("option", name=kind).click()
+    page.get_by_role("switch", name="Uncertain car, sensors and actuators").check()
+    page.get_by_role("combobox", name="Judge by").select_option("0.9")
+    expect(start).to_be_disabled()  # 5 steps of horizon are fewer than the control horizon
+    expect(page.get_by_role("alert")).to_contain_text("Prediction horizon: Control horizon must not exceed")
+    page.get_by_label("Prediction horizon, from").fill("20")
+    expect(start).to_be_enabled()
+
     page.get_by_role("textbox", name="Training roads").fill("1-64")  # allowed by the fields, not by the server
     page.get_by_role("textbox", name="Trials").fill("5000")
     expect(page.get_by_text(re.compile(r"runs are over the limit of"))).to_be_visible(timeout=LONG_MS)

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.analysis import comparison, front
+from backend.analysis import comparison, front, robustness
 from backend.analysis.measure import Aims, Failure
 from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
 from backend.jobs.handout import HandOut
@@ -22,9 +22,10 @@ from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.search import Search, ask
 from backend.store.job_runs import JobRow
 from backend.store.trials import StoredTrial
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 from tests.api.test_job_store import BATCH
 
+AIMS = Aims(objectives=[StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="travel_time")], limits=[])
 PAPER = Scenario().model_dump(mode="json")
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
 
@@ -59,10 +60,7 @@ def test_a_share_of_nothing_is_refused_where_it_counts() -> None:
 
 
 def test_a_trial_is_the_mean_of_its_objectives_and_the_worst_of_its_limits() -> None:
-    aims = Aims(
-        objectives=[StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="travel_time")],
-        limits=[StoredLimit(figure="events.airborne_ms", at_most=8)],
-    )
+    aims = replace(AIMS, limits=[StoredLimit(figure="events.airborne_ms", at_most=8)])
 
     def row(position: int, travel_time: float, airborne: float) -> JobRow:
         summarised = {**summary((1, 1, 1, 1)), "travel_time": travel_time, "events": {"airborne_ms": airborne}}
@@ -128,7 +126,7 @@ def test_weights_are_points_and_points_weights(strategy: str) -> None:
     papers = space.paper_weights(strategy, search)
     point = space.point_of(papers, search, PAPER)
     assert point is not None
-    assert list(point) == space.searchable(strategy)[:-1]
+    assert list(point) == space.weights_in(strategy)
     assert space.weights_of(point, search, papers) == papers
     assert space.first_weights(PAPER, strategy, search) == [papers]
 
@@ -148,6 +146,57 @@ def test_what_is_not_searched_keeps_the_scenarios_value() -> None:
     assert space.weights_of({"mpc.deflection_weight": 3.14159}, with_travel, own)["mpc.deflection_weight"] == 3.14
     assert space.weights_at(scenario, "lv", with_travel)["mpc.deflection_weight"] == 5
     assert "mpc.deflection_weight" not in own
+
+
+def test_preview_horizon_and_times_are_searched_as_what_they_are() -> None:
+    """A choice stays a choice and a number of steps whole; what is tried is the scenario's value again."""
+    request = TuningRequest.model_validate(
+        {
+            "search": {"mpc.prediction_horizon": [25, 60], "mpc.sample_time": [0.005, 0.01]},
+            "previews": ["obstacle", "lookahead"],
+        }
+    ).stored()
+    ranges = space.ranges_of(request)
+    papers = space.paper_weights("lv", ranges)
+    assert (papers["mpc.preview"], papers["mpc.prediction_horizon"]) == ("lookahead", 30)
+    trials = [trial(0, 1.0, weights=papers)]
+    search = Search(ranges=ranges, scenario=PAPER, objectives=1, limits=[], seed=1)
+    points = ask(search, trials, generation=0, count=12)
+    tried = [space.weights_of(point, ranges, papers) for point in points]
+    assert {each["mpc.preview"] for each in tried} == {"obstacle", "lookahead"}
+    assert all(isinstance(each["mpc.prediction_horizon"], int) for each in tried)
+    for weights, point in zip(tried, points, strict=True):
+        back = space.point_of(weights, ranges, PAPER)
+        assert back is not None
+        assert back["mpc.sample_time"] == pytest.approx(point["mpc.sample_time"], rel=1e-2)
+        Scenario.model_validate(dotted.with_changes(PAPER, weights))
+    assert space.dearest(request) == {"mpc.prediction_horizon": 60, "mpc.sample_time": 0.005}
+
+
+def test_an_uncertain_road_is_a_point_of_the_robustness_study_that_its_seed_names() -> None:
+    request = TuningRequest(uncertain=True).stored()
+    one, other = space.road(request, 1), space.road(request, 2)
+    assert one == space.road(request, 1)
+    assert one["road.seed"] == 1
+    ranges = {each.field: each for each in robustness.UNCERTAINTIES}
+    assert set(one) == set(ranges)
+    assert all(ranges[name].low <= value <= ranges[name].high for name, value in one.items())
+    assert all(one[name] != other[name] for name in ranges)
+    assert space.road(TuningRequest().stored(), 1) == {"road.seed": 1}
+
+
+def test_a_quantile_over_the_roads_is_what_is_minimised() -> None:
+    aims = replace(AIMS, quantile=0.9)
+    runs = {seed: {"objectives.0": float(seed)} for seed in range(1, 12)}
+    assert aims.trial(0, 0, {}, runs).values == [10.0]
+    assert AIMS.trial(0, 0, {}, runs).values == [6.0]
+    compared = comparison.compared([trial(0, 10.0)], {0: ["paper"]}, {0: runs}, [*range(1, 12)], [1, 2], aims)
+    assert compared[0].training["objectives.0"].quantile == 10.0
+
+
+def test_a_request_of_before_is_stored_as_it_was() -> None:
+    """Its hash decides whether a retried key is the same request."""
+    assert not {"previews", "uncertain", "quantile"} & set(TuningRequest().stored())
 
 
 def searched(count: int) -> tuple[Search, list[StoredTrial]]:
@@ -192,7 +241,7 @@ def test_a_verdict_is_by_the_interval_on_validation_roads() -> None:
     better = roads({1: 0.9, 2: 1.08, 11: 0.9, 12: 1.07, 13: 1.0})
     trials = [trial(0, 1.1), trial(1, 0.55), trial(2, 0.99)]
     roles = {0: ["paper"], 1: ["best.0"], 2: ["scenario"]}
-    points = comparison.compared(trials, roles, {0: papers, 1: overfitted, 2: better}, [1, 2], [11, 12, 13], 1)
+    points = comparison.compared(trials, roles, {0: papers, 1: overfitted, 2: better}, [1, 2], [11, 12, 13], AIMS)
     assert [point.verdict for point in points] == [None, ["unclear"], ["better"]]
     assert points[0].fresh["objectives.0"].change is None
     change = points[1].training["objectives.0"].change
@@ -209,7 +258,7 @@ def test_against_zero_the_difference_decides() -> None:
     papers = roads({1: 0.0, 11: 0.0, 12: 0.0, 13: 0.0})
     worse = roads({1: 0.0, 11: 5.0, 12: 5.1, 13: 4.9})
     trials = [trial(0, 0.0), trial(1, 0.0)]
-    points = comparison.compared(trials, {0: ["paper"], 1: ["best.0"]}, {0: papers, 1: worse}, [1], [11, 12, 13], 1)
+    points = comparison.compared(trials, {0: ["paper"], 1: ["best.0"]}, {0: papers, 1: worse}, [1], [11, 12, 13], AIMS)
     assert points[1].verdict == ["worse"]
     assert points[1].fresh["objectives.0"].change is None
 
@@ -228,6 +277,10 @@ def test_against_zero_the_difference_decides() -> None:
         ({"search": {"lqr.weights.0": [0.1, 1]}}, ()),
         ({"search": {"lqr.weights.3": [0.1, 1]}}, ("search",)),
         ({"search": {"mpc.stage_weights.bump.0": [0, 1]}}, ("search", "mpc.stage_weights.bump.0", 0)),
+        ({"search": {"mpc.prediction_horizon": [10, 40]}}, ()),  # shorter than the scenario's control horizon
+        ({"search": {"mpc.sample_time": [0.001, 0.01]}}, ()),
+        ({"previews": ["obstacle"]}, ("previews",)),
+        ({"quantile": 0.4}, ("quantile",)),
         ({"seeds": [1, 1]}, ("seeds",)),
         ({"fresh_seeds": [4, 101]}, ()),
     ],

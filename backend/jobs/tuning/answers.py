@@ -8,8 +8,8 @@ from pydantic import Field
 
 from backend.analysis import front
 from backend.analysis.measure import Aims
-from backend.analysis.models import Comparison
-from backend.jobs.tuning.space import first_weights
+from backend.analysis.models import Comparison, TunedValue
+from backend.jobs.tuning.space import first_weights, ranges_of
 from backend.json_types import JsonObject
 from backend.models import Answer
 from backend.store import StoredJob
@@ -42,13 +42,14 @@ class Trial(Answer):
 
     number: int
     generation: int
-    weights: dict[str, float | list[float]] = Field(
-        description="The strategy's weights by dotted name, to be put into the scenario as they are"
+    weights: dict[str, TunedValue] = Field(
+        description="The strategy's weights, and what else was searched, by dotted name, to be put into the scenario "
+        "as they are"
     )
     status: Literal["ok", "failed"]
     reason: str | None = Field(description="Of a failed one")
     feasible: bool = Field(description="Within every limit on every training road; failed ones are not")
-    values: list[float] | None = Field(description="An objective each: means over the training roads")
+    values: list[float] | None = Field(description="An objective each: its mean, or quantile, over the training roads")
     limits: list[float] | None = Field(description="A limit each: the largest over the training roads")
 
 
@@ -98,8 +99,11 @@ class TuningItem(Answer):
     objectives: list[ObjectiveAnswer]
     limits: list[LimitAnswer]
     search: dict[str, list[float]]
+    previews: list[str] | None = Field(description="Kinds of preview searched; null where the scenario's is kept")
     seeds: list[int]
     fresh_seeds: list[int]
+    uncertain: bool
+    quantile: float | None = Field(description="Of the objectives over the roads; null for their means")
     population: int
     seed: int
     trials: TrialCounts
@@ -125,6 +129,9 @@ class TuningItem(Answer):
         return {
             **{name: getattr(job, name) for name in same},
             **{name: request[name] for name in of_request},
+            "previews": request.get("previews"),
+            "uncertain": request.get("uncertain", False),
+            "quantile": aims.quantile,
             "position": 0,
             "step": progress["step"],
             "generation": progress["generation"],
@@ -151,7 +158,7 @@ class Tuning(TuningItem):
     def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:
         """A stored tuning with its trials and the events of its generations."""
         request = job.request
-        own = len(first_weights(request["scenario"], request["strategy"], request["search"])) > 1
+        own = len(first_weights(request["scenario"], request["strategy"], ranges_of(request))) > 1
         members = front.front(trials)
         return cls(
             **cls._fields(job),

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
 from backend.analysis.objectives import NORMALISED
@@ -11,8 +11,10 @@ from backend.jobs.tuning.space import LARGEST, STRATEGIES, default_search, searc
 from backend.json_types import JsonObject
 from backend.models import MetricName, RequestModel, inconsistent
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS, WINDOWS
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.parts import Preview
 
+ADDED = ("previews", "uncertain", "quantile")  # since 0.3.0: left out at their defaults, as requests before had none
 MOST_TRIALS = 5000
 MOST_POPULATION = 256
 MOST_SEEDS = 64
@@ -24,10 +26,10 @@ def _increasing(ends: tuple[float, float]) -> tuple[float, float]:
     return ends
 
 
-def _each_once(seeds: list[int]) -> list[int]:
-    if len(set(seeds)) != len(seeds):
-        raise PydanticCustomError("repeated", "Each seed may be there once")
-    return seeds
+def _each_once(items: list[Any]) -> list[Any]:
+    if len(set(items)) != len(items):
+        raise PydanticCustomError("repeated", "Each may be there once")
+    return items
 
 
 def _check_weights(search: Any) -> Any:
@@ -48,7 +50,7 @@ Seeds = Annotated[list[Seed], AfterValidator(_each_once)]
 
 
 class Objective(RequestModel):
-    """What to make small, as its mean over the training roads.
+    """What to make small, as its mean, or a quantile, over the training roads.
 
     `paper` is Eq. 16: q1 (a/a_p)² + q2 (r/r_p)² + q3 (F/F_p)² of the RMS of body and pitch acceleration and tyre load
     (both tyres) over the passive car's on the same road; `peaks` the same with peaks; `figure` one figure of a run.
@@ -87,7 +89,7 @@ class Limit(RequestModel):
 
 
 class TuningRequest(RequestModel):
-    """What to tune, for what, on which roads."""
+    """What to tune, for what, on which roads and cars."""
 
     model_config = ConfigDict(
         json_schema_extra={
@@ -118,13 +120,25 @@ class TuningRequest(RequestModel):
         None,
         min_length=1,
         max_length=16,
-        description="Weight -> [lowest, highest], searched on a logarithmic scale; what is not named keeps the "
-        "scenario's value. Without it every weight of the strategy, 0.05 to 50.",
+        description="Weight, horizon, sample time or what is expected of the preview -> [lowest, highest], searched "
+        "on a logarithmic scale, a horizon step by step; what is not named keeps the scenario's value. Without it "
+        "every weight of the strategy, 0.05 to 50.",
         json_schema_extra={"propertyNames": {"enum": [*WEIGHTS]}},
+    )
+    previews: Annotated[list[Preview], AfterValidator(_each_once)] | None = Field(
+        None, min_length=2, description="Kinds of preview to try; without it the scenario's is kept"
     )
     seeds: Seeds = Field([1, 2, 3, 4], min_length=1, max_length=MOST_SEEDS, description="Roads trained on")
     fresh_seeds: Seeds = Field(
         list(range(101, 111)), min_length=2, max_length=MOST_SEEDS, description="Roads compared on, none trained on"
+    )
+    uncertain: bool = Field(
+        False,
+        description="Every road also draws, by its seed, what a robustness study varies by default: the car, its "
+        "sensors and actuators, none of which the controllers know",
+    )
+    quantile: float | None = Field(
+        None, ge=0.5, le=1, description="Minimise this quantile over the training roads, 1 the worst, not the mean"
     )
     trials: int = Field(
         200, ge=1, le=MOST_TRIALS, description="Sets of weights, the paper's and the scenario's included"
@@ -143,10 +157,22 @@ class TuningRequest(RequestModel):
         written = [objective.stored() for objective in self.objectives]
         if any(each in written[:index] for index, each in enumerate(written)):
             raise inconsistent("objectives", "Each objective may be there once")
-        weights = searchable(self.strategy)
-        if self.search is not None and not set(self.search) <= set(weights):
-            raise inconsistent("search", f"The weights of this strategy are {', '.join(weights)}")
+        names = searchable(self.strategy)
+        if self.search is not None and not set(self.search) <= set(names):
+            raise inconsistent("search", f"Of this strategy can be searched {', '.join(names)}")
+        self._check_ends()
         return self
+
+    def _check_ends(self) -> None:
+        """Both ends of what is searched fit the scenario, as all between them then does."""
+        plain = self.scenario.model_dump(mode="json")
+        for name, ends in self.ranges.items():
+            whole = dotted.field(name).kind == "integer"
+            for end in ends:
+                try:
+                    Scenario.model_validate(dotted.with_changes(plain, {name: int(end) if whole else end}))
+                except ValidationError as error:
+                    raise inconsistent("search", error.errors(include_input=False)[0]["msg"], name) from None
 
     @property
     def ranges(self) -> dict[str, Range]:
@@ -155,9 +181,10 @@ class TuningRequest(RequestModel):
         return {name: ranges[name] for name in searchable(self.strategy) if name in ranges}
 
     def stored(self) -> JsonObject:
-        """All written out, without the number of trials, which resuming may change."""
+        """All written out, without the number of trials, which resuming may change, and what `ADDED` says."""
+        added = {name for name in ADDED if getattr(self, name) == type(self).model_fields[name].default}
         return {
-            **self.model_dump(mode="json", exclude={"trials", "dry_run", "label"}),
+            **self.model_dump(mode="json", exclude={"trials", "dry_run", "label", *added}),
             "objectives": [objective.stored() for objective in self.objectives],
             "search": {name: list(ends) for name, ends in self.ranges.items()},
         }

@@ -1,4 +1,4 @@
-"""Which weights to try next, asked of Optuna. Slow to import: only where a tuning is driven, and in a thread.
+"""Which values to try next, asked of Optuna. Slow to import: only where a tuning is driven, and in a thread.
 
 A study is made anew from the stored trials for each generation, its sampler seeded by the tuning's seed and the
 generation's number: the same trials lead to the same next ones, whoever asks and however often.
@@ -13,11 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from backend.jobs.tuning.space import Ranges, point_of
+from backend.jobs.tuning.space import Point, Ranges, point_of
 from backend.json_types import JsonObject
 from backend.store.trials import StoredTrial
-
-Point = dict[str, float]  # of the searched space: field -> value
+from sim_core.scenario import dotted
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,7 +24,7 @@ class Search:
     """What is searched for.
 
     Attributes:
-        ranges: Field -> lowest and highest value.
+        ranges: Field -> lowest and highest value, or the choices.
         scenario: Plain; what is not searched has its values.
         objectives: How many there are.
         limits: What each limited figure may be at most.
@@ -42,9 +41,7 @@ class Search:
 def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count: int) -> list[Point]:
     """The generation's points, by the trials of those before it."""
     optuna = _optuna()
-    space = {
-        name: optuna.distributions.FloatDistribution(low, high, log=True) for name, (low, high) in search.ranges.items()
-    }
+    space = {name: _distribution(optuna.distributions, name, ends) for name, ends in search.ranges.items()}
     state = np.random.SeedSequence([search.seed, generation]).generate_state(1)
     sampler = optuna.samplers.TPESampler(seed=int(state[0]))  # docs/decisions/0009-tuning-by-generations.md
     study = optuna.create_study(directions=["minimize"] * search.objectives, sampler=sampler)
@@ -53,6 +50,15 @@ def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count
         if point is not None:
             study.add_trial(_frozen_trial(optuna, trial, point, space, search.limits))
     return [dict(study.ask(space).params) for _ in range(count)]
+
+
+def _distribution(distributions: Any, name: str, ends: Sequence[Any]) -> object:
+    """By ratio, whole numbers one by one, choices without an order."""
+    if isinstance(ends[0], str):
+        return distributions.CategoricalDistribution(ends)
+    if dotted.field(name).kind == "integer":
+        return distributions.IntDistribution(int(ends[0]), int(ends[1]))
+    return distributions.FloatDistribution(*ends, log=True)
 
 
 def _frozen_trial(

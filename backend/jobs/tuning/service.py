@@ -12,13 +12,13 @@ from backend.jobs.sweep import plan
 from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningItem, Tunings
 from backend.jobs.tuning.models import TuningRequest
-from backend.jobs.tuning.space import first_weights
+from backend.jobs.tuning.space import dearest, first_weights, ranges_of, road
 from backend.jobs.tuning.steps import first_progress
 from backend.json_types import JsonObject
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 from sim_core.workload import estimate
 
 
@@ -40,8 +40,8 @@ class TuningService:
         """
         stored = request.stored()
         runs, cost = self._workload(stored, request.trials)
-        first = first_weights(stored["scenario"], request.strategy, stored["search"])
-        points = [{**weights, "road.seed": seed} for weights in first for seed in request.seeds]
+        first = first_weights(stored["scenario"], request.strategy, ranges_of(stored))
+        points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
         with self._admission.computing(client, request.scenario, [request.strategy]):
             each = await self._background.call(
@@ -135,7 +135,8 @@ class TuningService:
         Raises:
             CostLimitError: It is over the limits of a batch.
         """
-        scenario = Scenario.model_validate(request["scenario"])
+        changes = road(request, request["seeds"][0]) | dearest(request)
+        scenario = Scenario.model_validate(dotted.with_changes(request["scenario"], changes))
         aims = Aims.of(request)
         training, validation = len(request["seeds"]), len(request["fresh_seeds"])
         points = len(aims.objectives) + 3  # of the comparison at most: the paper's, the own, each best, the knee

@@ -23,7 +23,7 @@ from backend.errors import ServiceError, TemporaryError
 from backend.jobs.job_tasks import JobFailedError
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.sweep.sweeps import Sweep
-from backend.jobs.tuning.space import Weights, first_weights, weights_at, weights_of
+from backend.jobs.tuning.space import Weights, first_weights, ranges_of, road, weights_at, weights_of
 from backend.json_types import JsonObject, Summary
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL
@@ -38,7 +38,6 @@ from sim_core.scenario.versions import restored
 logger = logging.getLogger(__name__)
 
 LOOK = 1.0  # between two looks at a sweep, where nothing tells that one has ended [s]
-ROAD = "road.seed"
 CLIENT = "tuning"  # whose computing it counts as
 Step = Literal["search", "comparison"]
 
@@ -112,7 +111,7 @@ class TuningSteps:
             return
         new = [
             aims.trial(len(trials) + index, generation, weights, runs)
-            for index, (weights, runs) in enumerate(zip(_sets_of(sweep, seeds), measured, strict=True))
+            for index, (weights, runs) in enumerate(zip(_sets_of(job, sweep), measured, strict=True))
         ]
         if not trials and all(trial.values is None for trial in new):
             raise JobFailedError(f"No set of weights could be run. {new[0].reason}")
@@ -133,7 +132,7 @@ class TuningSteps:
         from backend.jobs.tuning.search import Search, ask  # Optuna and all: not before there is a tuning
 
         request = job.request
-        scenario, strategy, ranges = request["scenario"], request["strategy"], request["search"]
+        scenario, strategy, ranges = request["scenario"], request["strategy"], ranges_of(request)
         count = min(request["population"], job.total - len(trials))
         first = first_weights(scenario, strategy, ranges)[len(trials) : len(trials) + count]
         search = Search(
@@ -150,7 +149,7 @@ class TuningSteps:
 
     async def _compare(self, job: StoredJob, trials: list[StoredTrial], aims: Aims) -> None:
         request, objectives = job.request, len(aims.objectives)
-        own = len(first_weights(request["scenario"], request["strategy"], request["search"])) > 1 < len(trials)
+        own = len(first_weights(request["scenario"], request["strategy"], ranges_of(request))) > 1 < len(trials)
         roles = await asyncio.to_thread(comparison.roles, trials, objectives, own=own)
         sweep = await self._existing(job, "comparison")
         if sweep is None:
@@ -160,7 +159,7 @@ class TuningSteps:
         if measured is None:
             return
         by_number = dict(zip(roles, measured, strict=True))
-        points = comparison.compared(trials, roles, by_number, request["seeds"], request["fresh_seeds"], objectives)
+        points = comparison.compared(trials, roles, by_number, request["seeds"], request["fresh_seeds"], aims)
         await self._advance(
             job,
             event="state",
@@ -215,7 +214,8 @@ class TuningSteps:
         self, job: StoredJob, name: str, strategy: str, sets: Sequence[Weights], seeds: Sequence[int]
     ) -> StoredJob:
         """Submit each set of weights on each road, a set's roads side by side."""
-        sweep = Sweep.model_validate({"list": [{**weights, ROAD: seed} for weights in sets for seed in seeds]})
+        points = [{**weights, **road(job.request, seed)} for weights in sets for seed in seeds]
+        sweep = Sweep.model_validate({"list": points})
         scenario = Scenario.model_validate(job.request["scenario"])
         return await self._sweeps.create(
             scenario, [strategy], sweep, client=CLIENT, key=_key(job, name), parent_id=job.id, owner=job.owner
@@ -261,10 +261,12 @@ def _roads(job: StoredJob) -> list[int]:
     return [*job.request["seeds"], *job.request["fresh_seeds"]]
 
 
-def _sets_of(sweep: StoredJob, seeds: Sequence[int]) -> list[Weights]:
-    """The sets of weights that a sweep was submitted with."""
+def _sets_of(job: StoredJob, sweep: StoredJob) -> list[Weights]:
+    """The sets of weights that a generation's sweep was submitted with."""
+    seeds = job.request["seeds"]
+    of_road = road(job.request, seeds[0])
     points = (sweep.sweep or {})["list"][:: len(seeds)]
-    return [{name: value for name, value in point.items() if name != ROAD} for point in points]
+    return [{name: value for name, value in point.items() if name not in of_road} for point in points]
 
 
 def _measure(

@@ -24,7 +24,13 @@ _OBJECTIVE = (
     "that window, paper:2,1,1 has other q. Up to three: a Pareto front [default: paper]."
 )
 _LIMIT = "On every training road, such as events.travel_exceeded_mm=1."
-_SEARCH = "Only these weights, such as mpc.stage_weights.bump.2=0.1:20 [default: all, 0.05:50]."
+_SEARCH = (
+    "Only these weights, horizons or times, such as mpc.stage_weights.bump.2=0.1:20 or mpc.prediction_horizon=20:60 "
+    "[default: all weights, 0.05:50]."
+)
+_PREVIEW = "Kinds of preview to try too, such as obstacle,lookahead."
+_UNCERTAIN = "On every road another car, sensors and actuators, as in a robustness study."
+_QUANTILE = "Minimise this quantile over the roads, such as 0.9, not the mean."
 _OUT = "Write the scenario with the tuned weights, as JSON."
 
 
@@ -35,6 +41,9 @@ def tune(
     limit: Annotated[list[str] | None, options.option("FIGURE=MOST", _LIMIT)] = None,
     strategy: Annotated[str, typer.Option("--strategy", "-s", metavar="ID", help="lv, suspension_only or lqr.")] = "lv",
     search: Annotated[list[str] | None, options.option("WEIGHT=LOW:HIGH", _SEARCH)] = None,
+    preview: Annotated[str | None, options.option("KIND,KIND", _PREVIEW)] = None,
+    uncertain: Annotated[bool, options.flag(_UNCERTAIN, "--uncertain")] = False,
+    quantile: Annotated[float | None, options.option("SHARE", _QUANTILE, min=0.5, max=1)] = None,
     trials: Annotated[int | None, options.option("N", "Sets of weights in all [default: 200].", min=1)] = None,
     seeds: Annotated[str | None, options.option("SEEDS", "Training roads [default: 1-4].")] = None,
     fresh: Annotated[str | None, options.option("SEEDS", "Validation roads [default: 101-110].")] = None,
@@ -62,6 +71,9 @@ def tune(
             "objectives": [objective_of(text) for text in objective or ["paper"]],
             "limits": [_limit(text) for text in limit or []],
             "search": fields.ranges_of(search, "--search") if search else None,
+            "previews": preview.split(",") if preview is not None else None,
+            "uncertain": uncertain or None,
+            "quantile": quantile,
             "seeds": seeds_of(seeds, "--seeds"),
             "fresh_seeds": seeds_of(fresh, "--fresh"),
             "trials": trials,
@@ -159,7 +171,9 @@ def _show_points(answer: Mapping[str, Any]) -> None:
     rows = []
     for names, trial in named.values():
         values = [*trial["values"], *trial["limits"]] if trial["status"] == "ok" else [None] * len(aims)
-        cells = [*(shown(value, 4) for value in values), *(shown(trial["weights"][name], 3) for name in weights)]
+        tried = (trial["weights"][name] for name in weights)
+        cells = [shown(value, 4) for value in values]
+        cells += [each if isinstance(each, str) else shown(each, 3) for each in tried]
         rows.append([", ".join(names), trial["number"], *cells])
     heads = [with_unit(each["label"], each["unit"]) for each in aims] + [name.rpartition("mpc.")[2] for name in weights]
     show_table(["weights", "trial", *heads], rows)

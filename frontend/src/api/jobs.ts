@@ -30,6 +30,9 @@ export interface TuningChoice {
   readonly objectives: readonly Readonly<Record<string, unknown>>[];
   readonly limits: readonly { readonly figure: string; readonly at_most: number }[];
   readonly search: Readonly<Record<string, readonly [number, number]>>;
+  readonly previews?: readonly string[];
+  readonly uncertain?: true;
+  readonly quantile?: number;
   readonly seeds: readonly number[];
   readonly fresh_seeds: readonly number[];
   readonly trials: number;

@@ -1965,7 +1965,7 @@ export interface components {
             verdict: ("better" | "worse" | "unclear")[] | null;
             /** Weights */
             weights: {
-                [key: string]: number | number[];
+                [key: string]: number | string | number[];
             };
         };
         /**
@@ -3588,7 +3588,7 @@ export interface components {
         };
         /**
          * Objective
-         * @description What to make small, as its mean over the training roads.
+         * @description What to make small, as its mean, or a quantile, over the training roads.
          *
          *     `paper` is Eq. 16: q1 (a/a_p)² + q2 (r/r_p)² + q3 (F/F_p)² of the RMS of body and pitch acceleration and tyre load
          *     (both tyres) over the passive car's on the same road; `peaks` the same with peaks; `figure` one figure of a run.
@@ -5572,15 +5572,15 @@ export interface components {
             status: "ok" | "failed";
             /**
              * Values
-             * @description An objective each: means over the training roads
+             * @description An objective each: its mean, or quantile, over the training roads
              */
             values: number[] | null;
             /**
              * Weights
-             * @description The strategy's weights by dotted name, to be put into the scenario as they are
+             * @description The strategy's weights, and what else was searched, by dotted name, to be put into the scenario as they are
              */
             weights: {
-                [key: string]: number | number[];
+                [key: string]: number | string | number[];
             };
         };
         /**
@@ -5655,6 +5655,11 @@ export interface components {
             /** Mean */
             mean: number;
             /**
+             * Quantile
+             * @description At the tuning's `quantile`; null where it has none
+             */
+            quantile: number | null;
+            /**
              * Worst
              * @description The largest over the roads
              */
@@ -5726,6 +5731,16 @@ export interface components {
              */
             position: number;
             /**
+             * Previews
+             * @description Kinds of preview searched; null where the scenario's is kept
+             */
+            previews: string[] | null;
+            /**
+             * Quantile
+             * @description Of the objectives over the roads; null for their means
+             */
+            quantile: number | null;
+            /**
              * Reason
              * @description Why it failed
              */
@@ -5761,6 +5776,8 @@ export interface components {
              */
             strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             trials: components["schemas"]["TrialCounts"];
+            /** Uncertain */
+            uncertain: boolean;
         };
         /**
          * TuningEstimate
@@ -5832,6 +5849,16 @@ export interface components {
              */
             position: number;
             /**
+             * Previews
+             * @description Kinds of preview searched; null where the scenario's is kept
+             */
+            previews: string[] | null;
+            /**
+             * Quantile
+             * @description Of the objectives over the roads; null for their means
+             */
+            quantile: number | null;
+            /**
              * Reason
              * @description Why it failed
              */
@@ -5863,10 +5890,12 @@ export interface components {
              */
             strategy: "lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive";
             trials: components["schemas"]["TrialCounts"];
+            /** Uncertain */
+            uncertain: boolean;
         };
         /**
          * TuningRequest
-         * @description What to tune, for what, on which roads.
+         * @description What to tune, for what, on which roads and cars.
          * @example {
          *       "scenario": {
          *         "road": {
@@ -5945,6 +5974,16 @@ export interface components {
              * @default 16
              */
             population: number;
+            /**
+             * Previews
+             * @description Kinds of preview to try; without it the scenario's is kept
+             */
+            previews?: ("none" | "wheelbase" | "lookahead" | "obstacle")[] | null;
+            /**
+             * Quantile
+             * @description Minimise this quantile over the training roads, 1 the worst, not the mean
+             */
+            quantile?: number | null;
             /**
              * @default {
              *       "vehicle": {
@@ -6091,7 +6130,7 @@ export interface components {
             scenario: components["schemas"]["Scenario-Input"];
             /**
              * Search
-             * @description Weight -> [lowest, highest], searched on a logarithmic scale; what is not named keeps the scenario's value. Without it every weight of the strategy, 0.05 to 50.
+             * @description Weight, horizon, sample time or what is expected of the preview -> [lowest, highest], searched on a logarithmic scale, a horizon step by step; what is not named keeps the scenario's value. Without it every weight of the strategy, 0.05 to 50.
              */
             search?: {
                 [key: string]: [
@@ -6128,6 +6167,12 @@ export interface components {
              * @default 200
              */
             trials: number;
+            /**
+             * Uncertain
+             * @description Every road also draws, by its seed, what a robustness study varies by default: the car, its sensors and actuators, none of which the controllers know
+             * @default false
+             */
+            uncertain: boolean;
         };
         /**
          * Tunings

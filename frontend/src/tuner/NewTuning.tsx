@@ -1,12 +1,12 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
-import { Button, Input, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Button, Input, MultiSelect, NativeSelect, SegmentedControl, Switch, Text, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { PageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
-import type { Group } from "../editor/schema";
+import { optionTitle, type Group } from "../editor/schema";
 import { formatDuration } from "../units/dates";
 import { count } from "../units/format";
 import { firstDraft, rangesFor, type TuningDraft } from "./draft";
@@ -28,10 +28,19 @@ interface Props {
   readonly source: PageScenario;
 }
 
+/** What an objective comes to over the roads. */
+const QUANTILES = [
+  { value: "", label: "the mean over the training roads" },
+  { value: "0.9", label: "what 90 % of the training roads keep" },
+  { value: "1", label: "the worst training road" },
+];
+
 export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
   const [draft, setDraft] = useState<TuningDraft>(() => firstDraft(form));
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
   const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, figures, source.scenario);
+  const tunable = tunableOf(form, draft.strategy);
+  const { preview } = tunable;
   const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
     <TextInput
       size="xs"
@@ -60,7 +69,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
             aria-label="Strategy"
             value={draft.strategy}
             data={TUNABLE.map((id) => ({ value: id, label: strategies.find((each) => each.id === id)?.label ?? id }))}
-            onChange={(strategy) => patch({ strategy, ranges: rangesFor(form, strategy) })}
+            onChange={(strategy) => patch({ strategy, ranges: rangesFor(form, strategy), previews: [] })}
           />
         </Input.Wrapper>
       </Part>
@@ -70,9 +79,9 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
       <Part title="Within limits" detail="on every training road">
         <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
       </Part>
-      <Part title="Weights" detail="searched between these ends, by ratio">
+      <Part title="Weights and times" detail="searched between these ends, by ratio">
         <RangesTable
-          tunable={tunableOf(form, draft.strategy)}
+          tunable={tunable}
           scenario={source.scenario}
           ranges={draft.ranges}
           errors={errors}
@@ -81,8 +90,36 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
             if (range) patch({ ranges: { ...draft.ranges, [name]: { ...range, ...change } } });
           }}
         />
+        {preview && (
+          <MultiSelect
+            size="xs"
+            maw="24rem"
+            label={preview.title}
+            description="Kinds to try; fewer than two keep the scenario’s"
+            data={preview.options.map((option) => ({ value: option, label: optionTitle(option) }))}
+            value={[...draft.previews]}
+            error={errors.previews}
+            onChange={(previews) => patch({ previews })}
+          />
+        )}
       </Part>
       <Part title="Roads and effort">
+        <Switch
+          size="xs"
+          label="Uncertain car, sensors and actuators"
+          description="Every road draws, by its seed, what a robustness study varies; the controllers do not know it"
+          checked={draft.uncertain}
+          onChange={(event) => patch({ uncertain: event.currentTarget.checked })}
+        />
+        <NativeSelect
+          size="xs"
+          maw="24rem"
+          label="Judge by"
+          value={draft.quantile}
+          error={errors.quantile}
+          data={QUANTILES}
+          onChange={(event) => patch({ quantile: event.currentTarget.value })}
+        />
         <div className={classes.entries}>
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
           {entry("validationSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}

@@ -5,10 +5,10 @@ import type { Tuning } from "../api/types";
 import { ChangeMark } from "../tables/ChangeMark";
 import tables from "../tables/tables.module.css";
 import { dotted } from "../sweep/fields";
-import { formatInput, formatResult, prettyUnit } from "../units/format";
+import { formatResult, prettyUnit } from "../units/format";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
-import { weightAt, type Tunable } from "./space";
+import { formatValue, singlesIn, weightAt, type Tunable } from "./space";
 import results from "./results.module.css";
 import type { Load } from "./useLoad";
 import { ScrollTable } from "../ui/ScrollTable";
@@ -25,8 +25,7 @@ interface Props {
 }
 
 export function PointsTable({ tuning, objectives, limits, tunable, points, load }: Props) {
-  const { triples, travel } = tunable;
-  const single = travel && points.some(({ trial }) => weightAt(trial.weights, dotted(travel.pointer)) !== undefined) ? travel : null;
+  const singles = singlesIn(tunable, points[0]?.trial.weights ?? {});
   return (
     <Card aria-label="Best points" title="Best points, on the training roads">
       <ScrollTable label="Best points and their weights" className={results.points}>
@@ -71,7 +70,7 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
               })}
             </tr>
           ))}
-          {triples.map(({ pointer, title, items }) => (
+          {tunable.triples.map(({ pointer, title, items }) => (
             <tr key={pointer} className={results.weightsRow}>
               <Name label={title} unit={items.map((item) => item.title.toLowerCase()).join(" · ")} />
               {points.map(({ trial }) => (
@@ -81,23 +80,23 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
               ))}
             </tr>
           ))}
-          {single && (
-            <tr className={results.weightsRow}>
-              <Name label={single.title} unit="1" />
+          {singles.map(({ name, title }) => (
+            <tr key={name} className={results.weightsRow}>
+              <Name label={title} unit="1" />
               {points.map(({ trial }) => (
                 <td key={trial.number} className={tables.cell}>
-                  {shownWeight(weightAt(trial.weights, dotted(single.pointer)))}
+                  {shownWeight(weightAt(trial.weights, name))}
                 </td>
               ))}
             </tr>
-          )}
+          ))}
         </tbody>
       </ScrollTable>
     </Card>
   );
 }
 
-const shownWeight = (value: number | undefined) => (value === undefined ? "–" : formatInput(value));
+const shownWeight = (value: number | string | undefined) => (value === undefined ? "–" : formatValue(value));
 
 function Name({ label, unit }: { readonly label: string; readonly unit: string }) {
   return (

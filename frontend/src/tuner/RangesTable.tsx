@@ -1,11 +1,11 @@
-/** Which weights are searched, and from where to where; the others stay as the scenario has them. */
+/** What is searched, and from where to where; the rest stays as the scenario has it. */
 
 import { Checkbox, TextInput } from "@mantine/core";
 import type { Scenario } from "../api/types";
 import type { DraftErrors } from "../submission/problems";
 import { formatInput } from "../units/format";
 import type { RangeDraft } from "./draft";
-import { ownWeight, weightFields, type Tunable } from "./space";
+import { numberFields, ownWeight, type Tunable } from "./space";
 import classes from "./tuner.module.css";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
@@ -19,11 +19,11 @@ interface Props {
 }
 
 export function RangesTable({ tunable, scenario, ranges, errors, onChange }: Props) {
-  const fields = weightFields(tunable);
+  const fields = numberFields(tunable);
   const rows = [...new Set(fields.map(({ row }) => row))];
   const titles = tunable.triples[0]?.items.map(({ title }) => title) ?? [];
   const wrong = fields.find(({ name }) => errors[`search.${name}`] !== undefined);
-  const message = wrong ? `${wrong.row}${wrong.travel ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}` : errors.search;
+  const message = wrong ? `${wrong.row}${wrong.single ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}` : errors.search;
   return (
     <>
       <div className={classes.ranges}>
@@ -38,14 +38,14 @@ export function RangesTable({ tunable, scenario, ranges, errors, onChange }: Pro
             <span className={classes.rangeName}>{row}</span>
             {fields
               .filter((each) => each.row === row)
-              .map(({ name, field, travel }) => (
+              .map(({ name, field, single }) => (
                 <Range
                   key={name}
-                  label={travel ? row : `${row}, ${field.title}`}
+                  label={single ? row : `${row}, ${field.title}`}
                   range={ranges[name]}
                   own={scenario && ownWeight(scenario, name)}
                   wrong={errors[`search.${name}`] !== undefined}
-                  title={travel ? "" : field.title}
+                  title={single ? "" : field.title}
                   onChange={(change) => onChange(name, change)}
                 />
               ))}

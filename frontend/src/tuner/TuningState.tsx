@@ -7,7 +7,7 @@ import { tunings } from "../api/jobs";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { otherThanPaper } from "../origin/otherThanPaper";
-import type { Group } from "../editor/schema";
+import { optionTitle, type Group } from "../editor/schema";
 import { isFinal } from "../jobs/follow";
 import { JobState } from "../jobs/JobState";
 import { BATCH, jobQuery, TUNING, useJobCall } from "../jobs/useJob";
@@ -109,7 +109,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
 }
 
 function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "form" | "strategies" | "figures">) {
-  const { scenario, search, seeds, fresh_seeds: validation, limits, objectives, started_at: started, finished_at: finished } = tuning;
+  const { scenario, search, previews, uncertain, quantile, seeds, fresh_seeds: validation, limits, objectives, started_at: started, finished_at: finished } = tuning;
   const own = (name: string) => name.replace(/\.\d+$/, "");
   const limit = limits.map((each) => {
     const { label, unit, scale } = ofLimit(each, figures);
@@ -119,8 +119,9 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
     ["Strategy", strategies.find(({ id }) => id === tuning.strategy)?.label ?? tuning.strategy],
     ["Minimised", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
     ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
-    ["Searched", count(Object.keys(search).length, "weight")],
-    ["Roads", `training ${formatSeeds(seeds)}; validation ${formatSeeds(validation)}`],
+    ["Searched", [count(Object.keys(search).length, "number"), ...(previews ? [`preview ${previews.map(optionTitle).join(", ")}`] : [])].join("; ")],
+    ["Roads", `training ${formatSeeds(seeds)}; validation ${formatSeeds(validation)}${uncertain ? "; car, sensors and actuators uncertain" : ""}`],
+    ...(quantile === null ? [] : [["Judged by", quantile === 1 ? "the worst training road" : `the ${formatExact(100 * quantile, "%")} quantile over the training roads`] as const]),
     ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
     ["Submitted", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
   ];

@@ -2,8 +2,7 @@
 
 import type { Weights } from "../api/types";
 import { dotted } from "../sweep/fields";
-import { formatInput } from "../units/format";
-import { weightAt, type Tunable } from "./space";
+import { formatValue, singlesIn, weightAt, type Tunable } from "./space";
 import results from "./results.module.css";
 
 interface Props {
@@ -13,9 +12,8 @@ interface Props {
   readonly tunable: Tunable;
 }
 
-export function WeightsOf({ weights, beside, tunable: { triples, travel } }: Props) {
-  const travelName = travel ? dotted(travel.pointer) : "";
-  const withTravel = travel !== null && weightAt(weights, travelName) !== undefined;
+export function WeightsOf({ weights, beside, tunable }: Props) {
+  const { triples } = tunable;
   return (
     <table className={results.weights}>
       <caption className="visually-hidden">Weights</caption>
@@ -38,12 +36,12 @@ export function WeightsOf({ weights, beside, tunable: { triples, travel } }: Pro
             ))}
           </tr>
         ))}
-        {withTravel && (
-          <tr>
-            <th scope="row">{travel.title}</th>
-            <Weight name={travelName} {...{ weights, beside }} />
+        {singlesIn(tunable, weights).map(({ name, title }) => (
+          <tr key={name}>
+            <th scope="row">{title}</th>
+            <Weight name={name} {...{ weights, beside }} />
           </tr>
-        )}
+        ))}
       </tbody>
     </table>
   );
@@ -53,8 +51,8 @@ function Weight({ name, weights, beside }: { readonly name: string } & Pick<Prop
   const [value, paper] = [weightAt(weights, name), beside && weightAt(beside, name)];
   return (
     <td data-weight={name} data-value={value ?? ""}>
-      {value === undefined ? "–" : formatInput(value)}
-      {paper !== undefined && paper !== value && <span className={results.was}>{formatInput(paper)}</span>}
+      {value === undefined ? "–" : formatValue(value)}
+      {paper !== undefined && paper !== value && <span className={results.was}>{formatValue(paper)}</span>}
     </td>
   );
 }

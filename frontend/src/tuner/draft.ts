@@ -7,7 +7,7 @@ import type { Group } from "../editor/schema";
 import type { DraftErrors, PlaceOf } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
 import { readSeeds } from "./seeds";
-import { tunableOf, weightFields } from "./space";
+import { numberFields, tunableOf } from "./space";
 
 export type Kind = "paper" | "peaks" | "figure";
 
@@ -38,6 +38,11 @@ export interface TuningDraft {
   readonly objectives: readonly ObjectiveDraft[];
   readonly limits: readonly LimitDraft[];
   readonly ranges: Readonly<Record<string, RangeDraft>>;
+  /** Kinds of preview tried; the scenario's where it is none or one. */
+  readonly previews: readonly string[];
+  readonly uncertain: boolean;
+  /** Of the roads, as a number's text; empty for the mean. */
+  readonly quantile: string;
   readonly seeds: string;
   readonly validationSeeds: string;
   readonly trials: string;
@@ -48,7 +53,7 @@ export interface TuningDraft {
 /** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
 export type Reading = { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
 
-const PLAIN = ["seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
+const PLAIN = ["previews", "quantile", "seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
 
 export const tuningPlace: PlaceOf = ([root, second]) => {
   if (root === undefined) return null;
@@ -68,7 +73,12 @@ const RANGE = ["0.05", "50"] as const;
 export const objectiveOf = (key: number, kind: Kind, figure: string | null = null): ObjectiveDraft => ({ key, kind, q: ["1", "1", "1"], window: WINDOW_OF[kind], figure });
 
 export function rangesFor(form: Group, strategy: StrategyId): Readonly<Record<string, RangeDraft>> {
-  return Object.fromEntries(weightFields(tunableOf(form, strategy)).map(({ name, travel }) => [name, { on: !travel, from: RANGE[0], to: RANGE[1] }]));
+  return Object.fromEntries(
+    numberFields(tunableOf(form, strategy)).map(({ name, single, field: { soft } }) => {
+      const [from, to] = single && !name.endsWith("deflection_weight") ? [formatInput(soft[0] || soft[1] / 100), formatInput(soft[1])] : RANGE;
+      return [name, { on: !single, from, to }];
+    }),
+  );
 }
 
 export function firstDraft(form: Group, strategy: StrategyId = "lv"): TuningDraft {
@@ -77,6 +87,9 @@ export function firstDraft(form: Group, strategy: StrategyId = "lv"): TuningDraf
     objectives: [objectiveOf(0, "paper")],
     limits: [],
     ranges: rangesFor(form, strategy),
+    previews: [],
+    uncertain: false,
+    quantile: "",
     seeds: "1-4",
     validationSeeds: "101-110",
     trials: "200",
@@ -120,7 +133,7 @@ function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put
 
 function search({ ranges }: TuningDraft, put: Put): TuningChoice["search"] {
   const searched = Object.entries(ranges).filter(([, { on }]) => on);
-  if (searched.length === 0) put("search", "Choose at least one weight");
+  if (searched.length === 0) put("search", "Choose at least one");
   return Object.fromEntries(
     searched.map(([name, { from, to }]) => {
       const refuse = () => put(`search.${name}`, "From above 0 to at most 1000");
@@ -150,6 +163,9 @@ export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Readi
     objectives: objectives(draft, put),
     limits: limits(draft, figures, put),
     search: search(draft, put),
+    ...(draft.previews.length > 1 ? { previews: draft.previews } : {}),
+    ...(draft.uncertain ? { uncertain: true } : {}),
+    ...(draft.quantile === "" ? {} : { quantile: Number(draft.quantile) }),
     seeds,
     fresh_seeds: validation,
     trials: whole(draft.trials, 1, MOST_TRIALS, "trials", put),

@@ -8,8 +8,8 @@ const point = (training: number, validation: number, verdict: "better" | "worse"
   weights: {},
   failures: [],
   verdict: [verdict],
-  training: { "objectives.0": { mean: 1, worst: 1, change: { value: training, low: null, high: null } } },
-  fresh: { "objectives.0": { mean: 1, worst: 1, change: { value: validation, low: validation - 1, high: validation + 1 } } },
+  training: { "objectives.0": { mean: 1, quantile: null, worst: 1, change: { value: training, low: null, high: null } } },
+  fresh: { "objectives.0": { mean: 1, quantile: null, worst: 1, change: { value: validation, low: validation - 1, high: validation + 1 } } },
 });
 const paper: ComparedPoint = { ...point(0, 0, "unclear", ["paper"]), trial: 0, verdict: null };
 const gains = (best: ComparedPoint) => gainsOf({ batch: "b", figures: [], points: [paper, best] }, 1);

@@ -1,47 +1,57 @@
-/** Which weights of a strategy can be tuned, as backend/tuner/space.py has them; their names and limits are the form's. */
+/** What of a strategy can be tuned, as backend/jobs/tuning/space.py has it; names, units and limits are the form's. */
 
 import type { Scenario, StrategyId, Weights } from "../api/types";
 import { getAt, setAt, type Pointer } from "../editor/path";
-import { findMember, type Group, type NumberField, type VectorField } from "../editor/schema";
+import { findMember, optionTitle, type ChoiceField, type Group, type NumberField, type VectorField } from "../editor/schema";
 import { dotted, pointerOf } from "../sweep/fields";
+import { formatInput } from "../units/format";
 
 interface Space {
   readonly triples: readonly Pointer[];
-  /** The weight on the suspension's travel, which is searched only where somebody asks for it. */
-  readonly travel: Pointer;
+  /** What is searched only where somebody asks for it: the weight on the suspension's travel, the horizon, times. */
+  readonly others: readonly Pointer[];
+  readonly preview: Pointer;
 }
 
+const TIMING: readonly Pointer[] = ["/mpc/expected_offset", "/mpc/expected_noise", "/mpc/sample_time"];
+const MPC: Pick<Space, "others" | "preview"> = { others: ["/mpc/deflection_weight", "/mpc/prediction_horizon", ...TIMING], preview: "/mpc/preview" };
+
 const SPACES: Readonly<Record<StrategyId, Space>> = {
-  lv: { triples: ["/mpc/stage_weights/cruise", "/mpc/stage_weights/brake", "/mpc/stage_weights/bump"], travel: "/mpc/deflection_weight" },
-  suspension_only: { triples: ["/mpc/road_weights/rough", "/mpc/road_weights/bump"], travel: "/mpc/deflection_weight" },
-  lqr: { triples: ["/lqr/weights"], travel: "/lqr/deflection_weight" },
+  lv: { triples: ["/mpc/stage_weights/cruise", "/mpc/stage_weights/brake", "/mpc/stage_weights/bump"], ...MPC },
+  suspension_only: { triples: ["/mpc/road_weights/rough", "/mpc/road_weights/bump"], ...MPC },
+  lqr: { triples: ["/lqr/weights"], others: ["/lqr/deflection_weight", "/lqr/preview_horizon", ...TIMING], preview: "/lqr/preview" },
 };
 
 export const TUNABLE: readonly StrategyId[] = Object.keys(SPACES);
 
 export interface Tunable {
   readonly triples: readonly VectorField[];
-  readonly travel: NumberField | null;
+  readonly others: readonly NumberField[];
+  readonly preview: ChoiceField | null;
 }
 
 export function tunableOf(form: Group, strategy: StrategyId): Tunable {
   const space = SPACES[strategy];
   const member = (pointer: Pointer) => findMember(form, pointer);
-  const travel = space && member(space.travel);
+  const preview = space && member(space.preview);
   return {
     triples: (space?.triples ?? []).flatMap((pointer) => {
       const vector = member(pointer);
       return vector?.kind === "vector" ? [vector] : [];
     }),
-    travel: travel?.kind === "number" ? travel : null,
+    others: (space?.others ?? []).flatMap((pointer) => {
+      const field = member(pointer);
+      return field?.kind === "number" ? [field] : [];
+    }),
+    preview: preview?.kind === "choice" ? preview : null,
   };
 }
 
-/** Every single weight by its dotted name, the travel's last. */
-export function weightFields({ triples, travel }: Tunable): readonly { readonly name: string; readonly row: string; readonly field: NumberField; readonly travel: boolean }[] {
+/** Every single number by its dotted name, the triples' weights first. */
+export function numberFields({ triples, others }: Tunable): readonly { readonly name: string; readonly row: string; readonly field: NumberField; readonly single: boolean }[] {
   return [
-    ...triples.flatMap((triple) => triple.items.map((field) => ({ name: dotted(field.pointer), row: triple.title, field, travel: false }))),
-    ...(travel ? [{ name: dotted(travel.pointer), row: travel.title, field: travel, travel: true }] : []),
+    ...triples.flatMap((triple) => triple.items.map((field) => ({ name: dotted(field.pointer), row: triple.title, field, single: false }))),
+    ...others.map((field) => ({ name: dotted(field.pointer), row: titleOf(field), field, single: true })),
   ];
 }
 
@@ -49,14 +59,24 @@ export function weightFields({ triples, travel }: Tunable): readonly { readonly 
 export const withWeights = (scenario: Scenario, weights: Weights): Scenario =>
   Object.entries(weights).reduce((result, [name, value]) => setAt(result, pointerOf(name), value), scenario);
 
-/** A single weight of a trial: `mpc.stage_weights.bump.0` of `{"mpc.stage_weights.bump": [1, 1, 6]}`. */
-export function weightAt(weights: Weights, name: string): number | undefined {
+export const titleOf = ({ title, unit }: NumberField) => (unit === "1" ? title : `${title} [${unit}]`);
+
+/** A single value of a trial: `mpc.stage_weights.bump.0` of `{"mpc.stage_weights.bump": [1, 1, 6]}`. */
+export function weightAt(weights: Weights, name: string): number | string | undefined {
   const whole = weights[name];
-  if (typeof whole === "number") return whole;
+  if (typeof whole === "number" || typeof whole === "string") return whole;
   const [, triple, index] = /^(.*)\.(\d+)$/.exec(name) ?? [];
   const list = triple === undefined ? undefined : weights[triple];
   return typeof list === "object" ? list[Number(index)] : undefined;
 }
+
+/** What a trial has beside its triples: the numbers and the kind of preview that were searched. */
+export function singlesIn({ others, preview }: Tunable, weights: Weights): readonly { readonly name: string; readonly title: string }[] {
+  const all = [...others.map((field) => ({ name: dotted(field.pointer), title: titleOf(field) })), ...(preview ? [{ name: dotted(preview.pointer), title: preview.title }] : [])];
+  return all.filter(({ name }) => name in weights);
+}
+
+export const formatValue = (value: number | string): string => (typeof value === "string" ? optionTitle(value) : formatInput(value));
 
 export const ownWeight = (scenario: Scenario, name: string): number | undefined => {
   const value = getAt(scenario, pointerOf(name));
