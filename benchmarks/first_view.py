@@ -1,37 +1,135 @@
-"""How long a visitor waits for the first curves: headless Chromium, an empty browser cache, a service that runs."""
+"""What a visitor waits for, in headless Chromium against a service that runs: the first curves, and a dragged value."""
 
-import shutil
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
 from statistics import median
-from time import perf_counter
+from time import perf_counter, sleep
+from typing import Any
 
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import Browser, Page, sync_playwright
 
 from benchmarks.api_latency import server
 from benchmarks.timing import table
+from tests.browser.chromium import launch
+from tests.browser.dashboard import LAPTOP
 
 REPEATS = 5
-GOAL = 2000.0  # docs: first plots within two seconds [ms]
-OPTIONS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
+MOVES = 180  # of the pointer
+PERIOD = 1 / 60  # from one to the next [s]
+STRIDE = 0.4  # [px]
+FIRST_LOAD, FIRST_PLOT = 700.0, 1500.0  # goals [kB], [ms]
+REDRAW, FRAMES = 100.0, 50.0  # goals: 95th percentile [ms], frames a second
+CURVES = "[data-drawn] >> nth=0"
+
+# When each live request left and its answer was there, when a canvas was cleared to be drawn anew, and each frame.
+WATCH = """
+window.seen = {sent: [], answered: [], drawn: [], moved: [], frames: []};
+const fetched = window.fetch;
+window.fetch = async (address, options) => {
+  if (!String(address?.url ?? address).includes('/api/v1/live')) return fetched(address, options);
+  const index = seen.sent.push(performance.now()) - 1;
+  const answer = await fetched(address, options);
+  seen.answered[index] = performance.now();
+  return answer;
+};
+const {clearRect} = CanvasRenderingContext2D.prototype;
+CanvasRenderingContext2D.prototype.clearRect = function (...area) {
+  seen.drawn.push(performance.now());
+  return clearRect.apply(this, area);
+};
+"""
+PRESSED = """() => {
+  document.addEventListener('pointermove', ({timeStamp}) => seen.moved.push(timeStamp), {capture: true});
+  const frame = now => requestAnimationFrame(frame, seen.frames.push(now));
+  requestAnimationFrame(frame);
+}"""
 
 
 def run() -> None:
-    """Print the table; where no Chromium is installed, say so."""
-    program = shutil.which("chromium") or shutil.which("google-chrome")
-    if program is None:
-        print("\nFirst view: no Chromium is installed here")
-        return
+    """Print both tables."""
     with server() as client, sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=OPTIONS)
-        times = []
-        for _ in range(REPEATS):
-            context = browser.new_context(viewport={"width": 1366, "height": 768})
-            page = context.new_page()
-            begin = perf_counter()
-            page.goto(str(client.base_url))
-            page.locator(".scatterlayer .trace").first.wait_for()
-            times.append((perf_counter() - begin) * 1000)
-            context.close()
+        address = str(client.base_url)
+        browser = launch(playwright)
+        first = [first_view(browser, address) for _ in range(REPEATS)]
+        redraws, rate = drag(browser, address)
         browser.close()
-    taken = median(times)
-    title = "From the address to the first curves in Chromium, its cache empty, median"
-    table(title, ["", "ms", "of the goal"], [["first view", taken, taken / GOAL]])
+    size, taken = (median(each[index] for each in first) for index in range(2))
+    slowest = percentile(redraws, 0.95)
+    table(
+        "The page in Chromium",
+        ["", "measured", "goal"],
+        [
+            ["first load, compressed [kB]", size, FIRST_LOAD],
+            ["from the address to the first curves, empty cache, median [ms]", taken, FIRST_PLOT],
+            ["from a move of a slider to its curves, median [ms]", median(redraws), ""],
+            ["the same, 95th percentile [ms]", slowest, REDRAW],
+            ["frames a second meanwhile", rate, FRAMES],
+        ],
+    )
+
+
+@contextmanager
+def opened(browser: Browser) -> Iterator[Page]:
+    """A page of a browser profile that has seen nothing yet."""
+    context = browser.new_context(viewport=LAPTOP)
+    yield context.new_page()
+    context.close()
+
+
+def first_view(browser: Browser, address: str) -> tuple[float, float]:
+    """Kilobytes of all answers until the page is at rest, and milliseconds until the first curves."""
+    with opened(browser) as page:
+        session = page.context.new_cdp_session(page)
+        session.send("Network.enable")
+        sizes: list[float] = []
+        session.on("Network.loadingFinished", lambda event: sizes.append(event["encodedDataLength"]))
+        begin = perf_counter()
+        page.goto(address)
+        page.locator(CURVES).wait_for()
+        taken = (perf_counter() - begin) * 1000
+        page.wait_for_load_state("networkidle")
+        return sum(sizes) / 1000, taken
+
+
+def drag(browser: Browser, address: str) -> tuple[list[float], float]:
+    """Milliseconds from each move of a slider to the curves of that value or a newer one; frames a second."""
+    with opened(browser) as page:
+        page.add_init_script(WATCH)
+        page.goto(address)
+        page.locator(CURVES).wait_for()
+        page.wait_for_load_state("networkidle")
+        box = page.get_by_role("slider", name="Height", exact=True).bounding_box()
+        if box is None:
+            raise RuntimeError("The page shows no slider for the bump's height")
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.evaluate(PRESSED)
+        due = perf_counter()
+        for step in range(MOVES):
+            page.mouse.move(x + STRIDE * step, y)
+            due += PERIOD
+            sleep(max(0.0, due - perf_counter()))
+        seen: dict[str, list[Any]] = page.evaluate("seen")
+        page.mouse.up()
+    frames = seen["frames"]
+    return redraw_times(seen), 1000 * (len(frames) - 1) / (frames[-1] - frames[0])
+
+
+def redraw_times(seen: dict[str, list[Any]]) -> list[float]:
+    """Of each move that was answered: the first request after it, its answer, the first drawing after that."""
+    times = []
+    for moved in seen["moved"]:
+        request = next((index for index, sent in enumerate(seen["sent"]) if sent >= moved), None)
+        if request is None or request >= len(seen["answered"]) or seen["answered"][request] is None:
+            continue
+        drawn = next((at for at in seen["drawn"] if at > seen["answered"][request]), None)
+        if drawn is not None:
+            times.append(drawn - moved)
+    return times
+
+
+def percentile(values: list[float], part: float) -> float:
+    """The smallest value that this part of them does not exceed."""
+    return sorted(values)[math.ceil(part * len(values)) - 1]

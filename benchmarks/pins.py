@@ -12,7 +12,7 @@ import pyarrow as pa
 from pyarrow import parquet
 
 from backend.runs import pins
-from backend.runs.series import ROWS, SeriesArray, pack
+from backend.runs.series import ROWS, SeriesArray, Stages, pack
 from benchmarks.timing import table
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
@@ -61,8 +61,11 @@ def run() -> None:
 def _against_computing(paper: Scenario) -> None:
     """What a reader of a link waits for in the worker: 2000 points of every strategy, pinned or computed again."""
     files = pins.make(paper, list(STRATEGIES))
-    breaks = {name: [span.start_time for span in simulate(paper, name).stages[1:]] for name in STRATEGIES}
-    opened = _median_ms(lambda: pins.opened(files, breaks, 2000))
+    stages = {
+        name: Stages.of((span.stage, span.start_time, span.end_time) for span in simulate(paper, name).stages)
+        for name in STRATEGIES
+    }
+    opened = _median_ms(lambda: pins.opened(files, stages, 2000))
     seeds = iter(range(5000, 6000))
 
     def compute() -> None:

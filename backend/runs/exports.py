@@ -13,7 +13,7 @@ from pyarrow import csv, parquet
 from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
 from backend.runs import pins
-from backend.runs.series import ROWS, SeriesArray, as_json, pack
+from backend.runs.series import ROWS, SeriesArray, Stages, as_json, pack
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
@@ -42,9 +42,9 @@ def render(scenario: Scenario, export: Export) -> bytes:
     return _rendered({name: pack(simulate(scenario, name), export.points) for name in export.strategies}, export)
 
 
-def render_pinned(pinned: Mapping[str, bytes], breaks: Mapping[str, Sequence[float]], export: Export) -> bytes:
+def render_pinned(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], export: Export) -> bytes:
     """Render what is pinned (arguments as for `pins.opened`); signals that were not pinned are left out."""
-    members = pins.opened(pinned, breaks, export.points)
+    members = pins.opened(pinned, stages, export.points)
     present = [key for key in export.signals if not any(np.isnan(array[ROWS[key]]).all() for array in members.values())]
     return _rendered(members, replace(export, signals=present))
 

@@ -74,11 +74,14 @@ def _limits(signal: str) -> tuple[tuple[str, tuple[float, ...]], ...]:
     return ((line, factors),) if line in REFERENCES else ()
 
 
+# The body beside the tyre that carries it, the front axle before the rear one.
+RIDE = ("body_acceleration", "front_tyre_load", "pitch_acceleration", "rear_tyre_load")
+
 PANELS: dict[str, Panel] = {
     "road": Panel(signal="front_road", title="Road"),
+    **{signal: Panel(signal=signal, references=_limits(signal)) for signal in dict.fromkeys((*RIDE, *METRIC_SIGNALS))},
     "speed": Panel(signal="speed", references=(("target_speed", (1.0,)),), band=("target_speed", "target_band")),
     "brake_pressure": Panel(signal="brake_pressure"),
-    **{signal: Panel(signal=signal, references=_limits(signal)) for signal in METRIC_SIGNALS},
 }
 
 

@@ -8,6 +8,7 @@ from backend.http.admission import Admission
 from backend.roads.service import Roads
 from backend.runs import exports, pins
 from backend.runs.results import Results
+from backend.runs.series import Stages
 from backend.runs.work import Outcome
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
@@ -62,7 +63,7 @@ class Histories:
             results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
             return {strategy: item.outcome for strategy, item in results.items()}
         with self._admission.computing(client, scenario, ()):
-            arrays = await self._workers.call(pins.opened, pinned, _breaks(stored), FIGURE_POINTS)
+            arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS)
         return {
             item.strategy: Outcome(
                 status=item.status,
@@ -81,7 +82,7 @@ class Histories:
         scenario = Scenario.model_validate(stored.scenario)
         if pinned is not None:
             with self._admission.computing(client, scenario, ()):  # a place, but next to no work
-                return await self._workers.call(exports.render_pinned, pinned, _breaks(stored), export)
+                return await self._workers.call(exports.render_pinned, pinned, _stages(stored), export)
         scenario = await self._on_its_road(scenario)
         with self._admission.computing(client, scenario, keys):
             return await self._workers.call(exports.render, scenario, export)
@@ -103,6 +104,11 @@ class Histories:
         return {name: pinned[key] for name, key in keys.items()} if set(keys.values()) <= set(pinned) else None
 
 
-def _breaks(stored: StoredRun) -> dict[str, list[float]]:
-    """By strategy the times at which its driving stages change [s]: decimation keeps each one's extremes."""
-    return {item.strategy: [span["start_time"] for span in item.summary["stages"][1:]] for item in stored.shown}
+def _stages(stored: StoredRun) -> dict[str, Stages]:
+    """By strategy its driving stages: decimation keeps each one's extremes."""
+    return {
+        item.strategy: Stages.of(
+            (span["stage"], span["start_time"], span["end_time"]) for span in item.summary["stages"]
+        )
+        for item in stored.shown
+    }

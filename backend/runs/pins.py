@@ -13,7 +13,7 @@ import pyarrow as pa
 from pyarrow import parquet
 
 from backend.ecu.drive import simulate
-from backend.runs.series import ROWS, SeriesArray, decimate, pack
+from backend.runs.series import ROWS, SeriesArray, Stages, decimate, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
@@ -54,21 +54,19 @@ def read(content: bytes) -> dict[str, SeriesArray]:
     return {key: table[key].to_numpy() for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}
 
 
-def opened(
-    pinned: Mapping[str, bytes], breaks: Mapping[str, Sequence[float]], points: int | None
-) -> dict[str, SeriesArray]:
+def opened(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], points: int | None) -> dict[str, SeriesArray]:
     """Series arrays of pinned time histories, by strategy; a signal that was not pinned is NaN throughout.
 
     Args:
         pinned: By strategy its file.
-        breaks: By strategy the times [s] whose windows keep their own extremes, see `series.decimate`.
+        stages: By strategy its driving stages, see `series.decimate`.
         points: About how many samples; None is all.
     """
-    return {name: _aligned(read(content), breaks[name], points) for name, content in pinned.items()}
+    return {name: _aligned(read(content), stages[name], points) for name, content in pinned.items()}
 
 
-def _aligned(columns: Mapping[str, SeriesArray], breaks: Sequence[float], points: int | None) -> SeriesArray:
-    few = decimate(np.stack(list(columns.values())), points, breaks)
+def _aligned(columns: Mapping[str, SeriesArray], stages: Stages, points: int | None) -> SeriesArray:
+    few = decimate(np.stack(list(columns.values())), points, stages)
     array = np.full((len(ROWS), few.shape[1]), np.nan, dtype=np.float32)
     array[[ROWS[key] for key in columns]] = few
     return array

@@ -6,17 +6,20 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 import base64
 import itertools
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from backend.json_types import JsonObject
-from sim_core.catalogue import SIGNALS
+from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import StrategyResult
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
 ALWAYS = ("time", "position")
+BEFORE, BEHIND = 0.6, 0.9  # parts of the bump's length that are shown around it, as the page does
 
 
 def ordered_signals(signals: Iterable[str] | None) -> list[str]:
@@ -30,38 +33,86 @@ def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     array = np.empty((len(SIGNALS), len(result.series["time"])), dtype=np.float32)
     for key, row in ROWS.items():
         array[row] = result.series[key]
-    return decimate(array, points, [span.start_time for span in result.stages[1:]])
+    return decimate(array, points, Stages.of((span.stage, span.start_time, span.end_time) for span in result.stages))
 
 
-def decimate(series: SeriesArray, points: int | None, breaks: Sequence[float] = ()) -> SeriesArray:
+@dataclass(frozen=True, slots=True)
+class Stages:
+    """Where a run's samples matter most.
+
+    Attributes:
+        breaks: Times [s] at which a window begins or ends whose own extremes have to survive.
+        bump: First and last time [s] of the bump with some road around it, which gets half of the samples.
+    """
+
+    breaks: tuple[float, ...] = ()
+    bump: tuple[float, float] | None = None
+
+    @classmethod
+    def of(cls, spans: Iterable[tuple[str, float, float]]) -> Self:
+        """From each stage's name, start and end [s], in their order."""
+        _, *later = listed = list(spans)
+        bumps = [
+            (start - BEFORE * (end - start), end + BEHIND * (end - start))
+            for stage, start, end in listed
+            if stage == BUMP
+        ]
+        return cls(tuple(start for _, start, _ in later), bumps[0] if bumps else None)
+
+
+def decimate(series: SeriesArray, points: int | None, stages: Stages | None = None) -> SeriesArray:
     """About `points` samples of a series, the same ones for all signals, with every peak kept.
 
-    Half of the samples lie evenly. The other half are those that straight lines between these miss most (relative
-    to the signal's range), at most one in each half of a gap, so that a spike gets its flanks. Added is each
-    signal's largest and smallest value between two `breaks`.
+    Half of them are spent on the bump, where there is one. Added is each signal's largest and smallest value in each
+    stage.
 
     Args:
         series: Shape (signals, samples), its first row the time [s].
         points: How many samples, or None for all.
-        breaks: Times [s] at which a window begins or ends whose own extremes have to survive.
+        stages: Of the run.
     """
-    count = series.shape[1]
+    count, stages = series.shape[1], stages or Stages()
     if points is None or points >= count:
         return series
+    spans = np.ptp(series, axis=1)
+    first, last = np.searchsorted(series[0], stages.bump or ()).tolist() or (0, count)
+    if stages.bump is None or 2 * (last - first) >= count:
+        keep = [_most_telling(series, spans, points)]
+    else:
+        around = count - (last - first)
+        keep = [
+            start + _most_telling(series[:, start:end], spans, max(2, share))
+            for start, end, share in (
+                (0, first, points * first // (2 * around)),
+                (first, last, points // 2),
+                (last, count, points * (count - last) // (2 * around)),
+            )
+        ]
+    return np.take(series, np.unique(np.concatenate([*keep, [0, count - 1], _extremes(series, stages.breaks)])), axis=1)
+
+
+def _most_telling(series: SeriesArray, spans: NDArray[np.float32], points: int) -> NDArray[np.int64]:
+    """Indices of about `points` samples.
+
+    Half of them lie evenly. The other half are those that straight lines between these miss most (relative to the
+    signal's span), at most one in each half of a gap, so that a spike gets its flanks.
+    """
+    count = series.shape[1]
+    if points >= count:
+        return np.arange(count)
     half = -(-count // points)
     stride, gaps = 2 * half, (count - 1) // (2 * half)
     nodes = np.arange(gaps + 1) * stride
     fraction = np.arange(stride, dtype=np.float32) / np.float32(stride)
     missed = np.zeros((gaps, stride), dtype=np.float32)
-    for row in series:  # one at a time: all at once would take several times the series' own memory
+    for row, span in zip(series, spans, strict=True):  # one at a time: all at once would take several times the memory
         start, step = row[nodes[:-1], None], np.diff(row[nodes])[:, None]
         away = np.abs(row[: gaps * stride].reshape(gaps, stride) - (start + step * fraction))
-        np.maximum(missed, away / (np.ptp(row) or 1), out=missed)
+        np.maximum(missed, away / (span or 1), out=missed)
     halves = missed.reshape(2 * gaps, half)
     worst = np.arange(2 * gaps) * half + halves.argmax(axis=1)
     most_missed = worst[np.argsort(halves.max(axis=1))[gaps:]]
-    keep = np.concatenate([nodes, most_missed, [count - 1], _extremes(series, breaks)])
-    return np.take(series, np.unique(keep), axis=1)
+    return np.concatenate([nodes, most_missed])
 
 
 def _extremes(series: SeriesArray, breaks: Sequence[float]) -> NDArray[np.int64]:

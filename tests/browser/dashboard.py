@@ -88,6 +88,12 @@ class Dashboard:
     def chip(self, name: str) -> Locator:
         return self.page.get_by_role("group", name="Strategies").get_by_role("button", name=name)
 
+    def toggle(self, name: str) -> None:
+        """Switches a strategy on or off in the menu that has all of them."""
+        self.page.get_by_role("button", name="Strategies").click()
+        self.page.get_by_role("menuitemcheckbox", name=name).click()
+        self.page.keyboard.press("Escape")
+
     def row(self, strategy: str) -> Locator:
         return self.results.locator(f"tr[data-strategy={strategy}]").first
 

@@ -175,14 +175,14 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
     worse = 100 * (values["passive bump.body_acceleration.peak"] / values["lv bump.body_acceleration.peak"] - 1)
     expect(dashboard.row("passive").locator(cell)).to_contain_text(f"▲ +{worse:.0f}\u2009%, worse")
 
-    panel = dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")
+    panel = dashboard.page.locator("section[data-figure=body_acceleration] .scatterlayer .trace")
     expect(panel).to_have_count(3)
     dashboard.chip("LQR").click()
     expect(panel).to_have_count(2)
     expect(dashboard.row("lqr")).to_have_count(0)
     expect(dashboard.page).to_have_url(re.compile("hide=lqr"))
 
-    dashboard.chip("Single speed control").click()  # not in the run yet: a new one
+    dashboard.toggle("Single speed control")  # not in the run yet: a new one
     expect(dashboard.row("speed_only")).to_be_visible()
     assert set(dashboard.stored_run()["strategies"]) == {"lv", "speed_only", "passive"}
 
@@ -190,7 +190,7 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
         dashboard.chip(name).click()
     expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
     dashboard.page.get_by_role("button", name="Show all strategies").click()
-    expect(dashboard.page.locator("section[data-figure=speed] .scatterlayer .trace")).to_have_count(9)
+    expect(dashboard.page.locator("section[data-figure=body_acceleration] .scatterlayer .trace")).to_have_count(9)
 
 
 def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_path: Path) -> None:

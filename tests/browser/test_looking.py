@@ -19,12 +19,12 @@ def middle_of(panel: Locator) -> tuple[float, float, float]:
 def test_one_cursor_reads_every_plot_and_moves_the_car(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page
-    panels = page.locator("section[data-figure]")
-    x, y, _ = middle_of(panels.nth(1))
+    acceleration, speed = (page.locator(f"section[data-figure={name}]") for name in ("body_acceleration", "speed"))
+    x, y, _ = middle_of(speed)
     page.mouse.move(x, y)
-    speed = panels.nth(1).locator("header")
-    expect(speed).to_contain_text("50.0")  # the passive car's speed, wherever the cursor is
-    expect(panels.first.locator("header")).to_contain_text(re.compile(r"\d"))
+    expect(speed.locator("header")).to_contain_text("50.0")  # the passive car's speed, wherever the cursor is
+    expect(acceleration.locator("header")).to_contain_text(re.compile(r"\d"))
+    page.get_by_role("button", name="Whole run").click()
     cursor, lane = page.get_by_role("slider", name="Cursor"), page.get_by_role("region", name="The moving car")
     expect(cursor).to_have_attribute("aria-valuetext", re.compile(r"^\d+\.\d\d m$"))
 
@@ -40,19 +40,29 @@ def test_one_cursor_reads_every_plot_and_moves_the_car(dashboard: Dashboard) -> 
     page.get_by_role("button", name="Pause").click()
 
 
-def test_zoom_is_shared_and_a_double_click_ends_it(dashboard: Dashboard) -> None:
+def test_opens_on_the_bump_and_every_plot_has_the_same_part(dashboard: Dashboard) -> None:
+    """Dragging zooms; a double click shows the whole run, and so does its address."""
     dashboard.open()
     page = dashboard.page
+    ticks = "section[data-figure={}] .xaxislayer-above .xtick text"
+    first, second, road = (
+        page.locator(ticks.format(name)).all_text_contents for name in ("speed", "brake_pressure", "front_road")
+    )
     x, y, width = middle_of(page.locator("section[data-figure=speed]"))
+    expect(page.locator(ticks.format("speed")).first).to_have_text("100")
+    assert first() == second() == ["100", "105", "110 m"]
+    assert road()[0] == "0"
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + width / 5, y, steps=4)
     page.mouse.up()
     expect(page).to_have_url(re.compile(r"zoom=\d"))
-    ticks = "section[data-figure={}] .xaxislayer-above .xtick text"
-    first, second = (page.locator(ticks.format(name)).all_inner_texts for name in ("speed", "front_road"))
-    assert first() == second() != []
+    assert first() == second() != ["100", "105", "110 m"]
     page.mouse.dblclick(x, y)
+    expect(page).to_have_url(re.compile("zoom=whole"))
+    expect(page.locator(ticks.format("speed")).first).to_have_text("0")
+    assert first() == second()
+    page.get_by_role("button", name="Bump", exact=True).last.click()
     expect(page).not_to_have_url(re.compile("zoom"))
 
 

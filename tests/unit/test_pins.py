@@ -11,7 +11,7 @@ import pytest
 from pyarrow import parquet
 
 from backend.runs import exports, pins
-from backend.runs.series import ROWS, decimate, pack
+from backend.runs.series import ROWS, Stages, decimate, pack
 from sim_core import __version__
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed
@@ -26,8 +26,11 @@ def pinned() -> dict[str, bytes]:
 
 
 @pytest.fixture(scope="module")
-def breaks() -> dict[str, list[float]]:
-    return {name: [span.start_time for span in simulate(SCENARIO, name).stages[1:]] for name in ("lv", "passive")}
+def stages() -> dict[str, Stages]:
+    return {
+        name: Stages.of((span.stage, span.start_time, span.end_time) for span in simulate(SCENARIO, name).stages)
+        for name in ("lv", "passive")
+    }
 
 
 def export(**change: Any) -> exports.Export:
@@ -36,8 +39,8 @@ def export(**change: Any) -> exports.Export:
     return exports.Export(**{**settings, "provenance": provenance, **change})
 
 
-def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], breaks: dict[str, list[float]]) -> None:
-    opened = pins.opened(pinned, breaks, None)
+def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], stages: dict[str, Stages]) -> None:
+    opened = pins.opened(pinned, stages, None)
     for name, array in opened.items():
         np.testing.assert_array_equal(array, pack(simulate(SCENARIO, name)))
         assert array.dtype == np.float32
@@ -66,7 +69,7 @@ def rewritten(content: bytes, columns: Mapping[str, str], units: Mapping[str, st
 
 
 @pytest.mark.parametrize("points", [None, 60])
-def test_another_catalogue_reads_what_it_knows(breaks: dict[str, list[float]], points: int | None) -> None:
+def test_another_catalogue_reads_what_it_knows(stages: dict[str, Stages], points: int | None) -> None:
     """Columns in another order, one that today's core does not know, one missing, one in another unit."""
     signals = [key for key in reversed(SIGNALS) if key not in ("rear_force", "brake_pressure")]
     content = pins.make(SCENARIO, ["lv"])["lv"]
@@ -75,14 +78,14 @@ def test_another_catalogue_reads_what_it_knows(breaks: dict[str, list[float]], p
         {**{key: key for key in signals}, "tyre_temperature": "speed", "brake_pressure": "brake_pressure"},
         {"brake_pressure": "bar"},
     )
-    (array,) = pins.opened({"lv": old}, breaks, points).values()
+    (array,) = pins.opened({"lv": old}, stages, points).values()
     known = [key for key in SIGNALS if key in signals]
     rows = [ROWS[key] for key in known]
-    expected = decimate(pack(simulate(SCENARIO, "lv"))[rows], points, breaks["lv"])
+    expected = decimate(pack(simulate(SCENARIO, "lv"))[rows], points, stages["lv"])
     np.testing.assert_array_equal(array[rows], expected)
     assert np.isnan(array[[ROWS["rear_force"], ROWS["brake_pressure"]]]).all()
 
-    answer = orjson.loads(exports.render_pinned({"lv": old}, breaks, export(strategies=["lv"], file_format="json")))
+    answer = orjson.loads(exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="json")))
     assert list(answer["series"]) == list(answer["units"]) == known
-    text = exports.render_pinned({"lv": old}, breaks, export(strategies=["lv"], file_format="csv")).decode()
+    text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv")).decode()
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in known]

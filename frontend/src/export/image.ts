@@ -17,7 +17,7 @@ export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, 
   const templates = Object.values(figures);
   const row = 1 / templates.length;
   const built = templates.map((template) =>
-    buildFigure({ template, series: scene.series, summaries: scene.summaries, strategies: scene.ids, axis: scene.axis, range: scene.range, palette: ON_PAPER }),
+    buildFigure({ template, series: scene.series, summaries: scene.summaries, strategies: scene.strategies, axis: scene.axis, range: scene.range, palette: ON_PAPER }),
   );
   const name = (letter: "x" | "y", index: number) => (index === 0 ? letter : `${letter}${index + 1}`);
   const axes: Record<string, unknown> = {};

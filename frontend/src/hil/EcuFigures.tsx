@@ -36,8 +36,9 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const scene = useMemo(() => {
     if (!series.data) return null;
     const shown = fromRun(run, { series: series.data, missing: null }, 0, true);
-    return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom });
+    return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom: zoom ?? "whole" });
   }, [run, series.data, strategies, ids, axis, zoom]);
+  const curves = useMemo(() => scene && { ...scene, live: false }, [scene]);
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
     <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
@@ -69,9 +70,9 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
         <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>
       )}
       <div className={classes.figures}>
-        {scene ? (
+        {curves ? (
           templates.map((template) => (
-            <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, scene, palette }} series={scene.series} onZoom={setZoom} />
+            <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, curves, palette }} onZoom={setZoom} />
           ))
         ) : (
           templates.map(({ layout }) => <div key={layout.meta.signal} className={`${ui.card} ${classes.panelLoading}`} />)

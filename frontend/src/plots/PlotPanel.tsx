@@ -2,10 +2,9 @@
 
 import { useIntersection } from "@mantine/hooks";
 import { memo, useMemo } from "react";
-import type { FigureTemplate, SeriesByStrategy } from "../api/types";
-import type { Zoom } from "../state/address";
+import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
+import type { Axis, Zoom } from "../state/address";
 import { printing } from "../state/printing";
-import type { Scene } from "../state/scene";
 import { useStore } from "../state/store";
 import { buildFigure, type Palette } from "./figure";
 import { Overlay } from "./Overlay";
@@ -15,11 +14,20 @@ import { Readouts } from "./Readouts";
 import { Surface } from "./Surface";
 import { Card } from "../ui/Card";
 
+/** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
+export interface Curves {
+  readonly series: SeriesByStrategy;
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  readonly strategies: readonly Strategy[];
+  readonly axis: Axis;
+  readonly range: Zoom;
+  readonly live: boolean;
+}
+
 interface Props {
   readonly plotly: Plotly | null;
   readonly template: FigureTemplate;
-  readonly scene: Scene;
-  readonly series: SeriesByStrategy;
+  readonly curves: Curves;
   readonly palette: Palette;
   readonly onZoom: (zoom: Zoom | null) => void;
 }
@@ -27,31 +35,26 @@ interface Props {
 /** Panels this close to the window are drawn too, so that scrolling meets no blank ones. */
 const NEAR = "40px 0px";
 
-export const PlotPanel = memo(function PlotPanel({ plotly, template, scene, series, palette, onZoom }: Props) {
+export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, palette, onZoom }: Props) {
   const { ref: viewRef, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
   const printed = useStore(printing);
   const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
+  const { series, strategies, axis, range, live } = curves;
   // Off screen nothing is computed: during a drag only what somebody sees is drawn anew.
-  const figure = useMemo(
-    () =>
-      inViewport
-        ? buildFigure({ template, series, summaries: scene.summaries, strategies: scene.ids, axis: scene.axis, range: scene.range, palette })
-        : null,
-    [inViewport, template, series, scene, palette],
-  );
-  const drawn = scene.strategies.map(({ label }) => label).join(", ");
+  const figure = useMemo(() => (inViewport ? buildFigure({ template, palette, ...curves }) : null), [inViewport, template, curves, palette]);
+  const drawn = strategies.map(({ label }) => label).join(", ");
   return (
-    <Card ref={viewRef} aria-label={meta.title} data-figure={meta.signal}>
+    <Card ref={viewRef} className={classes.panel ?? ""} aria-label={meta.title} data-figure={meta.signal}>
       <header className={classes.header}>
         <h3 className={classes.title}>
           {meta.title} <span className={classes.unit}>{meta.unit}</span>
         </h3>
-        <Readouts meta={meta} series={series} strategies={scene.strategies} axis={scene.axis} />
+        <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
       </header>
-      <div className={classes.canvas} role="img" aria-label={`${meta.title} in ${meta.unit} over ${scene.axis}: ${drawn}`}>
-        <Surface plotly={plotly} figure={figure} live={scene.shown.source === "live"} />
-        <Overlay range={scene.range} onZoom={onZoom} />
+      <div className={classes.canvas} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
+        <Surface plotly={plotly} figure={figure} live={live} />
+        <Overlay range={range} onZoom={onZoom} />
       </div>
     </Card>
   );

@@ -1,6 +1,6 @@
 /** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
 
-import type { FigureTemplate, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../state/address";
 import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
 import { covering, extent } from "./samples";
@@ -17,7 +17,7 @@ export interface FigureInput {
   readonly series: SeriesByStrategy;
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   /** In the order of drawing. */
-  readonly strategies: readonly StrategyId[];
+  readonly strategies: readonly Pick<Strategy, "id">[];
   readonly axis: Axis;
   /** Range of the shared axis. */
   readonly range: Zoom;
@@ -39,7 +39,7 @@ function traces({ template, series, strategies, axis, range }: FigureInput): rea
     const { strategy, signal } = trace.meta;
     const x = series[strategy]?.[axisSignal(axis)];
     const y = series[strategy]?.[signal];
-    if (!x || !y || !strategies.includes(strategy)) return [];
+    if (!x || !y || !strategies.some(({ id }) => id === strategy)) return [];
     const [from, to] = covering(x, range[0], range[1]);
     return [
       {
@@ -64,7 +64,7 @@ const LEAST_SPAN = 0.02;
 
 function wholeSpan({ template, series, strategies }: FigureInput): number {
   const { signal, scale } = template.layout.meta;
-  const spans = strategies.map((strategy) => extent(series[strategy]?.[signal] ?? NOTHING)).filter((span) => span !== null);
+  const spans = strategies.map(({ id }) => extent(series[id]?.[signal] ?? NOTHING)).filter((span) => span !== null);
   return spans.length === 0 ? 0 : scale * (Math.max(...spans.map(([, top]) => top)) - Math.min(...spans.map(([low]) => low)));
 }
 
@@ -100,9 +100,10 @@ export function buildFigure(input: FigureInput): PanelFigure {
   const { template, summaries, strategies, axis, range, palette } = input;
   const { meta } = template.layout;
   const data = traces(input);
-  const used = strategies.flatMap((strategy) => summaries[strategy] ?? []);
+  const ids = strategies.map(({ id }) => id);
+  const used = ids.flatMap((id) => summaries[id] ?? []);
   const shapes: readonly Shape[] = [
-    ...stageShapes(template, summaries, strategies, axis),
+    ...stageShapes(template, summaries, ids, axis),
     ...airborneShapes(input),
     ...referenceShapes(meta, used),
   ];

@@ -51,7 +51,7 @@ const input: FigureInput = {
   template,
   series: { lv: { position: X, time: X, load: LOAD } },
   summaries: { lv: summary },
-  strategies: ["lv", "passive"],
+  strategies: [{ id: "lv" }, { id: "passive" }],
   axis: "distance",
   range: [0, 4],
   palette: { text: "#000", grid: "#eee", zero: "#ccc" },

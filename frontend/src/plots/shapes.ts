@@ -61,7 +61,7 @@ export function airborneShapes({ template, series, summaries, strategies, axis }
   )?.[0];
   if (lift === undefined) return [];
   const sample = axis === "distance" ? "position" : "time";
-  return strategies.flatMap((strategy) => {
+  return strategies.flatMap(({ id: strategy }) => {
     const limit = summaries[strategy]?.reference[lift];
     const x = series[strategy]?.[sample];
     const load = series[strategy]?.[template.layout.meta.signal];

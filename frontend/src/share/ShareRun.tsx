@@ -29,7 +29,7 @@ export function ShareRun() {
     if (!shown?.runId) return Promise.reject(new Error("there is no result"));
     const { view } = router.get();
     const scene = makeScene(shown, catalogue, strategies, view);
-    return api.share(shown.runId, viewToShare(scene, view.zoom, cursor.get()));
+    return api.share(shown.runId, viewToShare(scene, cursor.get()));
   };
   return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;
 }

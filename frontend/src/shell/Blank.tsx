@@ -77,8 +77,8 @@ export function CouldNotLoad({ what = "page", message, onRetry }: Failure) {
 export function Loading() {
   return (
     <div className={classes.results} aria-busy aria-label="Loading results">
-      <Skeleton className={classes.loadingTable ?? ""} radius={8} />
       <Skeleton className={classes.loadingCar ?? ""} radius={8} />
+      <Skeleton className={classes.loadingRoad ?? ""} radius={8} />
       <div className={classes.loadingGrid}>
         {Array.from({ length: 6 }, (_, index) => (
           <Skeleton key={index} height={210} radius={8} />

@@ -1,20 +1,23 @@
-/** Everything that shows a result, or says why there is none. */
+/** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
 import type { Catalogue, FigureTemplate, Strategy } from "../api/types";
 import { CarView } from "../car/CarView";
 import { PlotGrid } from "../plots/PlotGrid";
+import { RoadStrip } from "../plots/RoadStrip";
 import { useDesk, useLab } from "../state/context";
 import type { Scene } from "../state/scene";
 import { Tables } from "../tables/Tables";
 import { CouldNotLoad, Loading, NoHistories, NotFound, NothingChosen } from "./Blank";
-import classes from "./shell.module.css";
 import { RoadsNote } from "./RoadsNote";
+import classes from "./shell.module.css";
 import { StageLegend } from "./StageLegend";
+
+type Figures = Readonly<Record<string, FigureTemplate>>;
 
 interface Props {
   readonly strategies: readonly Strategy[];
   readonly catalogue: Catalogue | undefined;
-  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
+  readonly figures: Figures | undefined;
   readonly scene: Scene | null;
 }
 
@@ -28,8 +31,6 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
-  const meta = Object.values(figures)[0]?.layout.meta;
-  const { missing } = scene.shown;
   return (
     <div
       className={classes.results}
@@ -39,16 +40,36 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
       data-run={scene.shown.runId ?? undefined}
     >
       <RoadsNote scene={scene} />
-      <Tables scene={scene} catalogue={catalogue} figures={figures} />
-      {missing === null ? (
-        <>
-          <CarView scene={scene} />
-          {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
-          <PlotGrid figures={figures} scene={scene} />
-        </>
+      {scene.shown.missing === null ? (
+        <Histories scene={scene} catalogue={catalogue} figures={figures} />
       ) : (
-        <NoHistories reason={missing} />
+        <>
+          <Tables scene={scene} catalogue={catalogue} figures={figures} />
+          <NoHistories reason={scene.shown.missing} />
+        </>
       )}
     </div>
+  );
+}
+
+interface HistoriesProps {
+  readonly scene: Scene;
+  readonly catalogue: Catalogue;
+  readonly figures: Figures;
+}
+
+function Histories({ scene, catalogue, figures }: HistoriesProps) {
+  const { road, ...others } = figures;
+  const meta = Object.values(figures)[0]?.layout.meta;
+  const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
+  return (
+    <>
+      <CarView scene={scene} />
+      {road && <RoadStrip template={road} scene={scene} />}
+      <PlotGrid templates={Object.values(others).filter(isRide)} scene={scene} />
+      {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
+      <Tables scene={scene} catalogue={catalogue} figures={figures} />
+      <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} scene={scene} />
+    </>
   );
 }

@@ -36,7 +36,7 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
       )}
       {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}
       <span className={classes.hint} data-pointer="fine">
-        Drag across a plot to zoom, double click for all
+        Drag across a plot to zoom, double click for the whole run
       </span>
       <span className={classes.hint} data-pointer="coarse">
         Slide along a plot to read it

@@ -6,12 +6,14 @@ export type Axis = "distance" | "time";
 
 export type Zoom = readonly [number, number];
 
+/** What of the run the plots show: a range of the shared axis, all of it, or with `null` the bump. */
+export type ViewZoom = Zoom | "whole" | null;
+
 export interface View {
   readonly axis: Axis;
   readonly baseline: StrategyId;
   readonly hidden: readonly StrategyId[];
-  /** Range of the shared axis, `null` for the whole run. */
-  readonly zoom: Zoom | null;
+  readonly zoom: ViewZoom;
 }
 
 export interface Address {
@@ -23,7 +25,8 @@ export interface Address {
 
 export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null };
 
-function parseZoom(text: string | null): Zoom | null {
+function parseZoom(text: string | null): ViewZoom {
+  if (text === "whole") return text;
   const match = /^(-?[\d.]+)~(-?[\d.]+)$/.exec(text ?? "");
   const [low, high] = [Number(match?.[1]), Number(match?.[2])];
   return Number.isFinite(low) && Number.isFinite(high) && low < high ? [low, high] : null;
@@ -65,7 +68,8 @@ export function formatAddress({ runId, slug, view }: Address): string {
   if (view.axis !== DEFAULT_VIEW.axis) query.set("axis", view.axis);
   if (view.baseline !== DEFAULT_VIEW.baseline) query.set("baseline", view.baseline);
   if (view.hidden.length > 0) query.set("hide", view.hidden.join(","));
-  if (view.zoom) query.set("zoom", view.zoom.map((value) => String(Number(value.toFixed(3)))).join("~"));
+  if (view.zoom === "whole") query.set("zoom", view.zoom);
+  else if (view.zoom) query.set("zoom", view.zoom.map((value) => String(Number(value.toFixed(3)))).join("~"));
   const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~");
   const path = runId === null ? "/" : `/r/${encodeURIComponent(runId)}`;
   return text === "" ? path : `${path}?${text}`;

@@ -1,7 +1,7 @@
 /** From distance to time and back: zoom and cursor stay on the same piece of the run. */
 
 import { valueAt } from "../plots/samples";
-import type { Axis, Zoom } from "./address";
+import type { Axis, ViewZoom } from "./address";
 import { cursor } from "./cursor";
 import type { Router } from "./router";
 import { axisKey, type Scene } from "./scene";
@@ -14,9 +14,13 @@ export function switchAxis(router: Router, scene: Scene | null, axis: Axis): voi
   const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
 
   const { zoom } = router.get().view;
-  const [low, high] = zoom ? [convert(zoom[0]), convert(zoom[1])] : [null, null];
   const at = cursor.get();
   cursor.set(at === null ? null : convert(at));
-  const next: Zoom | null = low !== null && high !== null ? [low, high] : null;
-  router.setView({ axis, zoom: next });
+  router.setView({ axis, zoom: converted(zoom, convert) });
+}
+
+function converted(zoom: ViewZoom, convert: (x: number) => number | null): ViewZoom {
+  if (zoom === "whole" || zoom === null) return zoom;
+  const [low, high] = [convert(zoom[0]), convert(zoom[1])];
+  return low !== null && high !== null ? [low, high] : null;
 }

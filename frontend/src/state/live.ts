@@ -12,7 +12,7 @@ import type { Store } from "./store";
 import type { Timer } from "./timer";
 
 const POINTS = 700;
-const POINTS_MOST = 5000;
+const POINTS_MOST = 2500;
 
 interface Wish {
   readonly scenario: Scenario;
@@ -29,11 +29,11 @@ interface Parts extends Pick<Services, "api" | "router"> {
 export function createLive({ store, grace, api, router, form }: Parts) {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
 
-  /** Zoomed in, the same density of samples takes more of them over the whole run. */
+  /** The bump has half of all samples; zoomed in by hand, the same density takes more of them over the whole run. */
   const points = () => {
     const { zoom, axis } = router.get().view;
     const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
-    const part = zoom ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
+    const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
     return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
   };
 

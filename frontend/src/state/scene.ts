@@ -1,7 +1,7 @@
 /** What is on stage: the shown answer, through the eyes of the current view. */
 
 import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
-import type { Axis, View, Zoom } from "./address";
+import type { Axis, View, ViewZoom, Zoom } from "./address";
 import type { Shown } from "./shown";
 
 export interface Scene {
@@ -14,6 +14,8 @@ export interface Scene {
   readonly baseline: StrategyId | null;
   readonly axis: Axis;
   readonly whole: Zoom;
+  /** The bump with some road around it; `null` where there is none. */
+  readonly bump: Zoom | null;
   readonly range: Zoom;
 }
 
@@ -28,16 +30,35 @@ export function makeScene(shown: Shown, catalogue: readonly Strategy[], selected
   const strategies = catalogue.filter(({ id }) => selected.includes(id) && id in shown.summaries);
   const ids = strategies.map(({ id }) => id);
   const whole = wholeRange(shown.series, ids, view.axis);
-  const zoom = view.zoom && view.zoom[0] < whole[1] ? view.zoom : null;
+  const { summaries, series } = shown;
+  const bump = bumpRange(summaries, ids, view.axis, whole);
   return {
     shown,
     strategies,
     ids,
-    summaries: shown.summaries,
-    series: shown.series,
-    baseline: view.baseline in shown.summaries ? view.baseline : (ids.at(-1) ?? null),
+    summaries,
+    series,
+    baseline: view.baseline in summaries ? view.baseline : (ids.at(-1) ?? null),
     axis: view.axis,
     whole,
-    range: zoom ?? whole,
+    bump,
+    range: rangeOf(view.zoom, bump, whole),
   };
+}
+
+function rangeOf(zoom: ViewZoom, bump: Zoom | null, whole: Zoom): Zoom {
+  if (zoom === "whole") return whole;
+  return zoom && zoom[0] < whole[1] ? zoom : (bump ?? whole);
+}
+
+/** Parts of the bump's length that are shown before and behind it. */
+const [BEFORE, BEHIND] = [0.6, 0.9];
+
+function bumpRange(summaries: Scene["summaries"], ids: readonly StrategyId[], axis: Axis, whole: Zoom): Zoom | null {
+  const spans = ids.flatMap((id) => summaries[id]?.stages.find(({ stage }) => stage === "bump") ?? []);
+  if (spans.length === 0) return null;
+  const ends = spans.map((span) => (axis === "distance" ? [span.start_position, span.end_position] : [span.start_time, span.end_time]));
+  const low = Math.min(...ends.map(([start = 0]) => start));
+  const high = Math.max(...ends.map(([, end = 0]) => end));
+  return [Math.max(whole[0], low - BEFORE * (high - low)), Math.min(whole[1], high + BEHIND * (high - low))];
 }

@@ -15,9 +15,9 @@ describe("a link's view", () => {
 
   it("is what was shared", () => {
     const scene = {
-      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time",
+      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", whole: [0, 9], range: [1, 2.5],
     } as unknown as Scene;
-    const shared = viewToShare(scene, [1, 2.5], 2);
+    const shared = viewToShare(scene, 2);
     expect(shared).toEqual({
       strategies: ["lv", "lqr", "passive"], hidden: ["lqr"], baseline: "lv", axis: "time", zoom: [1, 2.5], cursor: 2,
     });

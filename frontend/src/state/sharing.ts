@@ -2,7 +2,7 @@
 
 import type { Link, SharedView } from "../api/types";
 import type { StrategyId } from "../api/types";
-import type { View, Zoom } from "./address";
+import type { View, ViewZoom } from "./address";
 import type { Scene } from "./scene";
 
 export interface ReadView {
@@ -18,27 +18,33 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
   const computed = Object.keys(run?.strategies ?? {});
   const shown = view.strategies ?? computed;
   const strategies = computed.filter((id) => shown.includes(id) && !(view.hidden ?? []).includes(id));
-  const [low, high] = view.zoom ?? [];
   return {
     view: {
       axis: view.axis ?? "distance",
       baseline: view.baseline ?? run?.over?.baseline ?? "passive",
       hidden: computed.filter((id) => !strategies.includes(id)),
-      zoom: low !== undefined && high !== undefined && low < high ? [low, high] : null,
+      zoom: readZoom(view.zoom),
     },
     strategies,
     at: view.cursor ?? null,
   };
 }
 
-export function viewToShare({ summaries, ids, baseline, axis }: Scene, zoom: Zoom | null, at: number | null): SharedView {
+/** A link says `null` for the whole run; left out, it is as the page opens. */
+function readZoom(zoom: SharedView["zoom"]): ViewZoom {
+  if (zoom === undefined) return null;
+  const [low, high] = zoom ?? [];
+  return low !== undefined && high !== undefined && low < high ? [low, high] : "whole";
+}
+
+export function viewToShare({ summaries, ids, baseline, axis, whole, range }: Scene, at: number | null): SharedView {
   const computed = Object.keys(summaries);
   return {
     strategies: computed,
     hidden: computed.filter((id) => !ids.includes(id)),
     ...(baseline === null ? {} : { baseline }),
     axis,
-    zoom,
+    zoom: range === whole ? null : [...range],
     cursor: at,
   };
 }
