@@ -79,7 +79,7 @@ class Ridelab:
         self.close()
 
     def close(self) -> None:
-        """Let go of its connections."""
+        """Close the connections."""
         self._client.close()
 
     @property
@@ -198,7 +198,7 @@ class Ridelab:
     def download_series(
         self, run: RunResult | str, path: str | os.PathLike[str], *, file_format: str | None = None, **selection: Any
     ) -> Path:
-        """The same as a file, in the format its name ends with or the one named.
+        """Write the file of `series_content`, in the format named, else that of the path's ending.
 
         Raises:
             ValueError: There is no such format.
@@ -220,7 +220,7 @@ class Ridelab:
         return self._http.json("GET", f"{API}/paper", params=_flattened(**asked))
 
     def paper_report(self, **asked: Any) -> Iterator[bytes]:
-        """The same as one HTML file, with what each part contributes and the figures, piece by piece."""
+        """The answer of `paper`, the attribution and the figures as one HTML file, piece by piece."""
         return self._content("/paper/report.html", _flattened(**asked))
 
     def submit(
@@ -253,7 +253,7 @@ class Ridelab:
         return Batch(self._http, self.get(f"/batches/{_id(batch_id)}"))
 
     def batches(self, *, state: str | None = None, label: str | None = None, limit: int = 50) -> list[Batch]:
-        """The newest batches first, without their sweeps; those in a state or of a label alone."""
+        """The newest batches first, without their sweeps; optionally only those in a state or with a label."""
         return [Batch(self._http, each) for each in self._listed("batches", state, label, limit)]
 
     def tune(self, request: Mapping[str, Any], idempotency_key: str | None = None) -> Tuning:
@@ -320,7 +320,7 @@ class Ridelab:
         return self._post("/controller/realtime", {"scenario": scenario})
 
     def link(self, result: RunResult | Job, view: Mapping[str, Any] | None = None) -> Link:
-        """A new link that shares a run or a batch and how it is looked at."""
+        """A new link that shares a run or a batch, and how the page shows it."""
         body: dict[str, Any] = {"run_id" if isinstance(result, RunResult) else "batch_id": result.id}
         body |= {} if view is None else {"view": view}
         answer = self._http.json("POST", f"{API}/links", body=body, repeatable=False)
@@ -373,5 +373,5 @@ def _series(
 
 
 def _flattened(readings: Mapping[str, str] | None = None, **asked: Any) -> dict[str, Any]:
-    """What is asked of the paper as parameters: each reading is one of its own."""
+    """The query parameters of `paper`: each interpretation is a parameter of its own."""
     return {**(readings or {}), **asked}

@@ -34,7 +34,7 @@ class ErrorPlace:
 
     @property
     def field(self) -> str:
-        """The place as a person names it: `road.bump.height`, and `road.bump.height[3]` in a sweep; may be empty."""
+        """The field's dotted name: `road.bump.height`, and `road.bump.height[3]` in a sweep; may be empty."""
         if self.parameter:
             return self.parameter
         steps = [step.replace("~1", "/").replace("~0", "~") for step in self.pointer.split("/")[1:]]
@@ -52,7 +52,7 @@ class RidelabAPIError(RidelabClientError):
     Attributes:
         status: HTTP status.
         detail: What is wrong, for a person to read.
-        errors: Each place concerned.
+        errors: Each value that cannot be used.
         request_id: What the service's log calls the request.
         kind: Which kind of problem, such as `not-found` (docs/api.md lists them); None where it is not the service's.
     """
@@ -65,8 +65,8 @@ class RidelabAPIError(RidelabClientError):
 
     @classmethod
     def of(cls, status: int, problem: Mapping[str, Any]) -> Self:
-        """The error that a problem document tells."""
-        places = [
+        """The error that a problem document describes."""
+        errors = [
             ErrorPlace(
                 message=item.get("message", ""), pointer=item.get("pointer") or "", parameter=item.get("parameter")
             )
@@ -74,14 +74,14 @@ class RidelabAPIError(RidelabClientError):
         ]
         detail = str(problem.get("detail") or problem.get("title") or f"HTTP {status}")
         prefix, _, kind = str(problem.get("type", "")).rpartition(":")
-        return cls(status, detail, places, problem.get("request_id"), kind if prefix == _TYPES else None)
+        return cls(status, detail, errors, problem.get("request_id"), kind if prefix == _TYPES else None)
 
     @property
     def lines(self) -> list[str]:
-        """What to show: `field: message` for each place, or the detail; with the request's id where the log helps."""
+        """What to show: `field: message` for each error, or the detail; with the request's id where the log helps."""
         if self.status >= 500 and self.request_id:
             return [f"{self.detail} (request {self.request_id})"]
-        named = [f"{place.field}: {place.message}" if place.field else place.message for place in self.errors]
+        named = [f"{error.field}: {error.message}" if error.field else error.message for error in self.errors]
         return named or [self.detail]
 
     def __str__(self) -> str:

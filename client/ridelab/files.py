@@ -9,7 +9,7 @@ FORMATS = ("json", "csv", "parquet")
 
 
 def format_of(path: str | os.PathLike[str], file_format: str | None = None) -> str:
-    """The format that was asked for, else the one the name ends with.
+    """The format named, else that of the name's ending.
 
     Raises:
         ValueError: There is no such format; the message lists those there are.

@@ -35,7 +35,7 @@ class Job:
     """A job as it was last heard of; `answer` is the JSON as the service sent it."""
 
     NAME: ClassVar[str]
-    PLACE: ClassVar[str]  # its path on the service, without its id
+    PATH: ClassVar[str]  # of its kind on the service, without an id
 
     id: str = _field("id", "Names it for ever.")
     state: str = _field("state", "`queued`, `running`, `done`, `cancelled` or `failed`.")
@@ -134,7 +134,7 @@ class Job:
         yield from (event for event in self._stream(after) if event is not None)
 
     def _path(self, below: str = "") -> str:
-        return f"{self.PLACE}/{self.id}{below}"
+        return f"{self.PATH}/{self.id}{below}"
 
     def _ask(self, method: str, below: str = "", **request: Any) -> Self:
         self.answer = self._http.json(method, self._path(below), **request)
@@ -173,7 +173,7 @@ class Batch(Job):
     """A batch of runs: its rows, as they come, as a file or a frame, and what they say as a whole."""
 
     NAME = "batch"
-    PLACE = "/api/v1/batches"
+    PATH = "/api/v1/batches"
 
     def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
         """What its finished rows say as a whole: quantiles, extremes, paired margins, stability (docs/robustness.md).
@@ -225,7 +225,7 @@ class Tuning(Job):
     """A tuning of weights: its points, and going on with it."""
 
     NAME = "tuning"
-    PLACE = "/api/v1/tunings"
+    PATH = "/api/v1/tunings"
 
     feasible: int = _count("feasible", "Trials within every limit.")
     paper: Trial | None = _field("paper", "The paper's weights; None until the first generation is complete.")

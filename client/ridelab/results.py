@@ -87,7 +87,7 @@ class Outcome:
 
     @classmethod
     def of(cls, strategy: str, answer: Mapping[str, Any]) -> Self:
-        """The outcome in a run's answer; what a newer service tells beside it is passed over."""
+        """The outcome in a run's answer; fields of a newer service are ignored."""
         read = {key: value for key, value in answer.items() if key in cls.__dataclass_fields__ and key != "strategy"}
         return cls(strategy=strategy, **{**read, **{key: _read(read[key]) for key in _AVERAGED & read.keys()}})
 
@@ -214,7 +214,7 @@ class Solution:
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> Self:
-        """The solution in an answer; what a newer service tells beside it is passed over."""
+        """The solution in an answer; fields of a newer service are ignored."""
         read = {key: _read(value) for key, value in answer.items() if key in cls.__dataclass_fields__}
         return cls(**{**read, "bracket": tuple(answer["bracket"]), "answer": dict(answer)})
 
@@ -229,7 +229,7 @@ class Link:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinkedResult:
-    """What a shared link pins: the run or the batch as it was, and how it was looked at."""
+    """What a shared link pins: the run or the batch as it was, and how the page showed it."""
 
     slug: str
     url: str

@@ -146,7 +146,7 @@ def _limits(texts: Sequence[str], option: str, default: float) -> Callable[[str]
 
 
 def _run(item: targets.Target, named: list[str], both: list[targets.Target], services: Services) -> RunResult:
-    """The run to compare: as it is stored, or made now."""
+    """The run to compare: the stored one, or one computed now."""
     if item.batch is not None:
         raise InputError(f"{item.name}: compare takes single runs; export writes a batch's table")
     if item.run is not None:

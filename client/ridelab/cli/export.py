@@ -9,7 +9,7 @@ import typer
 
 from ridelab.cli import options, targets
 from ridelab.cli.following import file_options, follow_to_end
-from ridelab.cli.reporting import InputError, chosen_format, deliver, note
+from ridelab.cli.reporting import InputError, deliver, note, output_format
 from ridelab.cli.run import with_units
 from ridelab.cli.service import Services
 from ridelab.results import Interval, RunResult, flat
@@ -33,7 +33,7 @@ def export(
 
     The name's end or --format says how. A whole file replaces an older one; a broken one never does.
     """
-    kind = chosen_format(out, file_format)
+    kind = output_format(out, file_format)
     if metrics and kind == "parquet":
         raise InputError("--metrics: The file's format has to be json or csv")
     source = targets.find(target, services)

@@ -43,10 +43,10 @@ def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Servi
 def vehicle_of(target: str, services: Services) -> Any:
     """The vehicle of a file with one (a vehicle's, a scenario's, a run's), or that a service knows by name."""
     if not Path(target).is_file():
-        known = services.at().vehicles()
-        if target not in known:
-            raise InputError(f"{VEHICLE}: {target} is neither a file nor a vehicle ({', '.join(known)})")
-        return known[target]["vehicle"]
+        vehicles = services.at().vehicles()
+        if target not in vehicles:
+            raise InputError(f"{VEHICLE}: {target} is neither a file nor a vehicle ({', '.join(vehicles)})")
+        return vehicles[target]["vehicle"]
     content = document(Path(target).read_bytes(), target)
     if isinstance(content, dict) and isinstance(content.get("scenario"), dict):
         content = content["scenario"]

@@ -35,7 +35,7 @@ def detached_service(services: Services) -> Ridelab:
 
 
 def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
-    """Submit it under a key. Interrupted meanwhile, the same key tells whether it was accepted, and it ends."""
+    """Submit a job. After an interruption the same idempotency key is sent again and gives its id."""
     key = uuid.uuid4().hex
     try:
         return submit(key)

@@ -1,4 +1,4 @@
-"""What a service knows by name: fields, strategies, presets, signals. The shell completes them from the last answer."""
+"""A service's fields, strategies, presets and signals by name. The shell completes them from the last answer."""
 
 import contextlib
 import json
@@ -14,7 +14,7 @@ from ridelab.files import save
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Names:
-    """Names by which a service can be asked."""
+    """The names a service accepts."""
 
     fields: Mapping[str, str]  # unit by dotted name, in the scenario's order
     strategies: Mapping[str, str]  # label by id
@@ -26,7 +26,7 @@ class Names:
 
     @classmethod
     def of(cls, ridelab: Ridelab) -> Self:
-        """Those of a service; the shell completes them from now on."""
+        """The names of a service, saved for the shell's completion."""
         schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
         names = cls(
             fields=dict(_fields(schema, schema["$defs"], "")),
@@ -54,7 +54,7 @@ class Names:
 
 
 def remembered() -> dict[str, list[str]]:
-    """The names that a service answered with last; empty before the first time."""
+    """The names in the last answer of a service; empty before the first one."""
     try:
         names: dict[str, list[str]] = json.loads(_remembered_in().read_bytes())
     except (OSError, ValueError):

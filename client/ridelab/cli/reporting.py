@@ -114,8 +114,8 @@ def folder_of(out: str, option: str) -> None:
         raise InputError(f"{option}: there is no folder {Path(out).parent}")
 
 
-def chosen_format(out: str, file_format: str | None) -> str:
-    """The format asked for, else the one the file's name ends with; judged before anything is computed for it."""
+def output_format(out: str, file_format: str | None) -> str:
+    """The format named, else that of the file's ending; refused here, before anything is computed."""
     folder_of(out, "--out")
     try:
         return format_of(out, file_format)

@@ -1,4 +1,4 @@
-"""`ridelab road`: measured roads, sent to a service and made a scenario."""
+"""`ridelab road`: send measured roads to a service and write scenarios on them."""
 
 import json
 import re
@@ -33,22 +33,22 @@ def road(
     found, it brakes for a place 100 m on, or at the end of a shorter road.
     """
     ridelab = services.at()
-    found = _found(which, ridelab)
+    profile = _measured_road(which, ridelab)
     if out is not None:
-        deliver([json.dumps(_scenario(found), indent=1).encode() + b"\n"], out)
+        deliver([json.dumps(_scenario(profile), indent=1).encode() + b"\n"], out)
     elif as_json:
-        print_json(found)
+        print_json(profile)
     else:
-        typer.echo(f"road.profile={found['id']}, {found['length']:g} m")
-        for line in found.get("warnings", ()):
+        typer.echo(f"road.profile={profile['id']}, {profile['length']:g} m")
+        for line in profile.get("warnings", ()):
             typer.echo(f"- {line}")
-        if found["bumps"]:
-            show_table(_HEADS, [[bump["start"], bump["width"], bump["height"]] for bump in found["bumps"]])
+        if profile["bumps"]:
+            show_table(_HEADS, [[bump["start"], bump["width"], bump["height"]] for bump in profile["bumps"]])
         else:
             typer.echo("No bump was found in it")
 
 
-def _found(which: str, ridelab: Ridelab) -> dict[str, Any]:
+def _measured_road(which: str, ridelab: Ridelab) -> dict[str, Any]:
     if Path(which).is_file():
         return ridelab.upload_road(which)
     if not _ID.fullmatch(which):
@@ -56,9 +56,9 @@ def _found(which: str, ridelab: Ridelab) -> dict[str, Any]:
     return ridelab.road(which)
 
 
-def _scenario(found: Mapping[str, Any]) -> dict[str, Any]:
-    length = found["length"]
-    bump = next(iter(found["bumps"]), {"start": min(100.0, length - 4.0), "width": 4.0})
+def _scenario(profile: Mapping[str, Any]) -> dict[str, Any]:
+    length = profile["length"]
+    bump = next(iter(profile["bumps"]), {"start": min(100.0, length - 4.0), "width": 4.0})
     start = round(min(max(1.0, bump["start"]), length - _NARROWEST), 2)
     width = min(bump["width"], round(length - start, 2), _WIDEST)
-    return {"road": {"profile": found["id"], "length": length, "bump": {"height": 0, "start": start, "width": width}}}
+    return {"road": {"profile": profile["id"], "length": length, "bump": {"height": 0, "start": start, "width": width}}}

@@ -62,7 +62,7 @@ def robustness(
 def _show(
     summary: Mapping[str, Any], ranges: Mapping[str, Sequence[float]], batch: Batch, label: Callable[[str], str]
 ) -> None:
-    """The summary as a person reads it."""
+    """Print the summary as tables."""
     strategies, percents = summary["strategies"], summary["quantiles"]
     what = f"{summary['points']} points of {len(ranges)} uncertain fields"
     version, baseline = batch.answer["core_version"], label(summary["baseline"])
@@ -84,7 +84,7 @@ def _show(
 
 
 def _row(figure: Mapping[str, Any], percents: Sequence[float], event: bool) -> list[str]:
-    """What happens at few points only (an event) says at how many; a change in % would have nothing to refer to."""
+    """The row of a metric; an event, which happens at few points only, has their number instead of a change in %."""
     values = [figure["nominal"], *_quantiles(figure, percents, 50, 5, 95, 100)]
     run = "-" if figure["highest"] is None or (event and not figure["above_zero"]) else str(figure["highest"]["run"])
     compared = ["", "", "", ""]

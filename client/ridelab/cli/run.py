@@ -62,8 +62,8 @@ def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None
     ran = {names.label(outcome.strategy): outcome for outcome in run if outcome.status == "ok"}
     base = run[against] if run[against].status == "ok" else None
     for window, statistic, title in _VIEWS:
-        places = [(window, key, statistic) for key in names.paper_signals]
-        rows = [[label, *(_cell(run, outcome, base, place) for place in places)] for label, outcome in ran.items()]
+        metrics = [(window, key, statistic) for key in names.paper_signals]
+        rows = [[label, *(_cell(run, outcome, base, metric) for metric in metrics)] for label, outcome in ran.items()]
         show_table([title, *map(names.signal, names.paper_signals)], rows)
         typer.echo()
     heads = [drive, "travel time", "at the bump", "airborne", "over travel", "QPs", "run"]
@@ -73,14 +73,14 @@ def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None
             typer.echo(f"{names.label(outcome.strategy)}  failed: {outcome.reason}")
 
 
-def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, place: tuple[str, str, str]) -> str:
+def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, metric: tuple[str, str, str]) -> str:
     """A metric and its change; over several roads both with half their interval's width."""
-    window, signal, statistic = place
+    window, signal, statistic = metric
     value: Any = outcome.metrics[window][signal][statistic]  # type: ignore[literal-required]  # one of both
     if isinstance(value, Interval):
         change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
         return f"{value}{f' ({change.mean:+.1f} ± {change.half:.1f} %)' if isinstance(change, Interval) else ''}"
-    reference: Any = base.figures()[".".join(place)] if base is not None and base is not outcome else None
+    reference: Any = base.figures()[".".join(metric)] if base is not None and base is not outcome else None
     return f"{value:.4g}{f' ({100 * (value - reference) / reference:+.1f} %)' if reference else ''}"
 
 

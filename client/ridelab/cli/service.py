@@ -39,7 +39,7 @@ def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
 
 
 def server_environment() -> dict[str, str]:
-    """The environment in which that finds the server beside this core, whatever the current folder holds."""
+    """The environment in which Python imports the server beside this core, whatever the current folder holds."""
     spec = importlib.util.find_spec("sim_core")
     folder = "" if spec is None or spec.origin is None else str(Path(spec.origin).parents[1])
     paths = [folder, os.environ.get("PYTHONPATH", "")]
@@ -54,7 +54,7 @@ def end_as_server(*arguments: str, content: bytes = b"", data_dir: Path | None =
 
 
 class Services(ExitStack):
-    """Connections, made when they are first needed and closed together; a context manager.
+    """Connections, opened when first needed and closed together; a context manager.
 
     Args:
         server: Address of the service to work with; None starts a private one.
@@ -74,7 +74,7 @@ class Services(ExitStack):
 
     @cached_property
     def names(self) -> Names:
-        """What the service knows by name."""
+        """The service's fields, strategies, presets and signals by name."""
         return Names.of(self.at())
 
     @property

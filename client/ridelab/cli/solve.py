@@ -35,16 +35,16 @@ def solve(
     start = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     try:
-        found = ridelab.solve(start, strategy, name, (ends[0], ends[1]), metric, most, roads=roads)
+        solution = ridelab.solve(start, strategy, name, (ends[0], ends[1]), metric, most, roads=roads)
     except RidelabAPIError as error:
         if error.kind == "no-solution":
             raise failed(DIFFERENT, [error.detail]) from None
         raise
     if as_json:
-        print_json(found.answer)
+        print_json(solution.answer)
         return
-    _show(found, name, metric, roads)
-    typer.echo(f"\nrun {found.run_id}" if services.private else f"\n{ridelab.address}/r/{found.run_id}")
+    _show(solution, name, metric, roads)
+    typer.echo(f"\nrun {solution.run_id}" if services.private else f"\n{ridelab.address}/r/{solution.run_id}")
 
 
 def _limit(text: str) -> tuple[str, float]:
@@ -55,14 +55,14 @@ def _limit(text: str) -> tuple[str, float]:
         raise InputError("--limit takes METRIC=MOST, such as bump.body_acceleration.peak=4") from None
 
 
-def _show(found: Solution, name: str, metric: str, roads: int) -> None:
-    low, high = found.bracket
-    beyond = f"; {_with_unit(high, found.unit)} does not keep the limit" if high > low else ""
-    typer.echo(f"{name} at most {_with_unit(low, found.unit)}{beyond}")
-    held = _with_unit(found.metric_value, found.metric_unit, 4)
-    over = f", the upper end of {found.interval} over {roads} roads" if found.interval is not None else ""
-    typer.echo(f"{metric} is {held} there{over} ({found.runs} runs)")
-    for warning in found.warnings:
+def _show(solution: Solution, name: str, metric: str, roads: int) -> None:
+    low, high = solution.bracket
+    beyond = f"; {_with_unit(high, solution.unit)} does not keep the limit" if high > low else ""
+    typer.echo(f"{name} at most {_with_unit(low, solution.unit)}{beyond}")
+    held = _with_unit(solution.metric_value, solution.metric_unit, 4)
+    over = f", the upper end of {solution.interval} over {roads} roads" if solution.interval is not None else ""
+    typer.echo(f"{metric} is {held} there{over} ({solution.runs} runs)")
+    for warning in solution.warnings:
         note(warning)
 
 

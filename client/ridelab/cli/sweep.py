@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli import fields, following, options, targets
-from ridelab.cli.reporting import InputError, chosen_format, deliver, note, print_json
+from ridelab.cli.reporting import InputError, deliver, note, output_format, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
 from ridelab.errors import RidelabClientError
@@ -48,7 +48,7 @@ def sweep(
         raise InputError("Say what to sweep with one of --grid, --latin-hypercube and --list")
     if (samples is not None) != bool(latin_hypercube):
         raise InputError("--latin-hypercube and --samples belong together")
-    kind = None if out is None else chosen_format(out, file_format)
+    kind = None if out is None else output_format(out, file_format)
     swept: dict[str, Any]
     if points is not None:
         swept = {"list": targets.document(points.read_bytes(), str(points))}

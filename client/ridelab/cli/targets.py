@@ -23,7 +23,7 @@ _PAGES = {"r": "get_run", "b": "get_batch", "s": "open_link"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
-    """What a target turned out to be: a scenario always, and the stored result it belongs to if there is one."""
+    """What a target names: always a scenario, and the stored result it belongs to if there is one."""
 
     name: str
     scenario: dict[str, Any]  # perhaps in part; what is left out takes the paper's value
@@ -34,7 +34,7 @@ class Target:
 
     @property
     def strategies(self) -> list[str]:
-        """Those of the stored result; none where there is only a scenario."""
+        """The strategies of the stored result; none where there is only a scenario."""
         if self.run is not None:
             return list(self.run.strategies)
         return [] if self.batch is None else list(self.batch.answer["strategies"])
@@ -50,8 +50,8 @@ def find(target: str, services: Services) -> Target:
         return _document(Path(target).read_bytes(), target)
     if _ID.fullmatch(target):
         ridelab = services.at()
-        found = _first(target, "run, batch or link", ridelab.get_run, ridelab.get_batch, ridelab.open_link)
-        return _target(found, ridelab)
+        result = _first(target, "run, batch or link", ridelab.get_run, ridelab.get_batch, ridelab.open_link)
+        return _target(result, ridelab)
     presets = services.names.presets
     if target in presets:
         return Target(name=target, scenario=presets[target])
@@ -129,7 +129,7 @@ def _target(result: RunResult | Batch | LinkedResult, ridelab: Ridelab) -> Targe
 
 
 def _first(name: str, what: str, *lookups: Callable[[str], Any]) -> Any:
-    """What the first of them finds: ids of all kinds look alike."""
+    """The answer of the first lookup that knows the id: ids of all kinds look alike."""
     for lookup in lookups:
         try:
             return lookup(name)

@@ -1,4 +1,4 @@
-"""`ridelab tune`: look for better weights, and what a tuning's answer comes to as text."""
+"""`ridelab tune`: look for better weights, and print a tuning's answer as text."""
 
 import json
 import re

@@ -35,8 +35,8 @@ def vehicle(
     if which is None and sheet is None:
         if out is not None:
             raise InputError("--out needs a VEHICLE or --sheet FILE")
-        known = services.at().vehicles()
-        print_json(list(known.values())) if as_json else _show_all(known)
+        vehicles = services.at().vehicles()
+        print_json(list(vehicles.values())) if as_json else _show_all(vehicles)
         return
     content = _of_sheet(sheet, services) if sheet is not None else _named(str(which), services)
     if out is not None:
@@ -48,21 +48,20 @@ def vehicle(
 
 
 def _named(which: str, services: Services) -> Mapping[str, Any]:
-    known = {} if Path(which).is_file() else services.at().vehicles()
-    return known.get(which) or {VEHICLE: vehicle_of(which, services)}
+    vehicles = {} if Path(which).is_file() else services.at().vehicles()
+    return vehicles.get(which) or {VEHICLE: vehicle_of(which, services)}
 
 
 def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
-    given = document(sheet.read_bytes(), str(sheet))
-    if not isinstance(given, dict):
+    data_sheet = document(sheet.read_bytes(), str(sheet))
+    if not isinstance(data_sheet, dict):
         raise InputError(f"{sheet}: this has to be a JSON object")
-    return {VEHICLE: services.at().half_car(given), "derived": ["From the data sheet"], "data_sheet": given}
+    return {VEHICLE: services.at().half_car(data_sheet), "derived": ["From the data sheet"], "data_sheet": data_sheet}
 
 
-def _show_all(known: Mapping[str, Mapping[str, Any]]) -> None:
-    show_table(
-        ["vehicle", "label", "what it is"], [[name, each["label"], each["description"]] for name, each in known.items()]
-    )
+def _show_all(vehicles: Mapping[str, Mapping[str, Any]]) -> None:
+    rows = [[name, each["label"], each["description"]] for name, each in vehicles.items()]
+    show_table(["vehicle", "label", "what it is"], rows)
 
 
 def _show(content: Mapping[str, Any], units: Mapping[str, str]) -> None:
