@@ -40,7 +40,7 @@ DOCS_SCRIPT = """SwaggerUIBundle({
 });
 """
 
-# As frontend/src/pages.ts and the dashboard have them.
+# As frontend/src/router.tsx has them.
 PAGES = (
     "/",
     "/r/{id}",

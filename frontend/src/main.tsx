@@ -2,19 +2,17 @@ import { MantineProvider } from "@mantine/core";
 // In a layer: ours wins whatever order the build puts the styles of its chunks in.
 import "@mantine/core/styles.layer.css";
 import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
-import { StrictMode, Suspense } from "react";
+import { RouterProvider } from "@tanstack/react-router";
+import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { api } from "./api/client";
-import { App } from "./App";
-import { LazyBatchPage } from "./batch/lazy";
 import "./global.css";
-import { pageAt } from "./pages";
 import { loadPlotly } from "./plots/plotly";
-import { ErrorBoundary } from "./shell/ErrorBoundary";
-import { LoginGate } from "./shell/LoginGate";
+import { createAppRouter } from "./router";
+import { DeskProvider } from "./state/context";
 import { createLab } from "./state/lab";
 import { watchPrinting } from "./state/printing";
-import { createRouter } from "./state/router";
+import { createLabRouter } from "./state/router";
 import { theme } from "./theme";
 
 const queries = new QueryClient({
@@ -22,25 +20,12 @@ const queries = new QueryClient({
   defaultOptions: { queries: { retry: false, networkMode: "always", refetchOnWindowFocus: false } },
 });
 
-/** A sweep has a page of its own, which needs nothing of the dashboard. */
-const batchId = /^\/b\/([^/]+)\/?$/.exec(window.location.pathname)?.[1];
-
-function dashboard() {
-  const router = createRouter();
-  const lab = createLab({ api, router, queries });
-  // The first run, the plotting code and the form are fetched at the same time.
-  lab.open(router.get());
-  router.onTravel(lab.travel);
-  return <App lab={lab} router={router} />;
-}
-
-function content() {
-  if (batchId !== undefined) return <LazyBatchPage id={batchId} />;
-  const page = pageAt(window.location.pathname);
-  return page ? <page.View id={page.id} /> : dashboard();
-}
-
-const page = content();
+// The lab lives as long as the tab: other pages come and go beside it.
+const pages = createAppRouter();
+const router = createLabRouter(pages);
+const lab = createLab({ api, router, queries });
+// The first run, the plotting code and the form are fetched at the same time.
+router.onTravel(lab.travel);
 void loadPlotly();
 watchPrinting();
 
@@ -50,11 +35,9 @@ createRoot(root).render(
   <StrictMode>
     <QueryClientProvider client={queries}>
       <MantineProvider theme={theme} defaultColorScheme="auto">
-        <ErrorBoundary>
-          <Suspense>
-            <LoginGate>{page}</LoginGate>
-          </Suspense>
-        </ErrorBoundary>
+        <DeskProvider value={{ lab, router, standard: {} }}>
+          <RouterProvider router={pages} />
+        </DeskProvider>
       </MantineProvider>
     </QueryClientProvider>
   </StrictMode>,

@@ -1,34 +1,48 @@
 /** A sweep: how far it is, its plot and its rows. */
 
 import { useDocumentTitle } from "@mantine/hooks";
+import { useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
 import type { Link } from "../api/types";
 import { BATCH, useJob } from "../jobs/useJob";
 import { markersOf } from "../plots/markers";
-import { Page } from "../shell/Page";
+import { LabLink } from "../shell/LabLink";
+import { InShell } from "../shell/places";
+import shell from "../shell/shell.module.css";
 import { useCatalogues } from "../state/useCatalogues";
 import { BatchActions } from "./BatchActions";
 import { BatchResults } from "./BatchResults";
 import { BatchState } from "./BatchState";
 import { SharedNote } from "../share/SharedNote";
 import { SweepList, titleOf } from "./SweepList";
-import { useBatchView } from "./view";
+import { useBatchView, useSharedView, type BatchView } from "./view";
 import ui from "../ui/ui.module.css";
 import { Loading } from "../ui/Loading";
 import { Blank, CouldNotLoad } from "../shell/Blank";
-import { Anchor } from "@mantine/core";
+
+export function SweepPage() {
+  const { id } = useParams({ from: "/b/$id" });
+  const [view, onView] = useBatchView();
+  return <Sweep key={id} {...{ id, view, onView }} />;
+}
+
+/** Where a link shows it. */
+export function SharedSweep({ id, link }: { readonly id: string; readonly link: Link }) {
+  const [view, onView] = useSharedView(link.view);
+  return <Sweep {...{ id, link, view, onView }} />;
+}
 
 interface Props {
   readonly id: string;
-  /** Where the page was opened by a link. */
+  readonly view: BatchView;
+  readonly onView: (change: Partial<BatchView>) => void;
   readonly link?: Link;
 }
 
-export function BatchPage({ id, link }: Props) {
+function Sweep({ id, view, onView, link }: Props) {
   const { job: batch, error, connected, left } = useJob(BATCH, id);
   const { catalogues, fault: catalogueFault } = useCatalogues();
-  const [view, setView] = useBatchView(link?.view);
   const title = batch ? (batch.label ?? `Sweep of ${titleOf(batch.fields)}`) : "Sweep";
   useDocumentTitle(`${title} · Ridelab`);
 
@@ -38,26 +52,30 @@ export function BatchPage({ id, link }: Props) {
   const fault = error !== null && !isTransient(error) ? error : catalogueFault;
 
   return (
-    <Page actions={<BatchActions batch={batch} view={view} />}>
+    <>
+      <InShell place="tools">
+        <span className={shell.grow} />
+        <BatchActions batch={batch} view={view} />
+      </InShell>
       <main className={ui.main}>
         {link && <SharedNote link={link} what="sweep" />}
         {fault ? (
           isNotFound(error) ? (
             <Blank title="There is no sweep at this address" text="The address may be cut short, or the sweep was made on another server.">
-              <Anchor href="/">Open the paper’s scenario</Anchor>
+              <LabLink run={undefined}>Go to the lab</LabLink>
             </Blank>
           ) : <CouldNotLoad what="sweep" message={fault.message} />
         ) : batch && catalogues ? (
           <>
             <h1 className={ui.title}>{title}</h1>
             <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
-            <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={setView} />
+            <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={onView} />
             {!link && <SweepList strategies={catalogues.strategies} current={id} />}
           </>
         ) : (
           <Loading label="Loading the sweep" heights={[28, 96, 440, 320]} />
         )}
       </main>
-    </Page>
+    </>
   );
 }

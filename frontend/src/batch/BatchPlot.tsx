@@ -80,7 +80,7 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
       const row = points[0]?.customdata;
       if (row !== undefined) openRow(row);
     });
-    return () => element.removeAllListeners("plotly_click");
+    return () => element.removeAllListeners?.("plotly_click");
   }, [plotly, width]);
   useEffect(() => {
     const element = host.current;

@@ -46,7 +46,7 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }:
     };
     paint();
     element.on("plotly_relayout", paint);
-    return () => element.removeAllListeners("plotly_relayout");
+    return () => element.removeAllListeners?.("plotly_relayout");
   }, [host, drawing, dots, width, height]);
 
   const open = useEffectEvent((row: number) => onOpen(row));

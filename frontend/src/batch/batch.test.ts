@@ -4,7 +4,8 @@ import { nearest, place } from "./dots";
 import { linesOf } from "./lines";
 import { secondsLeft, withMark, type Mark } from "../jobs/pace";
 import { MANY, scatterFigure } from "./scatter";
-import { formatBatchView, readBatchView } from "./view";
+import { stringifySearch } from "../state/address";
+import { searchOf, viewOf } from "./view";
 import { lowest, ordered, pointsOf, rowsOf, type Columns } from "./table";
 
 const COLUMNS: Columns = {
@@ -68,9 +69,9 @@ describe("a strategy's marker", () => {
 describe("how a sweep is looked at", () => {
   it("is in the address, and short for the usual view", () => {
     const view = { x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] };
-    expect(formatBatchView(view)).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
-    expect(readBatchView(formatBatchView(view))).toEqual(view);
-    expect(formatBatchView(readBatchView(""))).toBe("");
+    expect(stringifySearch(searchOf(view))).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
+    expect(viewOf(searchOf(view))).toEqual(view);
+    expect(searchOf(viewOf({}))).toEqual({});
   });
 });
 

@@ -5,6 +5,7 @@ import { api } from "../api/client";
 import { explain } from "../api/problem";
 import type { Batch, JsonValue, Scenario } from "../api/types";
 import { setAt } from "../editor/path";
+import { useOpenInLab } from "../shell/useOpenInLab";
 import { pointerOf } from "../sweep/fields";
 
 export interface Place {
@@ -25,17 +26,18 @@ export interface Opening {
 }
 
 export function useOpenRun(batch: Batch): Opening {
+  const openInLab = useOpenInLab();
   const opening = useMutation({
     mutationFn: ({ at }: Place) => api.createRun(scenarioAt(batch.scenario, at), batch.strategies),
     networkMode: "always",
-    onSuccess: ({ id }) => window.location.assign(`/r/${encodeURIComponent(id)}`),
+    onSuccess: openInLab,
   });
   const { error } = opening;
   return {
     open: (place) => {
       if (!opening.isPending) opening.mutate(place);
     },
-    run: opening.isPending || opening.isSuccess ? opening.variables.run : null,
+    run: opening.isPending ? opening.variables.run : null,
     error: error && explain(error),
   };
 }

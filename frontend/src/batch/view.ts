@@ -1,7 +1,9 @@
 /** How a sweep is looked at. On its own page the address carries it; a link has its own. */
 
+import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useState } from "react";
 import type { SharedView, StrategyId } from "../api/types";
+import { listOf } from "../state/address";
 import { OPENING_FIGURE } from "./figures";
 
 export interface BatchView {
@@ -12,32 +14,24 @@ export interface BatchView {
   readonly hidden: readonly StrategyId[];
 }
 
-export function readBatchView(search: string): BatchView {
-  const query = new URLSearchParams(search);
-  return {
-    x: query.get("x"),
-    y: query.get("y") ?? OPENING_FIGURE,
-    hidden: query.get("hide")?.split(",").filter(Boolean) ?? [],
-  };
+export type BatchSearch = Partial<Record<"x" | "y" | "hide", string>>;
+type Change = (part: Partial<BatchView>) => void;
+
+export const viewOf = ({ x, y, hide }: BatchSearch): BatchView => ({ x: x ?? null, y: y ?? OPENING_FIGURE, hidden: listOf(hide) });
+
+export const searchOf = ({ x, y, hidden }: BatchView): BatchSearch => ({
+  ...(x !== null && { x }),
+  ...(y !== OPENING_FIGURE && { y }),
+  ...(hidden.length > 0 && { hide: hidden.join(",") }),
+});
+
+export function useBatchView(): readonly [BatchView, Change] {
+  const view = viewOf(useSearch({ from: "/b/$id" }));
+  const navigate = useNavigate();
+  return [view, (part) => void navigate({ to: ".", search: searchOf({ ...view, ...part }), replace: true, resetScroll: false })];
 }
 
-export function formatBatchView({ x, y, hidden }: BatchView): string {
-  const query = new URLSearchParams();
-  if (x !== null) query.set("x", x);
-  if (y !== OPENING_FIGURE) query.set("y", y);
-  if (hidden.length > 0) query.set("hide", hidden.join(","));
-  const text = query.toString().replace(/%2C/g, ",");
-  return text === "" ? "" : `?${text}`;
-}
-
-export function useBatchView(shared: SharedView | undefined) {
-  const [view, setView] = useState<BatchView>(() =>
-    shared ? { x: shared.x ?? null, y: shared.y ?? OPENING_FIGURE, hidden: shared.hidden ?? [] } : readBatchView(window.location.search),
-  );
-  const change = (part: Partial<BatchView>) => {
-    const next = { ...view, ...part };
-    setView(next);
-    if (!shared) window.history.replaceState(null, "", window.location.pathname + formatBatchView(next));
-  };
-  return [view, change] as const;
+export function useSharedView({ x, y, hidden }: SharedView): readonly [BatchView, Change] {
+  const [view, setView] = useState<BatchView>({ x: x ?? null, y: y ?? OPENING_FIGURE, hidden: hidden ?? [] });
+  return [view, (part) => setView((before) => ({ ...before, ...part }))];
 }

@@ -10,7 +10,6 @@ import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { placeErrors } from "../editor/errors";
 import { CouldNotLoad } from "../shell/Blank";
-import { Page } from "../shell/Page";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
@@ -45,7 +44,6 @@ export function EcuPage() {
   const fault = [schema, strategies, catalogue, figures].find((query) => query.error !== null && !isTransient(query.error))?.error;
 
   return (
-    <Page run={source.origin.run}>
       <main className={ui.main}>
         <h1 className={ui.title}>The controller as an ECU’s program</h1>
         <Text className={ui.lead ?? ""}>
@@ -84,7 +82,6 @@ export function EcuPage() {
           </>
         )}
       </main>
-    </Page>
   );
 }
 

@@ -1,6 +1,7 @@
 /** LV in the ECU beside LV in the simulation: the paper's eight figures and the rule for them. */
 
 import { Anchor, Text } from "@mantine/core";
+import { Link } from "@tanstack/react-router";
 import { IconAlertTriangle, IconCheck } from "../icons";
 import type { Catalogue, FigureTemplate, Strategy, Summary } from "../api/types";
 import { headingOf, VIEWS } from "../tables/ComparisonTable";
@@ -77,7 +78,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
         ))}
       </ScrollTable>
       <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
-        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" underline="always" href="/paper">the paper page</Anchor>.
+        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" underline="always" renderRoot={(props) => <Link to="/paper" {...props} />}>the paper page</Anchor>.
       </Text>
       <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
     </Card>

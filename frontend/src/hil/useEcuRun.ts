@@ -37,7 +37,7 @@ export function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
     onSuccess: (run) => {
       queries.setQueryData(runKey(run.id), run);
       queries.setQueryData(ecuRunQuery(run.scenario).queryKey, run);
-      choose({ run: run.id, preset: null });
+      choose({ run: run.id });
     },
   });
   // Until the server has taken an edit, the form shows it over the stored one.

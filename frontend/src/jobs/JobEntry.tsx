@@ -2,6 +2,7 @@
 
 import { ActionIcon, Button, Menu, Text, TextInput } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
+import { Link } from "@tanstack/react-router";
 import { useState } from "react";
 import { IconDots } from "../icons";
 import { formatMinute } from "../units/dates";
@@ -34,13 +35,13 @@ export function JobEntry<Item extends Common, Job extends Item>({ kind, item, de
   const close = () => setOpenForm(null);
   return (
     <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
-      <a href={kind.address(item.id)}>
+      <Link to={kind.page} params={{ id: item.id }}>
         <span className={classes.entryTitle}>{name}</span>
         <span className={classes.entryState}>
           {[STATE[item.state] + (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`), ...(item.position > 0 ? [waitsFor(item)] : [])].join(" · ")}
         </span>
         <span className={classes.entryText}>{texts.join(" · ")}</span>
-      </a>
+      </Link>
       <Menu position="bottom-end" width={160}>
         <Menu.Target>
           <ActionIcon variant="subtle" color="gray" size={28} className={classes.entryMenu ?? ""} aria-label={`Rename or delete ${name}`}>

@@ -15,7 +15,7 @@ export interface Kind<Item extends Common, Job extends Item> {
   /** What is counted. */
   readonly unit: "run" | "trial";
   readonly calls: JobCalls<Item, Job>;
-  readonly address: (id: string) => string;
+  readonly page: "/b/$id" | "/tuner/$id";
   readonly counts: (job: Item) => Pick<JobEvent, "done" | "failed" | "total">;
   /** The job with an event's news; null where the job itself has to be asked for. */
   readonly withEvent: (job: Job, event: JobEvent) => Job | null;
@@ -25,7 +25,7 @@ export const BATCH: Kind<BatchItem, Batch> = {
   name: "batch",
   unit: "run",
   calls: batches,
-  address: (id) => `/b/${encodeURIComponent(id)}`,
+  page: "/b/$id",
   counts: (batch) => batch,
   withEvent: (batch, event) => {
     if (isFinal(event)) return null; // when it ended, and why, no event says
@@ -38,7 +38,7 @@ export const TUNING: Kind<TuningItem, Tuning> = {
   name: "tuning",
   unit: "trial",
   calls: tunings,
-  address: (id) => `/tuner/${encodeURIComponent(id)}`,
+  page: "/tuner/$id",
   counts: ({ trials }) => trials,
   withEvent: () => null,
 };

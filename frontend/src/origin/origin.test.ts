@@ -2,18 +2,18 @@ import { describe, expect, it } from "vitest";
 import { standardScenario } from "../editor/diff";
 import { FORM } from "../editor/form.fixture";
 import { setAt } from "../editor/path";
-import { formatOrigin, readOrigin } from "./origin";
+import { parseSearch, stringifySearch } from "../state/address";
+import { readOrigin } from "./origin";
 import { otherThanPaper } from "./otherThanPaper";
 
 describe("where a page's scenario comes from", () => {
   it("is a run before a preset", () => {
-    expect(readOrigin("?preset=p&run=R")).toEqual({ run: "R", preset: null });
-    expect(readOrigin("?preset=p")).toEqual({ run: null, preset: "p" });
-    expect(readOrigin("")).toEqual({ run: null, preset: null });
+    expect(readOrigin({ preset: "p", run: "R" })).toEqual({ run: "R" });
+    expect(readOrigin({ preset: "p", run: "" })).toEqual({ preset: "p" });
   });
 
   it.each(["", "?run=a%2Fb", "?preset=half"])("stands in the address: %s", (search) => {
-    expect(formatOrigin(readOrigin(search))).toBe(search);
+    expect(stringifySearch(readOrigin(parseSearch(search)))).toBe(search);
   });
 });
 

@@ -1,30 +1,22 @@
-/** The scenario a page beside the dashboard works on: that of the run in the address, or a preset's. */
+/** The scenario a page beside the lab works on: that of the run in the address, or a preset's. */
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
-import { useState } from "react";
+import { useNavigate, useSearch } from "@tanstack/react-router";
 import { api } from "../api/client";
 import type { Preset, Scenario } from "../api/types";
+import { pick } from "../state/address";
 import { presetsQuery, runKey } from "../state/queries";
 
 /** `?run=` or `?preset=`; without either it is the first preset, the paper's. */
-export interface Origin {
-  readonly run: string | null;
-  readonly preset: string | null;
+export type Origin = Partial<Record<"run" | "preset", string>>;
+
+export function readOrigin(search: Readonly<Record<string, unknown>>): Origin {
+  const { run, preset } = pick(search, "run", "preset");
+  return run !== undefined ? { run } : preset !== undefined ? { preset } : {};
 }
 
-export function readOrigin(search: string): Origin {
-  const query = new URLSearchParams(search);
-  const run = query.get("run");
-  return { run, preset: run === null ? query.get("preset") : null };
-}
-
-export function formatOrigin({ run, preset }: Origin): string {
-  const query = run !== null ? { run } : preset !== null ? { preset } : null;
-  return query === null ? "" : `?${new URLSearchParams(query)}`;
-}
-
-const runQuery = (id: string | null) =>
-  queryOptions({ queryKey: runKey(id ?? ""), queryFn: ({ signal }) => api.run(id ?? "", signal), enabled: id !== null, staleTime: Infinity });
+const runQuery = (id: string | undefined) =>
+  queryOptions({ queryKey: runKey(id ?? ""), queryFn: ({ signal }) => api.run(id ?? "", signal), enabled: id !== undefined, staleTime: Infinity });
 
 export interface PageScenario {
   readonly origin: Origin;
@@ -37,18 +29,17 @@ export interface PageScenario {
 }
 
 export function usePageScenario(): PageScenario {
-  const [origin, setOrigin] = useState(() => readOrigin(window.location.search));
+  const origin = readOrigin(useSearch({ strict: false }));
+  const navigate = useNavigate();
   const presets = useQuery(presetsQuery);
   const run = useQuery(runQuery(origin.run));
   const preset = presets.data?.find(({ id }) => id === origin.preset) ?? presets.data?.[0];
+  const isRun = origin.run !== undefined;
   return {
-    origin: origin.run === null ? { run: null, preset: preset?.id ?? origin.preset } : origin,
-    scenario: origin.run === null ? preset?.scenario : run.data?.scenario,
+    origin: isRun || !preset ? origin : { preset: preset.id },
+    scenario: isRun ? run.data?.scenario : preset?.scenario,
     presets: presets.data ?? [],
-    error: origin.run === null ? presets.error : run.error,
-    choose: (next) => {
-      setOrigin(next);
-      window.history.replaceState(null, "", window.location.pathname + formatOrigin(next));
-    },
+    error: isRun ? run.error : presets.error,
+    choose: (next) => void navigate({ to: ".", search: next, replace: true, resetScroll: false }),
   };
 }

@@ -5,6 +5,7 @@ import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../icons";
 import { api } from "../api/client";
 import type { Paper, PaperCell } from "../api/types";
+import { useOpenInLab } from "../shell/useOpenInLab";
 import { runKey } from "../state/queries";
 import { count, formatWhole } from "../units/format";
 import classes from "./paper.module.css";
@@ -98,11 +99,12 @@ function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
 function OpenScenario({ paper }: Pick<Props, "paper">) {
   const queries = useQueryClient();
   const strategies = [...new Set(paper.tables.flatMap(({ columns }) => columns.flatMap(({ strategy, against }) => [strategy, against])))];
+  const openInLab = useOpenInLab();
   const opening = useMutation({
     mutationFn: () => api.createRun(paper.scenario, strategies),
     onSuccess: (run) => {
       queries.setQueryData(runKey(run.id), run);
-      window.location.assign(`/r/${encodeURIComponent(run.id)}`);
+      openInLab(run);
     },
   });
   return (

@@ -8,7 +8,8 @@ import { useEffect, type ReactNode } from "react";
 import { api } from "../api/client";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Paper } from "../api/types";
-import { Page } from "../shell/Page";
+import { InShell } from "../shell/places";
+import shell from "../shell/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
 import { Contents, SECTIONS, type SectionId } from "./Contents";
@@ -38,8 +39,9 @@ export function PaperPage() {
   const fault = error ?? (words === null ? wordless : null);
 
   return (
-    <Page
-      actions={
+    <>
+      <InShell place="tools">
+        <span className={shell.grow} />
         <Button
           component="a"
           href={api.paperReportAddress(choices)}
@@ -51,8 +53,7 @@ export function PaperPage() {
         >
           Report
         </Button>
-      }
-    >
+      </InShell>
       <div className={classes.page}>
         <Contents paper={paper} />
         <main className={classes.main} aria-busy={waiting || paper?.complete === false}>
@@ -74,7 +75,7 @@ export function PaperPage() {
           )}
         </main>
       </div>
-    </Page>
+    </>
   );
 }
 

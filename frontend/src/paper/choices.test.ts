@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { PaperInterpretation, PaperReading } from "../api/types";
-import { formatChoices, readChoices, setOf, standardOf, withChoice, withoutChoices, withSet } from "./choices";
+import { parseSearch, stringifySearch } from "../state/address";
+import { readChoices, setOf, standardOf, withChoice, withoutChoices, withSet } from "./choices";
 
 const READING: PaperReading = {
   id: "preview",
@@ -30,7 +31,7 @@ const SETS = [set("default", "lookahead"), set("favourable", "none")];
 
 describe("the chosen readings", () => {
   it.each(["", "?preview=none", "?preview=none&seeds=40", "?interpretation=favourable"])("stand in the address: %s", (search) => {
-    expect(formatChoices(readChoices(search))).toBe(search);
+    expect(stringifySearch(readChoices(parseSearch(search)))).toBe(search);
   });
 
   it("leave no trace where their named set has them", () => {

@@ -1,6 +1,7 @@
 /** Which readings are chosen. The address carries them, so that a page of them can be shared. */
 
-import { useEffect, useState } from "react";
+import { useNavigate, useSearch } from "@tanstack/react-router";
+import { useCallback } from "react";
 import type { PaperInterpretation, PaperReading } from "../api/types";
 
 /** Reading → choice; what is left out is as in the named set under `interpretation`, which is `default` where it is left out. `seeds` may stand there too. */
@@ -8,12 +9,9 @@ export type Choices = Readonly<Record<string, string>>;
 
 export const NONE_CHOSEN: Choices = {};
 
-export const readChoices = (search: string): Choices => Object.fromEntries(new URLSearchParams(search));
-
-export function formatChoices(choices: Choices): string {
-  const text = new URLSearchParams(choices).toString();
-  return text === "" ? "" : `?${text}`;
-}
+/** They have names of the server's: all there is in the address. */
+export const readChoices = (search: Readonly<Record<string, unknown>>): Choices =>
+  Object.fromEntries(Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])));
 
 const DEFAULT = "default";
 
@@ -42,15 +40,8 @@ export function withSet(choices: Choices, readings: readonly PaperReading[], nam
 const without = (choices: Choices, left: (name: string) => boolean): Choices => Object.fromEntries(Object.entries(choices).filter(([name]) => !left(name)));
 
 export function useChoices() {
-  const [choices, setChoices] = useState(() => readChoices(window.location.search));
-  useEffect(() => {
-    const read = () => setChoices(readChoices(window.location.search));
-    window.addEventListener("popstate", read);
-    return () => window.removeEventListener("popstate", read);
-  }, []);
-  const choose = (next: Choices) => {
-    setChoices(next);
-    window.history.pushState(null, "", window.location.pathname + formatChoices(next));
-  };
-  return [choices, choose] as const;
+  const search = useSearch({ from: "/paper" });
+  const navigate = useNavigate();
+  const choose = useCallback((next: Choices) => void navigate({ to: ".", search: next, resetScroll: false }), [navigate]);
+  return [search, choose] as const;
 }

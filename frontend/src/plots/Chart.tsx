@@ -46,7 +46,7 @@ export function Chart({ figure, height, width: fixedWidth, label, onPoint }: Pro
       const point = points[0]?.customdata;
       if (point !== undefined) clicked(point);
     });
-    return () => element.removeAllListeners("plotly_click");
+    return () => element.removeAllListeners?.("plotly_click");
   }, [plotly, width, clickable]);
   useEffect(() => {
     const element = host.current;

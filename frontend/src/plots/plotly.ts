@@ -98,7 +98,8 @@ export interface PlotElement extends HTMLElement {
     (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void): void;
     (event: "plotly_relayout", handler: () => void): void;
   };
-  readonly removeAllListeners: (event: "plotly_click" | "plotly_relayout") => void;
+  /** Gone once it is purged. */
+  readonly removeAllListeners?: (event: "plotly_click" | "plotly_relayout") => void;
 }
 
 let loading: Promise<Plotly> | null = null;

@@ -6,20 +6,14 @@ import { useQuery } from "@tanstack/react-query";
 import { isNotFound, isTransient } from "../api/problem";
 import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
-import { Page } from "../shell/Page";
 import { schemaQuery, strategiesQuery } from "../state/queries";
 import { defaultsQuery } from "./defaults";
 import { StudyForm } from "./StudyForm";
-import { StudyPage } from "./StudyPage";
 import ui from "../ui/ui.module.css";
 import { Loading } from "../ui/Loading";
 import { CouldNotLoad } from "../shell/Blank";
 
-export function RobustnessPage({ id }: { readonly id: string | null }) {
-  return id === null ? <NewStudy /> : <StudyPage key={id} id={id} />;
-}
-
-function NewStudy() {
+export function RobustnessPage() {
   const source = usePageScenario();
   const defaults = useQuery(defaultsQuery);
   const strategies = useQuery(strategiesQuery);
@@ -28,7 +22,6 @@ function NewStudy() {
   const fault = [defaults.error, strategies.error, form.error].find((error) => error !== null && !isTransient(error));
   const failure = source.error !== null && !isNotFound(source.error) && !isTransient(source.error) ? source.error : fault;
   return (
-    <Page run={source.origin.run}>
       <main className={ui.main}>
         <h1 className={ui.title}>Robustness</h1>
         <Text className={ui.lead ?? ""}>
@@ -51,6 +44,5 @@ function NewStudy() {
           <Loading label="Loading the form" heights={[28, 96, 440, 320]} />
         )}
       </main>
-    </Page>
   );
 }

@@ -4,13 +4,15 @@ import { Button, Collapse, Text } from "@mantine/core";
 import { useDisclosure, useDocumentTitle } from "@mantine/hooks";
 import { IconAdjustments, IconPlus } from "../icons";
 import { useQuery } from "@tanstack/react-query";
+import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { isNotFound, isTransient } from "../api/problem";
 import { BatchState } from "../batch/BatchState";
 import { otherThanPaper } from "../origin/otherThanPaper";
 import { BATCH, useJob } from "../jobs/useJob";
 import { Blank, CouldNotLoad } from "../shell/Blank";
-import { Page } from "../shell/Page";
+import { InShell } from "../shell/places";
+import shell from "../shell/shell.module.css";
 import { useCatalogues } from "../state/useCatalogues";
 import { defaultsQuery } from "./defaults";
 import { StudyForm } from "./StudyForm";
@@ -19,7 +21,8 @@ import ui from "../ui/ui.module.css";
 import { compact } from "../ui/compact";
 import { Loading } from "../ui/Loading";
 
-export function StudyPage({ id }: { readonly id: string }) {
+export function StudyPage() {
+  const { id } = useParams({ from: "/robustness/$id" });
   const { job: batch, error, connected, left } = useJob(BATCH, id);
   const { catalogues, fault: catalogueFault } = useCatalogues();
   const defaults = useQuery(defaultsQuery);
@@ -31,27 +34,23 @@ export function StudyPage({ id }: { readonly id: string }) {
   const fault = [error, defaults.error].find((each) => each !== null && !isTransient(each)) ?? catalogueFault;
 
   return (
-    <Page
-      actions={
-        <>
+    <>
+      <InShell place="tools">
+        <span className={shell.grow} />
           {batch && defaults.data && (
             <Button size="xs" variant="default" aria-expanded={changing} aria-label="Change it" classNames={compact} leftSection={<IconAdjustments size={15} />} onClick={toggle}>
               Change it
             </Button>
           )}
-          <Button component="a" href="/robustness" size="xs" variant="default" aria-label="New study" classNames={compact} leftSection={<IconPlus size={15} />}>
+          <Button size="xs" variant="default" aria-label="New study" classNames={compact} leftSection={<IconPlus size={15} />} renderRoot={(props) => <Link to="/robustness" {...props} />}>
             New study
           </Button>
-        </>
-      }
-    >
+      </InShell>
       <main className={ui.main}>
         {fault ? (
           isNotFound(error) ? (
             <Blank title="There is no study at this address" text="The address may be cut short, or the study was made on another server.">
-              <Button component="a" href="/robustness">
-                New study
-              </Button>
+              <Button renderRoot={(props) => <Link to="/robustness" {...props} />}>New study</Button>
             </Blank>
           ) : (
             <CouldNotLoad what="study" message={fault.message} />
@@ -80,6 +79,6 @@ export function StudyPage({ id }: { readonly id: string }) {
           <Loading label="Loading the study" heights={[28, 96, 440, 320]} />
         )}
       </main>
-    </Page>
+    </>
   );
 }

@@ -2,9 +2,10 @@
 
 import { Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { useMemo, useState } from "react";
+import { useNavigate, useSearch } from "@tanstack/react-router";
+import { useMemo } from "react";
 import { isFinal } from "../jobs/follow";
-import type { Batch, Catalogue, Strategy, StrategyId } from "../api/types";
+import type { Batch, Catalogue, Strategy } from "../api/types";
 import { paperFigures, type Figure } from "../batch/figures";
 import { formatWhole } from "../units/format";
 import { Leads } from "./Leads";
@@ -31,10 +32,11 @@ interface Props {
 }
 
 export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
-  const [view, setView] = useStudyView();
+  const { baseline = null, one } = useSearch({ from: "/robustness/$id" });
+  const navigate = useNavigate({ from: "/robustness/$id" });
   const paper = useMemo(() => paperFigures(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []), [catalogue, figures]);
   const columns = useMemo(() => [...paper.map(({ key }) => key), TRAVEL, AIRBORNE], [paper]);
-  const query = useQuery(summaryQuery(batch, columns, view.baseline));
+  const query = useQuery(summaryQuery(batch, columns, baseline));
   const opening = useOpenRun(batch);
   const summary = query.data;
   const ended = isFinal(batch);
@@ -70,36 +72,15 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
         <Fault size="sm">This run could not be opened: {opening.error}</Fault>
       )}
       <Unstable {...shared} />
-      <Leads {...shared} figures={paper} onBaseline={(baseline) => setView({ baseline })} />
+      <Leads {...shared} figures={paper} onBaseline={(next) => void navigate({ to: ".", search: (before) => ({ ...before, baseline: next }), replace: true, resetScroll: false })} />
       <Spread {...shared} figures={paper} />
       <Limits {...shared} />
       <Matters {...{ summary, strategies, batch }} figures={paper} />
-      {view.one !== null && <OneByOne id={view.one} {...{ figures, strategies }} paper={paper} />}
+      {one !== undefined && <OneByOne id={one} {...{ figures, strategies }} paper={paper} />}
       <Text size="xs" c="dimmed">
         Percentiles lie between two values by distance. Every strategy runs at the same points; changes are taken point by point. The ranges are ours, not the paper’s: 5 and 95 % of these points say nothing about 5 and
         95 % of real cars.
       </Text>
     </div>
   );
-}
-
-interface StudyView {
-  readonly baseline: StrategyId | null;
-  /** The study of each field alone that goes with it. */
-  readonly one: string | null;
-}
-
-/** The address carries it. */
-function useStudyView() {
-  const [view, set] = useState<StudyView>(() => {
-    const query = new URLSearchParams(window.location.search);
-    return { baseline: query.get("baseline"), one: query.get("one") };
-  });
-  const change = (part: Partial<StudyView>) => {
-    const next = { ...view, ...part };
-    set(next);
-    const query = new URLSearchParams(Object.entries(next).flatMap(([name, value]) => (value === null ? [] : [[name, value]])));
-    window.history.replaceState(null, "", `${window.location.pathname}${query.size > 0 ? `?${query}` : ""}`);
-  };
-  return [view, change] as const;
 }

@@ -7,9 +7,6 @@ import { useSubmission } from "../submission/useSubmission";
 import { sweepPlaces } from "../sweep/problems";
 import { readStudy, type StudyDraft } from "./study";
 
-export const studyAddress = (id: string, oneByOne: string | null) =>
-  `/robustness/${encodeURIComponent(id)}${oneByOne === null ? "" : `?${new URLSearchParams({ one: oneByOne })}`}`;
-
 export function useStudy(draft: StudyDraft, scenario: Scenario | undefined) {
   const reading = useMemo(() => readStudy(draft), [draft]);
   return useSubmission({
@@ -22,7 +19,7 @@ export function useStudy(draft: StudyDraft, scenario: Scenario | undefined) {
       const submit = (sent: typeof body) => batches.create(sent, keyOf(sent));
       const oneByOne = reading.ok ? reading.sweeps.oneByOne : null;
       const alone = oneByOne && (await submit({ ...body, sweep: oneByOne, label: "Robustness study: each field alone" }));
-      return studyAddress((await submit(body)).id, alone?.id ?? null);
+      return { to: "/robustness/$id", params: { id: (await submit(body)).id }, search: alone ? { one: alone.id } : {} };
     },
   });
 }

@@ -2,6 +2,7 @@
 
 import { Button, Skeleton, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
+import { Link } from "@tanstack/react-router";
 import type { ReactNode } from "react";
 import { useDesk } from "../state/context";
 import classes from "./shell.module.css";
@@ -48,6 +49,28 @@ export function NotFound() {
     <Blank title={title} text={text}>
       <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
     </Blank>
+  );
+}
+
+/** An address that is no page's. */
+export function PageNotFound() {
+  return (
+    <main className={classes.alone}>
+      <Blank title="There is no page at this address" text="The address may be cut short. The pages there are stand above.">
+        <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
+      </Blank>
+    </main>
+  );
+}
+
+/** The last resort: a fault in drawing leaves the navigation and a way to load again instead of an empty page. */
+export function PageFailed({ error }: { readonly error: unknown }) {
+  return (
+    <main className={classes.alone} role="alert">
+      <Blank title="This page has failed" text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}>
+        <Button onClick={() => window.location.reload()}>Load again</Button>
+      </Blank>
+    </main>
   );
 }
 

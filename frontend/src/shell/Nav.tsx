@@ -1,63 +1,84 @@
 /** Navigation between the pages: links where there is room, else a menu under the name of the page shown. */
 
 import { Button, Menu } from "@mantine/core";
+import { Link, linkOptions, useRouterState, useSearch } from "@tanstack/react-router";
 import { IconChevronDown } from "../icons";
-import { PAGES, pageAt, type Page } from "../pages";
+import { searchOf, type Address } from "../state/address";
+import { useDesk, useLab } from "../state/context";
+import { useStore } from "../state/store";
+import { Logo } from "./Logo";
 import classes from "./nav.module.css";
 
-interface Props {
-  /** The header holds much else: the links make room earlier. */
-  readonly crowded?: boolean;
-  /** The run whose scenario this page works on: pages that take one get it, and the lab shows it again. */
-  readonly run?: string | null;
+/** The lab as it is. */
+function labLink({ runId, slug, view }: Address) {
+  if (slug !== null) return linkOptions({ to: "/s/$id", params: { id: slug } });
+  return runId === null ? linkOptions({ to: "/" }) : linkOptions({ to: "/r/$id", params: { id: runId }, search: searchOf(view) });
 }
 
-const LAB = { path: "/", label: "Lab" } as const;
-
-function addressOf({ path, takesRun }: Pick<Page, "path" | "takesRun">, run: string | null): string {
-  if (run === null) return path;
-  if (path === LAB.path) return `/r/${encodeURIComponent(run)}`;
-  return takesRun ? `${path}?${new URLSearchParams({ run })}` : path;
+/** The run whose scenario other pages start with: the page's own, else the lab's, which is known before its curves are. */
+function useRun(lab: Address): { readonly run?: string } {
+  const { run } = useSearch({ strict: false });
+  const exists = useLab((state) => state.failure?.kind !== "notFound");
+  const shown = useLab((state) => state.shown?.runId ?? null);
+  const id = run ?? (exists ? lab.runId : null) ?? shown;
+  return id === null ? {} : { run: id };
 }
 
-export function Nav({ crowded = false, run = null }: Props) {
-  const entries = [LAB, ...PAGES].map((page) => ({ path: page.path, label: page.label, href: addressOf(page, run) }));
-  const { pathname } = window.location;
-  // A sweep and a shared result belong to the lab, but are not its start.
-  const current = pageAt(pathname) ?? { path: pathname.startsWith("/b/") ? null : "/", label: "Lab" };
-  const currentOf = (path: string) => (path === current.path ? "page" : undefined);
+export function Nav() {
+  const lab = useStore(useDesk().router);
+  const search = useRun(lab);
+  const entries = [
+    { section: "lab", label: "Lab", link: labLink(lab) },
+    { section: "paper", label: "Paper", link: linkOptions({ to: "/paper" }) },
+    { section: "tuner", label: "Tuner", link: linkOptions({ to: "/tuner", search }) },
+    { section: "robustness", label: "Robustness", link: linkOptions({ to: "/robustness", search }) },
+    { section: "ecu", label: "ECU", link: linkOptions({ to: "/ecu", search }) },
+  ];
+  const section = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
+  const current = entries.find((entry) => entry.section === section);
   return (
-    <nav aria-label="Pages" className={classes.nav} data-crowded={crowded || undefined}>
-      <ul className={classes.links}>
-        {entries.map(({ path, label, href }) => (
-          <li key={path}>
-            <a href={href} className={classes.link} aria-current={currentOf(path)}>
-              {label}
-            </a>
-          </li>
-        ))}
-      </ul>
-      <Menu position="bottom-start" width={180}>
-        <Menu.Target>
-          <Button
-            size="xs"
-            variant="subtle"
-            color="gray"
-            className={classes.menu ?? ""}
-            aria-label={`Pages, now ${current.label}`}
-            rightSection={<IconChevronDown size={14} aria-hidden />}
-          >
-            {current.label}
-          </Button>
-        </Menu.Target>
-        <Menu.Dropdown>
-          {entries.map(({ path, label, href }) => (
-            <Menu.Item key={path} component="a" href={href} aria-current={currentOf(path)} className={classes.item ?? ""}>
-              {label}
-            </Menu.Item>
+    <>
+      <Link {...labLink(lab)} className={classes.home} aria-label="Ridelab, to the lab">
+        <Logo />
+        <span className={classes.name}>Ridelab</span>
+      </Link>
+      <nav aria-label="Pages" className={classes.nav} data-crowded={section === "lab" || undefined}>
+        <ul className={classes.links}>
+          {entries.map(({ label, link, ...entry }) => (
+            <li key={label}>
+              <Link {...link} className={classes.link} aria-current={entry.section === section ? "page" : undefined} activeProps={{}}>
+                {label}
+              </Link>
+            </li>
           ))}
-        </Menu.Dropdown>
-      </Menu>
-    </nav>
+        </ul>
+        <Menu position="bottom-start" width={180}>
+          <Menu.Target>
+            <Button
+              size="xs"
+              variant="subtle"
+              color="gray"
+              className={classes.menu ?? ""}
+              aria-label={`Pages, now ${current?.label ?? "another"}`}
+              rightSection={<IconChevronDown size={14} aria-hidden />}
+            >
+              {current?.label ?? "Pages"}
+            </Button>
+          </Menu.Target>
+          <Menu.Dropdown>
+            {entries.map(({ label, link, ...entry }) => (
+              <Menu.Item
+                key={label}
+                className={classes.item ?? ""}
+                aria-current={entry.section === section ? "page" : undefined}
+                renderRoot={(props) => <Link {...link} {...props} />}
+              >
+                {label}
+              </Menu.Item>
+            ))}
+          </Menu.Dropdown>
+        </Menu>
+      </nav>
+    </>
   );
 }

@@ -1,4 +1,4 @@
-/** The page's address: `/`, `/r/{id}` with how the run is looked at in the query, or a shared result's `/s/{slug}`. */
+/** What addresses carry in their search part, and how the lab is looked at. */
 
 import type { StrategyId } from "../api/types";
 
@@ -25,52 +25,46 @@ export interface Address {
 
 export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null };
 
-function parseZoom(text: string | null): ViewZoom {
+type Raw = Readonly<Record<string, unknown>>;
+
+/** The search part as it stands in an address: names and texts, without quotes or escaped commas. */
+export const parseSearch = (search: string): Raw => Object.fromEntries(new URLSearchParams(search));
+
+export function stringifySearch(search: Raw): string {
+  const query = new URLSearchParams(Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])));
+  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~");
+  return text === "" ? "" : `?${text}`;
+}
+
+/** Those of the names that the search part has a text for. */
+export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]) =>
+  Object.fromEntries(names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : []))) as Partial<Record<Name, string>>;
+
+export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom", string>>;
+
+function parseZoom(text: string | undefined): ViewZoom {
   if (text === "whole") return text;
   const match = /^(-?[\d.]+)~(-?[\d.]+)$/.exec(text ?? "");
   const [low, high] = [Number(match?.[1]), Number(match?.[2])];
   return Number.isFinite(low) && Number.isFinite(high) && low < high ? [low, high] : null;
 }
 
-const SLUG = /^\/s\/([^/]+)\/?$/;
-const RUN = /^\/r\/([^/]+)\/?$/;
+export const listOf = (text: string | undefined): readonly string[] => text?.split(",").filter(Boolean) ?? [];
 
-/** The one variable part of a path, `null` where the path is another one; a broken escape stays as it stands. */
-function partOf(pattern: RegExp, pathname: string): string | null {
-  const part = pattern.exec(pathname)?.[1];
-  if (part === undefined) return null;
-  try {
-    return decodeURIComponent(part);
-  } catch {
-    return part;
-  }
-}
+export const viewOf = ({ axis, baseline, hide, zoom }: LabSearch): View => ({
+  axis: axis === "time" ? "time" : "distance",
+  baseline: baseline ?? DEFAULT_VIEW.baseline,
+  hidden: listOf(hide),
+  zoom: parseZoom(zoom),
+});
 
-export function parseAddress(pathname: string, search: string): Address {
-  const slug = partOf(SLUG, pathname);
-  if (slug !== null) return { runId: null, slug, view: DEFAULT_VIEW };
-  const query = new URLSearchParams(search);
-  return {
-    runId: partOf(RUN, pathname),
-    slug: null,
-    view: {
-      axis: query.get("axis") === "time" ? "time" : "distance",
-      baseline: query.get("baseline") ?? DEFAULT_VIEW.baseline,
-      hidden: query.get("hide")?.split(",").filter(Boolean) ?? [],
-      zoom: parseZoom(query.get("zoom")),
-    },
-  };
-}
+/** Only what is not as usual. */
+export const searchOf = ({ axis, baseline, hidden, zoom }: View): LabSearch => ({
+  ...(axis !== DEFAULT_VIEW.axis && { axis }),
+  ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
+  ...(hidden.length > 0 && { hide: hidden.join(",") }),
+  ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
+});
 
-export function formatAddress({ runId, slug, view }: Address): string {
-  if (slug !== null) return `/s/${encodeURIComponent(slug)}`;
-  const query = new URLSearchParams();
-  if (view.axis !== DEFAULT_VIEW.axis) query.set("axis", view.axis);
-  if (view.baseline !== DEFAULT_VIEW.baseline) query.set("baseline", view.baseline);
-  if (view.hidden.length > 0) query.set("hide", view.hidden.join(","));
-  if (view.zoom === "whole") query.set("zoom", view.zoom);
-  else if (view.zoom) query.set("zoom", view.zoom.map((value) => String(Number(value.toFixed(3)))).join("~"));
-  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~");
-  const path = runId === null ? "/" : `/r/${encodeURIComponent(runId)}`;
-  return text === "" ? path : `${path}?${text}`;
-}
+/** Any lab's search part without what makes no sense. */
+export const readLabSearch = (raw: Raw): LabSearch => searchOf(viewOf(pick(raw, "axis", "baseline", "hide", "zoom")));

@@ -1,60 +1,99 @@
-/** Keeps the address bar and what the page shows the same thing. */
+/** The lab's part of the address: keeps the address bar and what the lab shows the same thing. */
 
-import { formatAddress, parseAddress, type Address, type View } from "./address";
+import type { AppRouter } from "../router";
+import { DEFAULT_VIEW, readLabSearch, searchOf, stringifySearch, viewOf, type Address, type View } from "./address";
 import { createStore, type Store } from "./store";
 
-/** Its value is the address of what is shown. */
+/** Its value is the address of what the lab shows, on whichever page the browser is. */
 export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
   /** Shows another run; a new entry in the browser's history unless it is the same one. */
   readonly showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => void;
   /** Changes how the run is looked at; no new entry. */
   readonly setView: (change: Partial<View>) => void;
-  /** Back or forward was pressed: the browser has changed the address bar, and what it names has yet to be shown. */
-  readonly onTravel: (listener: (address: Address) => void) => () => void;
+  /** The address bar names something of the lab that is not shown: at once where it does so already. */
+  readonly onTravel: (listener: (address: Address) => void) => void;
   /** What the address bar names is shown now. */
   readonly arrive: () => void;
 }
 
-export function createRouter(): Router {
-  const read = () => parseAddress(window.location.pathname, window.location.search);
-  const store = createStore<Address>(read());
+const START: Address = { runId: null, slug: null, view: DEFAULT_VIEW };
 
-  /** Where back or forward led, until it is shown. */
+const isSame = (one: Address, other: Address) =>
+  one.runId === other.runId && one.slug === other.slug && stringifySearch(searchOf(one.view)) === stringifySearch(searchOf(other.view));
+
+/** What the address bar names of the lab, `null` on another page. */
+function readAddress(router: AppRouter): Address | null {
+  const { pathname, search } = router.parseLocation(router.history.location);
+  const [, { id = null }, route] = router.getMatchedRoutes(pathname);
+  const view = viewOf(readLabSearch(search));
+  if (route?.id === "/lab/") return { ...START, view };
+  if (route?.id === "/lab/r/$id") return { runId: id, slug: null, view };
+  return route?.id === "/lab/s/$id" ? { ...START, slug: id } : null;
+}
+
+export function createLabRouter(router: AppRouter): Router {
+  const store = createStore<Address>(readAddress(router) ?? START);
+
+  /** Where a link, back or forward led, until it is shown. */
   let pending: Address | null = null;
+  /** The lab's address when the browser left it for another page, `null` while it is on one of the lab's. */
+  let left: Address | null = null;
+  let isOpen = false;
+  let isWriting = false;
+  const current = () => pending ?? store.get();
 
-  const write = (address: Address, mode: "push" | "replace") => {
-    pending = null;
-    store.set(address);
-    const url = formatAddress(address);
-    if (mode === "push") window.history.pushState(null, "", url);
-    else window.history.replaceState(null, "", url);
+  const write = ({ runId, slug, view }: Address, replace: boolean) => {
+    if (left) return; // the address bar is another page's
+    const how = { replace, resetScroll: false };
+    isWriting = true;
+    if (slug !== null) void router.navigate({ ...how, to: "/s/$id", params: { id: slug } });
+    else if (runId !== null) void router.navigate({ ...how, to: "/r/$id", params: { id: runId }, search: searchOf(view) });
+    else void router.navigate({ ...how, to: "/", search: searchOf(view) });
+    isWriting = false;
   };
-  const arrive = () => {
-    if (pending) store.set(pending);
-    pending = null;
+
+  const look = (listener: (address: Address) => void) => {
+    const address = readAddress(router);
+    if (address === null) {
+      left ??= current();
+      return;
+    }
+    const before = left;
+    left = null;
+    if (isOpen && isSame(address, current())) return;
+    // Back at the lab as it is: what has come of it meanwhile stays.
+    if (isOpen && (isSame(address, START) || (before && isSame(address, before)))) write(current(), true);
+    else {
+      pending = address;
+      isOpen = true;
+      listener(address);
+    }
   };
 
   return {
     get: store.get,
     subscribe: store.subscribe,
     showRun: (runId, view, mode) => {
-      const current = pending ?? store.get();
-      write({ runId, slug: null, view: { ...store.get().view, ...view } }, runId === current.runId ? "replace" : mode);
+      const isSameRun = runId === current().runId;
+      pending = null;
+      store.set({ runId, slug: null, view: { ...store.get().view, ...view } });
+      write(store.get(), isSameRun || mode === "replace");
     },
     setView: (change) => {
-      const look = (address: Address): Address => ({ ...address, view: { ...address.view, ...change } });
-      store.set(look);
-      pending = pending && look(pending);
-      window.history.replaceState(null, "", formatAddress(pending ?? store.get()));
+      const changed = (address: Address): Address => ({ ...address, view: { ...address.view, ...change } });
+      store.set(changed);
+      pending = pending && changed(pending);
+      write(current(), true);
     },
     onTravel: (listener) => {
-      const handle = () => {
-        pending = read();
-        listener(pending);
-      };
-      window.addEventListener("popstate", handle);
-      return () => window.removeEventListener("popstate", handle);
+      look(listener);
+      router.history.subscribe(() => {
+        if (!isWriting) look(listener);
+      });
     },
-    arrive,
+    arrive: () => {
+      if (pending) store.set(pending);
+      pending = null;
+    },
   };
 }

@@ -2,6 +2,7 @@
 
 import { useDebouncedValue } from "@mantine/hooks";
 import { useMutation, useQuery } from "@tanstack/react-query";
+import { useNavigate, type NavigateOptions } from "@tanstack/react-router";
 import { useRef } from "react";
 import { ApiProblem } from "../api/problem";
 import { placeProblems, type DraftErrors, type PlaceOf } from "./problems";
@@ -17,7 +18,7 @@ interface Submission<Body, Estimate> {
   readonly placeOf: PlaceOf;
   readonly estimate: (body: Body, signal: AbortSignal) => Promise<Estimate>;
   /** Begins it and says where it can be seen. What is sent carries its `keyOf`. */
-  readonly submit: (body: Body, keyOf: (sent: unknown) => string) => Promise<string>;
+  readonly submit: (body: Body, keyOf: (sent: unknown) => string) => Promise<NavigateOptions>;
 }
 
 interface SubmissionState<Estimate> {
@@ -53,10 +54,11 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     keys.current.set(name, key);
     return key;
   };
+  const navigate = useNavigate();
   const started = useMutation({
     mutationFn: (body: Body) => submission.submit(body, keyOf),
     networkMode: "always",
-    onSuccess: (address) => window.location.assign(address),
+    onSuccess: (address) => navigate(address),
   });
 
   const problem = started.error ?? (settled ? estimate.error : null);
@@ -70,8 +72,7 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     general: submission.errors ? [] : placed.general,
     estimate: text && settled && !estimate.isError ? estimate.data : undefined,
     pending: text !== "" && (!settled || estimate.isFetching),
-    // The page is left once it has started.
-    starting: started.isPending || started.isSuccess,
+    starting: started.isPending,
     start: () => submission.body !== null && started.mutate(submission.body),
   };
 }

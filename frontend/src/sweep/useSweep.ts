@@ -16,6 +16,6 @@ export function useSweep(draft: SweepDraft, scenario: Scenario) {
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.fields.map(({ field }) => field.name)),
     estimate: batches.estimate,
-    submit: async (body, keyOf) => BATCH.address((await batches.create(body, keyOf(body))).id),
+    submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await batches.create(body, keyOf(body))).id } }),
   });
 }

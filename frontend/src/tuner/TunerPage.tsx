@@ -2,24 +2,16 @@
 
 import { Anchor, Skeleton, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
+import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { usePageScenario } from "../origin/origin";
-import type { PageProps } from "../pages";
 import { CouldNotLoad } from "../shell/Blank";
-import { Page } from "../shell/Page";
 import { useCatalogues } from "../state/useCatalogues";
 import { NewTuning } from "./NewTuning";
 import { TuningList } from "./TuningList";
 import { TuningPage } from "./TuningPage";
 import classes from "./tuner.module.css";
 import ui from "../ui/ui.module.css";
-
-export function TunerPage({ id }: PageProps) {
-  const catalogues = useNumericCatalogues();
-  return id === null ? <Tuner catalogues={catalogues} /> : <OneTuning id={id} catalogues={catalogues} />;
-}
-
-type NumericCatalogues = ReturnType<typeof useNumericCatalogues>;
 
 /** What both views need of the server: as figures only those that are numbers. */
 function useNumericCatalogues() {
@@ -28,9 +20,8 @@ function useNumericCatalogues() {
   return { data, fault };
 }
 
-function Frame({ run = null, fault, children }: { readonly run?: string | null; readonly fault: Error | null; readonly children: React.ReactNode }) {
+function Frame({ fault, children }: { readonly fault: Error | null; readonly children: React.ReactNode }) {
   return (
-    <Page run={run}>
       <main className={ui.main}>
         {fault ? (
           <CouldNotLoad message={fault.message} />
@@ -38,26 +29,28 @@ function Frame({ run = null, fault, children }: { readonly run?: string | null; 
           children
         )}
       </main>
-    </Page>
   );
 }
 
-function OneTuning({ id, catalogues: { data, fault } }: { readonly id: string; readonly catalogues: NumericCatalogues }) {
+export function OneTuningPage() {
+  const { id } = useParams({ from: "/tuner/$id" });
+  const { data, fault } = useNumericCatalogues();
   return (
     <Frame fault={fault}>
-      <Anchor href="/tuner" size="sm">
+      <Anchor size="sm" renderRoot={(props) => <Link to="/tuner" {...props} />}>
         New tuning, earlier tunings
       </Anchor>
-      <TuningPage id={id} catalogues={data} />
+      <TuningPage key={id} id={id} catalogues={data} />
     </Frame>
   );
 }
 
-function Tuner({ catalogues: { data, fault } }: { readonly catalogues: NumericCatalogues }) {
+export function TunerPage() {
+  const { data, fault } = useNumericCatalogues();
   const source = usePageScenario();
   useDocumentTitle("Weight tuner · Ridelab");
   return (
-    <Frame run={source.origin.run} fault={fault}>
+    <Frame fault={fault}>
       <h1 className={ui.title}>Weight tuner</h1>
       <Text className={ui.lead ?? ""}>
         Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several

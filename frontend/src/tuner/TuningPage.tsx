@@ -2,6 +2,7 @@
 
 import { Anchor, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
+import { Link } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { explain, isNotFound, isTransient } from "../api/problem";
 import type { Strategy, Tuning } from "../api/types";
@@ -34,7 +35,7 @@ export function TuningPage({ id, catalogues }: Props) {
   if (error && !tuning && !isTransient(error)) {
     return isNotFound(error) ? (
       <Blank title="There is no tuning at this address" text="The address may be cut short, or the tuning was made on another server.">
-        <Anchor href="/tuner">Start a tuning</Anchor>
+        <Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>Start a tuning</Anchor>
       </Blank>
     ) : (
       <CouldNotLoad what="tuning" message={error.message} />

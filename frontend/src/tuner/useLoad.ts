@@ -3,6 +3,7 @@
 import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
 import type { Trial, Tuning } from "../api/types";
+import { useOpenInLab } from "../shell/useOpenInLab";
 import { withWeights } from "./space";
 
 /** What the weights are looked at beside. */
@@ -16,16 +17,17 @@ export interface Load {
 }
 
 export function useLoad({ scenario, strategy }: Tuning): Load {
+  const openInLab = useOpenInLab();
   const opening = useMutation({
     mutationFn: ({ weights }: Trial) => api.createRun(withWeights(scenario, weights), [...new Set([strategy, ...BESIDE])]),
     networkMode: "always",
-    onSuccess: ({ id }) => window.location.assign(`/r/${encodeURIComponent(id)}`),
+    onSuccess: openInLab,
   });
   return {
     load: (trial) => {
       if (!opening.isPending) opening.mutate(trial);
     },
-    loading: opening.isPending || opening.isSuccess ? opening.variables.number : null,
+    loading: opening.isPending ? opening.variables.number : null,
     error: opening.error,
   };
 }

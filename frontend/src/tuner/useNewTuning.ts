@@ -16,6 +16,6 @@ export function useNewTuning(draft: TuningDraft, figures: readonly Figure[], sce
     errors: reading.ok ? null : reading.errors,
     placeOf: tuningPlace,
     estimate: tunings.estimate,
-    submit: async (body, keyOf) => TUNING.address((await tunings.create(body, keyOf(body))).id),
+    submit: async (body, keyOf) => ({ to: TUNING.page, params: { id: (await tunings.create(body, keyOf(body))).id } }),
   });
 }

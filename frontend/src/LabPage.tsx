@@ -1,14 +1,13 @@
 import { useDocumentTitle, useHotkeys } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
-import { Suspense, useEffect, useMemo } from "react";
+import { lazy, Suspense, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
-import { LazyBatchPage } from "./batch/lazy";
 import { standardScenario } from "./editor/diff";
-import { ConnectionBanner } from "./shell/ConnectionBanner";
 import { CouldNotLoad } from "./shell/Blank";
 import { EditorPane } from "./shell/EditorPane";
-import { Header } from "./shell/Header";
+import { LabTools } from "./shell/LabTools";
 import { Notices } from "./shell/Notices";
+import { InShell } from "./shell/places";
 import { PrintedTitle } from "./shell/PrintedTitle";
 import { Results } from "./shell/Results";
 import classes from "./shell/shell.module.css";
@@ -16,27 +15,29 @@ import { StatusLine } from "./shell/StatusLine";
 import { Toolbar } from "./shell/Toolbar";
 import { SharedBanner } from "./share/SharedBanner";
 import { DeskProvider, useDesk, useLab, useScenario, useView } from "./state/context";
-import type { Lab } from "./state/labState";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./state/queries";
-import type { Router } from "./state/router";
 import { makeScene } from "./state/scene";
 import { useSelect } from "./state/store";
 import { pageTitle } from "./title";
 
-export function App({ lab, router }: { readonly lab: Lab; readonly router: Router }) {
+const SharedSweep = lazy(() => import("./batch/BatchPage").then((module) => ({ default: module.SharedSweep })));
+
+/** The lab, or the sweep that a link shows in its place. */
+export function LabPage() {
+  const desk = useDesk();
   const form = useQuery(schemaQuery).data;
   const standard = useMemo(() => (form ? standardScenario(form) : {}), [form]);
-  const shared = useSelect(lab, (state) => state.shared);
-  if (shared?.batch) {
-    return (
-      <Suspense>
-        <LazyBatchPage key={shared.slug} id={shared.batch.id} link={shared} />
-      </Suspense>
-    );
-  }
+  const value = useMemo(() => ({ ...desk, standard }), [desk, standard]);
+  const shared = useSelect(desk.lab, (state) => state.shared);
   return (
-    <DeskProvider value={{ lab, router, standard }}>
-      <Desk />
+    <DeskProvider value={value}>
+      {shared?.batch ? (
+        <Suspense>
+          <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
+        </Suspense>
+      ) : (
+        <Desk />
+      )}
     </DeskProvider>
   );
 }
@@ -74,12 +75,17 @@ function Desk() {
   const failedQuery = [schema, presets, strategies, catalogue, figures].find(({ error }) => error !== null && !isTransient(error));
 
   return (
-    <div className={classes.shell}>
-      <Header presets={presets.data ?? []} />
+    <>
+      <InShell place="tools">
+        <LabTools presets={presets.data ?? []} />
+      </InShell>
       <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />
         <main className={classes.main}>
+          <h1 className={classes.purpose}>
+            What-if laboratory for active suspension. <span>LV control: longitudinal (fuzzy speed plan) and vertical (model predictive suspension).</span>
+          </h1>
           <SharedBanner strategies={strategies.data ?? []} catalogue={catalogue.data} figures={figures.data} />
           <Toolbar strategies={strategies.data ?? []} scene={scene} />
           <StatusLine place="page" />
@@ -90,10 +96,9 @@ function Desk() {
           )}
         </main>
       </div>
-      <div className={classes.notices}>
+      <InShell place="notices">
         <Notices strategies={strategies.data ?? []} />
-        <ConnectionBanner onBack={lab.resume} />
-      </div>
-    </div>
+      </InShell>
+    </>
   );
 }

@@ -1,34 +1,24 @@
-/** Name, presets, undo and redo, what the last answer cost, sharing and the colour scheme. */
+/** What the lab puts into the header: presets, undo and redo, what the last answer cost, sweep, share and export. */
 
 import { Button, Menu, Text } from "@mantine/core";
 import { IconArrowBackUp, IconArrowForwardUp, IconTemplate } from "../icons";
 import type { Preset } from "../api/types";
 import { useDesk, useLab, useReadOnly } from "../state/context";
-import { useSelect } from "../state/store";
 import { ExportMenu } from "../export/ExportMenu";
 import { ShareRun } from "../share/ShareRun";
 import { SweepButton } from "../sweep/SweepButton";
-import { HeaderEnd } from "./HeaderEnd";
 import { IconButton } from "./IconButton";
-import { Logo } from "./Logo";
-import { Nav } from "./Nav";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
 import { compact } from "../ui/compact";
 
-export function Header({ presets }: { readonly presets: readonly Preset[] }) {
+export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useDesk();
   const readOnly = useReadOnly();
-  const runId = useRunId();
   const canUndo = useLab((state) => state.shared === null && (state.history?.past.length ?? 0) > 0);
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
-    <header className={classes.header}>
-      <Logo />
-      <Text component="h1" className={classes.name}>
-        Ridelab
-      </Text>
-      <Nav crowded run={runId} />
+    <>
       <PresetMenu presets={presets} disabled={readOnly} />
       <IconButton label="Undo" disabled={!canUndo} onClick={lab.undo}>
         <IconArrowBackUp size={18} stroke={1.7} />
@@ -41,17 +31,8 @@ export function Header({ presets }: { readonly presets: readonly Preset[] }) {
       <SweepButton />
       <ShareRun />
       <ExportMenu />
-      <HeaderEnd />
-    </header>
+    </>
   );
-}
-
-/** The run to carry to other pages: the address's, which is there before its curves are, or a shared result's. */
-function useRunId(): string | null {
-  const named = useSelect(useDesk().router, (address) => address.runId);
-  const exists = useLab((state) => state.failure?.kind !== "notFound");
-  const shown = useLab((state) => state.shown?.runId ?? null);
-  return (exists ? named : null) ?? shown;
 }
 
 function PresetMenu({ presets, disabled }: { readonly presets: readonly Preset[]; readonly disabled: boolean }) {

@@ -1,0 +1,36 @@
+/** What stays from page to page: name, navigation, the colour scheme, and what is wrong with the connection. */
+
+import { Outlet } from "@tanstack/react-router";
+import { useMemo, useState } from "react";
+import { useDesk } from "../state/context";
+import { ConnectionBanner } from "./ConnectionBanner";
+import { HeaderEnd } from "./HeaderEnd";
+import { LoginGate } from "./LoginGate";
+import { Nav } from "./Nav";
+import { PlacesContext } from "./places";
+import classes from "./shell.module.css";
+
+export function Shell() {
+  const { lab } = useDesk();
+  const [tools, setTools] = useState<HTMLElement | null>(null);
+  const [notices, setNotices] = useState<HTMLElement | null>(null);
+  const places = useMemo(() => ({ tools, notices }), [tools, notices]);
+  return (
+    <LoginGate>
+      <PlacesContext value={places}>
+        <div className={classes.shell}>
+          <header className={classes.header}>
+            <Nav />
+            <div className={classes.tools} ref={setTools} />
+            <HeaderEnd />
+          </header>
+          <Outlet />
+          <div className={classes.notices}>
+            <div className={classes.pageNotices} ref={setNotices} />
+            <ConnectionBanner onBack={lab.resume} />
+          </div>
+        </div>
+      </PlacesContext>
+    </LoginGate>
+  );
+}
