@@ -1,0 +1,46 @@
+"""From page to page: no page load, nothing lost."""
+
+import re
+
+from playwright.sync_api import Page, expect
+
+from tests.browser.dashboard import Dashboard
+
+
+def go(page: Page, name: str) -> None:
+    page.get_by_role("navigation", name="Pages").get_by_role("link", name=name).click()
+
+
+def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
+    """Its run, its undo and its redo, by the navigation and by back; what is computed meanwhile is there then."""
+    dashboard.open()
+    page, paper = dashboard.page, dashboard.address()
+    page.evaluate("window.unloaded = false")
+    dashboard.type_into("Height", "0.06")
+    expect(page).not_to_have_url(paper)
+    low = dashboard.address()
+    dashboard.type_into("Width", "3")
+    expect(page).not_to_have_url(low)
+    page.get_by_role("button", name="Undo").click()
+    expect(page).to_have_url(low)
+    go(page, "Paper")
+    expect(page.get_by_role("heading", name="The paper, checked", level=1)).to_be_visible()
+    go(page, "Lab")
+    expect(page).to_have_url(low)
+    dashboard.expect_curves()
+    assert (dashboard.entry("Height").input_value(), dashboard.entry("Width").input_value()) == ("0.06", "4")
+    expect(page.get_by_role("button", name="Redo")).to_be_enabled()
+
+    with dashboard.held("**/series?*"):
+        with page.expect_request("**/series?*"):
+            dashboard.type_into("Height", "0.07")
+        go(page, "Tuner")
+        expect(page).to_have_url(re.compile(r"/tuner\?run="))
+    with page.expect_response("**/series?*"):
+        pass
+    page.go_back()
+    dashboard.expect_curves()
+    assert dashboard.entry("Height").input_value() == "0.07"
+    assert dashboard.address() != low
+    dashboard.expect_table_to_be_the_stored_run()
+    assert page.evaluate("window.unloaded") is False
