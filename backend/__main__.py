@@ -163,7 +163,7 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
 
     from backend.http.server import server_config
 
-    class Server(uvicorn.Server):
+    class RidelabServer(uvicorn.Server):
         """Says where it listens, and ends in time whatever hangs."""
 
         async def startup(self, sockets: list[socket.socket] | None = None) -> None:
@@ -183,7 +183,7 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
             timer.start()
             super().handle_exit(sig, frame)  # type: ignore[arg-type]  # uvicorn wants FrameType
 
-    server = Server(server_config(app, settings))
+    server = RidelabServer(server_config(app, settings))
     try:
         server.run(sockets=[listener])
     except KeyboardInterrupt:  # uvicorn ended in order, then hands the signal on

@@ -227,7 +227,7 @@ def _unknown(name: int | str) -> str:
     return f"there is no such setting{perhaps}; docs/operations.md lists all"
 
 
-def _reason(place: tuple[int | str, ...], message: str) -> str:
+def _reason(location: tuple[int | str, ...], message: str) -> str:
     """What is wrong with a variable, or with several together, which then name themselves."""
     message = message.removeprefix("Value error, ")
-    return f"{_variable(str(place[0]))}: {message}" if place else message
+    return f"{_variable(str(location[0]))}: {message}" if location else message

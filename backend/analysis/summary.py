@@ -153,13 +153,13 @@ def _distribution(study: Study, index: int, values: FloatArray, numbers: Numbers
         "n": len(defined),
         "mean": float(finite.mean()),
         "quantiles": np.percentile(finite, QUANTILES, method="linear").tolist(),
-        "lowest": _place(study, index, values, int(defined[finite.argmin()])),
-        "highest": _place(study, index, values, int(defined[finite.argmax()])),
+        "lowest": _extreme(study, index, values, int(defined[finite.argmin()])),
+        "highest": _extreme(study, index, values, int(defined[finite.argmax()])),
         "sensitivity": _sensitivity(values, numbers),
     }
 
 
-def _place(study: Study, index: int, values: FloatArray, point: int) -> Place:
+def _extreme(study: Study, index: int, values: FloatArray, point: int) -> Place:
     return Place(
         run=point * len(study.strategies) + index,
         value=float(values[point]),

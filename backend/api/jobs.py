@@ -66,18 +66,18 @@ class JobApi:
     event_data: str
 
     def routers(self) -> tuple[APIRouter, APIRouter]:
-        """Of what every kind has: of requests without a body, and of those with one."""
-        reading = router(self.plural, 404, 422, 503)
-        naming = router(self.plural, 400, 404, 413, 415, 422, 503)
-        self._add_reading(reading)
-        self._add_changing(reading, naming)
-        self._add_events(reading)
-        return reading, naming
+        """The routers of what every kind has: the routes without a request body, and those with one."""
+        without_body = router(self.plural, 404, 422, 503)
+        with_body = router(self.plural, 400, 404, 413, 415, 422, 503)
+        self._add_queries(without_body)
+        self._add_changing(without_body, with_body)
+        self._add_events(without_body)
+        return without_body, with_body
 
-    def _add_reading(self, reading: APIRouter) -> None:
+    def _add_queries(self, without_body: APIRouter) -> None:
         Service = Annotated[JobService, self.service]  # a type, made here because it differs by kind
 
-        @reading.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
+        @without_body.get(f"/{self.plural}", operation_id=f"list{self.plural.title()}", response_model=self.page_model)
         async def page(
             service: Service,
             limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
@@ -88,21 +88,21 @@ class JobApi:
             """The newest first, page by page."""
             return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
 
-        @reading.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
+        @without_body.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
         async def get(job_id: JobId, service: Service) -> Response:
             """As it stands; the events tell of changes."""
             return json_answer(await service.answer(await service.jobs.get(job_id)))
 
-    def _add_changing(self, reading: APIRouter, naming: APIRouter) -> None:
+    def _add_changing(self, without_body: APIRouter, with_body: APIRouter) -> None:
         Service = Annotated[JobService, self.service]
         path, title = f"/{self.plural}/{{id}}", self.name.title()
 
-        @naming.patch(path, operation_id=f"label{title}", response_model=self.model)
+        @with_body.patch(path, operation_id=f"label{title}", response_model=self.model)
         async def set_label(job_id: JobId, body: LabelRequest, service: Service) -> Response:
             """Name it, or take its name away."""
             return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label)))
 
-        @reading.delete(
+        @without_body.delete(
             path,
             operation_id=f"delete{title}",
             status_code=204,
@@ -113,12 +113,12 @@ class JobApi:
             await service.jobs.delete(job_id, owner)
             return Response(status_code=204)
 
-        @reading.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model)
+        @without_body.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model)
         async def cancel(job_id: JobId, service: Service) -> Response:
             """It stops; what is finished stays. One that has ended is answered as it is."""
             return json_answer(await service.answer(await service.jobs.cancel(job_id)))
 
-    def _add_events(self, reading: APIRouter) -> None:
+    def _add_events(self, without_body: APIRouter) -> None:
         Service = Annotated[JobService, self.service]
         event = {  # each one of the stream
             "type": "object",
@@ -130,7 +130,7 @@ class JobApi:
             "required": ["id", "event", "data"],
         }
 
-        @reading.get(
+        @without_body.get(
             f"/{self.plural}/{{id}}/events",
             operation_id=f"get{self.name.title()}Events",
             response_class=StreamingResponse,

@@ -16,7 +16,7 @@ from sqlalchemy import URL, Connection, Engine, Table, create_engine, event, ins
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
-from backend.db.changes import Changes
+from backend.db.commits import CommitCounter
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
     LOCK_TIMEOUT,
@@ -60,11 +60,11 @@ class Database:
         self._reads = _RetryingThreads("read", READERS)
         self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
         self._open_writes = 0
-        self.changes = Changes()
+        self.commits = CommitCounter()
 
     def changed(self) -> None:
         """A store has committed something that others wait for."""
-        self.changes.notify()
+        self.commits.notify()
 
     async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Run a method that reads in a thread: it waits for the disk, the event loop must not.

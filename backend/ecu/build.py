@@ -1,4 +1,4 @@
-"""C sources into programs, kept by what they were made from; any machine that runs Ridelab can build them."""
+"""C sources compiled to programs and cached by content; any machine that runs Ridelab can build them."""
 
 import hashlib
 import importlib.util
@@ -33,30 +33,30 @@ class EcuError(Exception):
 
 
 def folder() -> Path:
-    """Where built programs are kept: as the operator says, else a folder nobody else may write to.
+    """The folder of built programs: the operator's, else one that nobody else may write to.
 
     Raises:
-        EcuError: There is no such place.
+        EcuError: There is no such folder.
     """
     named = os.environ.get(FOLDER)
     if not named:
         return _own_folder()
-    place = Path(named)
+    path = Path(named)
     try:
-        place.mkdir(parents=True, exist_ok=True)
+        path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise EcuError(f"There is no folder for the ECU's program: {error.strerror}") from None
-    return place
+    return path
 
 
 def compiler_cache() -> Path:
-    """Where the compiler keeps its own runtime; that folder too, unless it cannot be written. Emptied when it grew.
+    """The folder of the compiler's own cache, inside that of the programs if it can be written; emptied when large.
 
     Raises:
-        EcuError: There is no such place.
+        EcuError: There is no such folder.
     """
-    place = folder()
-    cache = (place if os.access(place, os.W_OK) else _own_folder()) / "zig"
+    programs = folder()
+    cache = (programs if os.access(programs, os.W_OK) else _own_folder()) / "zig"
     with suppress(OSError):  # somebody else empties it
         if sum(path.lstat().st_size for path in cache.rglob("*")) > MOST_CACHED:
             shutil.rmtree(cache, ignore_errors=True)
@@ -64,21 +64,21 @@ def compiler_cache() -> Path:
 
 
 def _own_folder() -> Path:
-    place = Path(tempfile.gettempdir()) / f"ridelab-ecu-{os.getuid()}"
+    path = Path(tempfile.gettempdir()) / f"ridelab-ecu-{os.getuid()}"
     try:
-        place.mkdir(mode=0o700, exist_ok=True)
-        found = place.lstat()
+        path.mkdir(mode=0o700, exist_ok=True)
+        status = path.lstat()
     except OSError as error:
         raise EcuError(f"There is no folder for the ECU's program: {error.strerror}") from None
-    if found.st_uid != os.getuid() or not stat.S_ISDIR(found.st_mode) or stat.S_IMODE(found.st_mode) & 0o022:
+    if status.st_uid != os.getuid() or not stat.S_ISDIR(status.st_mode) or stat.S_IMODE(status.st_mode) & 0o022:
         raise EcuError(f"The folder for the ECU's program is somebody else's; name one in {FOLDER}")
-    return place
+    return path
 
 
 def compilers() -> list[list[str]]:
     """C compilers for this machine in the order they are tried: its own, else that of the package `ziglang`."""
-    found = [[path] for name in ("cc", "gcc", "clang") if (path := shutil.which(name))]
-    return [*found[:1], zig()] if has_zig() else found[:1]
+    own = [[path] for name in ("cc", "gcc", "clang") if (path := shutil.which(name))]
+    return [*own[:1], zig()] if has_zig() else own[:1]
 
 
 def has_zig() -> bool:
@@ -103,7 +103,7 @@ def program() -> Path:
 
 
 def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
-    """The program of these sources, made once.
+    """The program of these sources, built where it is not cached.
 
     Raises:
         EcuError: There is no working C compiler.
@@ -119,10 +119,10 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
     for compiler in compilers():
         try:
             with tempfile.TemporaryDirectory(dir=target.parent) as beside:
-                made = Path(beside) / "program"
-                reason = compiled([*compiler, *options, "-o", str(made)], compiler_cache())
+                program = Path(beside) / "program"
+                reason = compiled([*compiler, *options, "-o", str(program)], compiler_cache())
                 if reason is None:
-                    made.replace(target)  # at once, whoever else builds it too
+                    program.replace(target)  # at once, whoever else builds it too
                     return target
         except OSError as error:
             reason = f"its folder cannot be written ({error.strerror})"
@@ -133,9 +133,9 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
     raise EcuError(f"The ECU's program cannot be built: {'; '.join(reasons)}{other}")
 
 
-def compiled(command: Sequence[str], place: Path) -> str | None:
+def compiled(command: Sequence[str], cache: Path) -> str | None:
     """Run a compiler; None, or why it failed."""
-    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(place), "ZIG_LOCAL_CACHE_DIR": str(place)}
+    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
     try:
         run = subprocess.run(  # noqa: S603  # our own command, no shell
             command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False

@@ -39,17 +39,17 @@ def files(calibration: Calibration, scenario: str) -> dict[str, str]:
 
     Args:
         calibration: Its numbers.
-        scenario: JSON text, kept beside them.
+        scenario: JSON text of `scenario.json` beside them.
     """
     fixed = {name: (SOURCES / name).read_text() for name in (*CONTROLLER, *HOST, *TARGET, "Makefile", "README.md")}
     return {**fixed, **generated(calibration), "scenario.json": scenario}
 
 
-def written(place: Path, calibration: Calibration, scenario: str) -> list[Path]:
-    """Write the files below a folder, which is made; their paths."""
+def written(folder: Path, calibration: Calibration, scenario: str) -> list[Path]:
+    """Write the files into a folder, created where missing; their paths."""
     paths = []
     for name, text in files(calibration, scenario).items():
-        path = place / name
+        path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
         paths.append(path)

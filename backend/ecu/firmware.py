@@ -51,15 +51,15 @@ def image(calibration: Calibration) -> Image:
     if not has_zig():
         raise EcuError(NO_CROSS_COMPILER)
     with tempfile.TemporaryDirectory() as name:
-        place = Path(name)
-        export.written(place, calibration, "{}")
-        sources = [place / source for source in (*CONTROLLER, "ridelab_tables.c", "target/ridelab_firmware.c")]
-        made, script = place / "firmware.elf", place / "target" / "stm32f103.ld"
-        options = [f"-I{place}", *map(str, sources), f"-Wl,-T,{script}", "-o", str(made)]
+        folder = Path(name)
+        export.written(folder, calibration, "{}")
+        sources = [folder / source for source in (*CONTROLLER, "ridelab_tables.c", "target/ridelab_firmware.c")]
+        program, script = folder / "firmware.elf", folder / "target" / "stm32f103.ld"
+        options = [f"-I{folder}", *map(str, sources), f"-Wl,-T,{script}", "-o", str(program)]
         reason = compiled([*zig(), *_COMMAND, *options], compiler_cache())
         if reason is not None:
             raise EcuError(f"The controller cannot be built for the control unit: {reason}")
-        return parsed(made.read_bytes())
+        return parsed(program.read_bytes())
 
 
 def parsed(content: bytes) -> Image:
@@ -86,11 +86,11 @@ def parsed(content: bytes) -> Image:
 
 def _symbols(content: bytes, headers: list[tuple[int, ...]], head: tuple[int, ...]) -> Iterator[tuple[str, int]]:
     strings = headers[head[6]]
-    for place in range(head[4], head[4] + head[5], head[9]):
-        name, value = struct.unpack_from("<II", content, place)
+    for offset in range(head[4], head[4] + head[5], head[9]):
+        name, value = struct.unpack_from("<II", content, offset)
         if name:
             yield _string(content, strings[4] + name), value & ~1
 
 
-def _string(content: bytes, place: int) -> str:
-    return content[place : content.index(b"\0", place)].decode()
+def _string(content: bytes, offset: int) -> str:
+    return content[offset : content.index(b"\0", offset)].decode()

@@ -164,11 +164,11 @@ def _greeted(
         connection.settimeout(GREETED)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
-            greeting, given, found = _HELLO.unpack(connection.recv(_HELLO.size, socket.MSG_WAITALL))
+            greeting, sent_token, sent_checksum = _HELLO.unpack(connection.recv(_HELLO.size, socket.MSG_WAITALL))
         except (OSError, struct.error):
-            greeting, given, found = b"", b"", 0
-        if greeting == GREETING and hmac.compare_digest(given, token):
-            if found == expected:
+            greeting, sent_token, sent_checksum = b"", b"", 0
+        if greeting == GREETING and hmac.compare_digest(sent_token, token):
+            if sent_checksum == expected:
                 return connection
             connection.close()
             raise EcuError("The program has another scenario's tables")

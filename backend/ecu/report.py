@@ -20,7 +20,7 @@ from sim_core.simulate import simulate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Variant:
+class ControllerVariant:
     """A controller that may fit where the scenario's own does not; None is the scenario's own."""
 
     prediction: int | None = None
@@ -43,13 +43,13 @@ class Variant:
 
 
 VARIANTS = (
-    Variant(),
-    Variant(checked="few"),
-    Variant(checked="few", iterations=4),
-    Variant(prediction=20, control=10, checked="few", iterations=4),
-    Variant(prediction=15, control=5, iterations=4),
-    Variant(prediction=10, control=5, iterations=4),
-    Variant(prediction=5, control=3, iterations=4),
+    ControllerVariant(),
+    ControllerVariant(checked="few"),
+    ControllerVariant(checked="few", iterations=4),
+    ControllerVariant(prediction=20, control=10, checked="few", iterations=4),
+    ControllerVariant(prediction=15, control=5, iterations=4),
+    ControllerVariant(prediction=10, control=5, iterations=4),
+    ControllerVariant(prediction=5, control=3, iterations=4),
 )
 
 

@@ -165,8 +165,8 @@ async def _invalid(request: Request, error: Exception) -> Response:
 
 async def _refused(_: Request, error: Exception) -> Response:
     error = cast(RidelabError, error)
-    place = pointer(["scenario", *error.field.split(".")]) if error.field else ""
-    return problem("refused", error.message, errors=[{"pointer": place, "message": error.message}])
+    path = pointer(["scenario", *error.field.split(".")]) if error.field else ""
+    return problem("refused", error.message, errors=[{"pointer": path, "message": error.message}])
 
 
 async def _ecu_unavailable(_: Request, error: Exception) -> Response:
@@ -183,5 +183,5 @@ async def _store(_: Request, error: Exception) -> Response:
 
 async def _too_expensive(_: Request, error: Exception) -> Response:
     error = cast(TooExpensiveError, error)
-    places = [{"pointer": pointer(["scenario", *field.split(".")]), "message": error.message} for field in error.fields]
-    return problem("too-expensive", f"{error.message}.", errors=places)
+    errors = [{"pointer": pointer(["scenario", *field.split(".")]), "message": error.message} for field in error.fields]
+    return problem("too-expensive", f"{error.message}.", errors=errors)

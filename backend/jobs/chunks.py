@@ -1,4 +1,4 @@
-"""A chunk's way: to the cluster, back, and into the database."""
+"""Chunks are sent to the cluster, come back, and are stored in the database."""
 
 import asyncio
 import logging
@@ -11,7 +11,7 @@ from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlche
 from backend import metrics
 from backend.errors import CHEAPER_RUN
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
-from backend.jobs.handout import HandOut
+from backend.jobs.running_job import RunningJob
 from backend.store import Store, StoredJob
 from backend.store.roads import PROFILE
 from sim_core import __version__ as CORE_VERSION
@@ -33,7 +33,7 @@ REASONS: dict[Trouble, str] = {
 
 
 class Chunks:
-    """Chunks under way; its methods belong to the event loop.
+    """Chunks being computed or stored; its methods belong to the event loop.
 
     Args:
         store: Of the service.
@@ -52,63 +52,63 @@ class Chunks:
         """How many are being computed or wait to be stored."""
         return len(self._computing) + len(self._committing)
 
-    def send(self, cluster: "Cluster", handed_out: HandOut, runs: list[WaitingRun]) -> None:
+    def send(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
         """Have these runs computed and stored."""
-        handed_out.under_way += 1
-        _keep(self._computing, self._compute(cluster, handed_out, runs))
+        running.open_chunks += 1
+        _keep(self._computing, self._compute(cluster, running, runs))
 
     async def wait_until_computed(self, seconds: float) -> None:
-        """Until those under way are back, at most so long [s]; they then wait to be stored."""
+        """Wait until every chunk is back, at most `seconds`; the chunks then wait to be stored."""
         if self._computing:
             await asyncio.wait(self._computing, timeout=seconds)
 
     async def wait_until_stored(self, seconds: float) -> None:
-        """Until what came back is stored, at most so long [s]."""
+        """Wait until every chunk that came back is stored, at most `seconds`."""
         if self._committing:
             await asyncio.wait(self._committing, timeout=seconds)
 
     async def stop_computing(self) -> None:
-        """Call off what is being computed; what came back is still stored."""
+        """Cancel the chunks being computed; those that came back are still stored."""
         await _cancel(self._computing)
 
     async def close(self) -> None:
-        """Call off everything."""
+        """Cancel every chunk."""
         await _cancel(self._computing)
         await _cancel(self._committing)
 
-    async def _compute(self, cluster: "Cluster", handed_out: HandOut, runs: list[WaitingRun]) -> None:
+    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
         committing = False
         try:
-            chunk = await self._chunk(handed_out, runs)
+            chunk = await self._chunk(running, runs)
             if chunk is None:
                 return
             outcome = await _outcome(cluster, chunk)
             if outcome.computed is not None:
-                computed, failures = _split(handed_out, runs, outcome.computed)
-            elif await self._hand_out_again(handed_out, runs, outcome):
+                computed, failures = _split(running, runs, outcome.computed)
+            elif await self._retry(running, runs, outcome):
                 return
             else:
                 computed, failures = [], dict.fromkeys((run.position for run in runs), _reason(outcome))
-            _keep(self._committing, self._commit(handed_out, computed, failures))
+            _keep(self._committing, self._commit(running, computed, failures))
             committing = True
         finally:
             if not committing:
-                self._end(handed_out)
+                self._end(running)
 
-    async def _chunk(self, handed_out: HandOut, runs: list[WaitingRun]) -> Chunk | None:
-        """The chunk with its roads; None where the database has failed: its runs are handed out again."""
+    async def _chunk(self, running: RunningJob, runs: list[WaitingRun]) -> Chunk | None:
+        """The chunk with its roads; None where the database has failed: its runs are sent again."""
         try:
-            roads = await self._roads(handed_out.job, runs)
+            roads = await self._roads(running.job, runs)
         except (SQLAlchemyError, OSError) as error:
             logger.warning("A chunk's roads could not be read: %s", type(error).__name__)
-            handed_out.take_back(runs)
+            running.take_back(runs)
             await asyncio.sleep(PAUSE)  # the database may be back by then
             return None
         return Chunk(
-            group=handed_out.group,
+            group=running.group,
             core_version=CORE_VERSION,
-            schema_version=handed_out.job.schema_version,
-            base=handed_out.job.request["scenario"],
+            schema_version=running.job.schema_version,
+            base=running.job.request["scenario"],
             runs=runs,
             roads=roads,
             budget=CHUNK_BUDGET,
@@ -122,21 +122,21 @@ class Chunks:
         named = {orjson.loads(run.changes).get(f"road.{PROFILE}") for run in runs} | job.road_ids
         return await self._store.read(self._store.roads.load, [each for each in named if each is not None])
 
-    async def _hand_out_again(self, handed_out: HandOut, runs: list[WaitingRun], outcome: ChunkOutcome) -> bool:
-        """What could not be computed is halved until the run to blame is alone; False for that one."""
+    async def _retry(self, running: RunningJob, runs: list[WaitingRun], outcome: ChunkOutcome) -> bool:
+        """Halve a chunk that failed until the run that makes it fail is alone; False for that run."""
         logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
         if outcome.trouble not in REASONS:  # not the chunk's fault
-            handed_out.take_back(runs)
+            running.take_back(runs)
             await asyncio.sleep(PAUSE)
             return True
-        return handed_out.halve(runs) or (outcome.trouble == "lost" and handed_out.try_again(runs))
+        return running.halve(runs) or (outcome.trouble == "lost" and running.try_again(runs))
 
-    async def _commit(self, handed_out: HandOut, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
-        """Store what a chunk gave, however long the database is away: it was computed and is not thrown away."""
+    async def _commit(self, running: RunningJob, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
+        """Store a chunk's results, and wait for the database as long as it is away."""
         try:
-            await self._save(handed_out.job.id, computed, failures)
+            await self._save(running.job.id, computed, failures)
         finally:
-            self._end(handed_out)
+            self._end(running)
         for run in computed:
             metrics.count_run("batch", run.status, orjson.loads(run.summary))
         for _ in failures:
@@ -157,31 +157,31 @@ class Chunks:
             else:
                 return
 
-    def _end(self, handed_out: HandOut) -> None:
-        handed_out.under_way -= 1
+    def _end(self, running: RunningJob) -> None:
+        running.open_chunks -= 1
         self.returned.set()
 
 
 async def _outcome(cluster: "Cluster", chunk: Chunk) -> ChunkOutcome:
-    """What became of it; a cluster that is there and gave nothing back lost the process that computed it."""
+    """The chunk's outcome; a cluster that is connected and returned nothing has lost the process."""
     try:
         return await cluster.compute(chunk)
     except ClusterLostError as error:
         return ChunkOutcome(trouble="lost" if cluster.connected else "busy", detail=str(error))
     except Exception:  # a bug of ours: this chunk's run fails and says so, the others go on
-        logger.exception("A chunk could not be handed out")
+        logger.exception("A chunk could not be sent")
         return ChunkOutcome(trouble="bug")
 
 
 def _split(
-    handed_out: HandOut, runs: Sequence[WaitingRun], computed: Sequence[ComputedRun]
+    running: RunningJob, runs: Sequence[WaitingRun], computed: Sequence[ComputedRun]
 ) -> tuple[list[ComputedRun], dict[int, str]]:
-    """The results to store, and the reasons of runs that have none; what was not begun is handed out again."""
+    """The results to store, and the reasons of runs without one; runs not begun are sent again."""
     reasons = {run.key: str(orjson.loads(run.summary)["reason"]) for run in computed if not run.cacheable}
     done = {run.key for run in computed}
     left = [run for run in runs if run.key not in done]
-    handed_out.learn(len(runs) - len(left), sum(run.compute_ms for run in computed) / 1000)
-    handed_out.take_back(left)
+    running.record_time(len(runs) - len(left), sum(run.compute_ms for run in computed) / 1000)
+    running.take_back(left)
     failures = {run.position: reasons[run.key] for run in runs if run.key in reasons}
     return [run for run in computed if run.cacheable], failures
 
@@ -191,7 +191,7 @@ def _reason(outcome: ChunkOutcome) -> str:
 
 
 def _keep(tasks: set[asyncio.Task[None]], work: Coroutine[Any, Any, None]) -> None:
-    """Run it beside; the set keeps it alive."""
+    """Run it in a task, which the set keeps alive."""
     task = asyncio.create_task(work)
     tasks.add(task)
     task.add_done_callback(tasks.discard)

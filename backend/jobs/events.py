@@ -35,7 +35,7 @@ async def _stream(
         yield f"retry: {RECONNECT}\n\n".encode()
         sent = clock()
         while True:
-            changes = store.changes.count
+            commits = store.commits.count
             events, ended = await store.read(store.job_events.news, job_id, after)
             for event in events:
                 after, sent = event.number, clock()
@@ -47,7 +47,7 @@ async def _stream(
             if clock() - sent > HEARTBEAT:
                 sent = clock()
                 yield b": still here\n\n"
-            await store.changes.wait_beyond(changes, LOOK)
+            await store.commits.wait_beyond(commits, LOOK)
 
 
 async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncIterator[bytes]:

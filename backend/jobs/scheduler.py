@@ -19,11 +19,11 @@ from backend import metrics
 from backend.compute.workers import Workers
 from backend.jobs.chunk import ClusterLostError
 from backend.jobs.chunks import Chunks
-from backend.jobs.handout import HandOut
 from backend.jobs.job_tasks import JobTasks, Stepper
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.reproduction import rows
 from backend.jobs.retention import Retention
+from backend.jobs.running_job import RunningJob
 from backend.jobs.sweep.plan import rekeyed
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -35,10 +35,10 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger(__name__)
 
-AHEAD = 2  # chunks handed out for each process: one runs, one lies ready
+CHUNKS_PER_PROCESS = 2  # one is computed, one waits
 LOOK = 1.0  # between two looks at what other services accepted or cancelled [s]
 PAUSE = 2.0  # after the database or the cluster failed [s]
-PARTING = 10.0  # chunks under way when the lead is lost may take so long to come back [s]
+PARTING = 10.0  # chunks being computed when the lead is lost may take so long to come back [s]
 PAGE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
@@ -63,11 +63,11 @@ class Scheduler:
         self._retention = Retention(store, settings)
         self._task: asyncio.Task[None] | None = None
         self._cluster: Cluster | None = None
-        self._handed_out: dict[str, HandOut] = {}
+        self._running_jobs: dict[str, RunningJob] = {}
         self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
         self._chunks = Chunks(store, settings.run_timeout)
         self._job_tasks = JobTasks(store, steppers, self._chunks.returned)
-        self._turns = itertools.count(1)
+        self._send_counter = itertools.count(1)
         self._reported = -REPORT
 
     def start(self) -> None:
@@ -75,7 +75,7 @@ class Scheduler:
         self._task = asyncio.create_task(self._run())
 
     async def close(self) -> None:
-        """Stop driving; what is unfinished waits for the next service or start."""
+        """Stop driving; unfinished jobs wait for another service or the next start."""
         if self._task is not None:
             self._task.cancel()
             with contextlib.suppress(asyncio.CancelledError):
@@ -83,7 +83,7 @@ class Scheduler:
         await self._chunks.close()
 
     async def _run(self) -> None:
-        """Be the one who drives, for as long as possible, again and again."""
+        """Drive the jobs whenever this service is the leader."""
         while True:
             try:
                 async with Leadership(self._store).held() as leadership:
@@ -103,11 +103,11 @@ class Scheduler:
     async def _lead(self, leadership: Leadership) -> None:
         while True:
             await leadership.confirm()
-            changes = self._store.changes.count
+            commits = self._store.commits.count
             self._chunks.returned.clear()
             try:
                 await self._look()
-                await self._hand_out()
+                await self._send_chunks()
                 await self._report()
                 self._retention.begin_if_due()
             except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
@@ -117,13 +117,13 @@ class Scheduler:
                 logger.warning("The Dask scheduler does not answer: %s", error)
                 await self._end_cluster()
                 await asyncio.sleep(PAUSE)
-            await self._rest(changes)
+            await self._rest(commits)
 
-    async def _rest(self, changes: int) -> None:
+    async def _rest(self, commits: int) -> None:
         """Until a chunk comes back, a job changes, or it is time for a look."""
         waits = [
             asyncio.create_task(wait)
-            for wait in (self._store.changes.wait_beyond(changes, LOOK), self._chunks.returned.wait())
+            for wait in (self._store.commits.wait_beyond(commits, LOOK), self._chunks.returned.wait())
         ]
         try:
             await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
@@ -135,10 +135,10 @@ class Scheduler:
         """Begin what was accepted, end what was cancelled, here or by another service."""
         unfinished = {job.id: job for job in await self._store.read(self._store.jobs.unfinished)}
         if self._cluster is not None and not self._cluster.connected:
-            logger.warning("The Dask scheduler is gone; its chunks are handed out again")
+            logger.warning("The Dask scheduler is gone; its chunks are sent again")
             await self._end_cluster()
         self._rekeyed &= unfinished.keys()
-        for job_id in self._handed_out.keys() - unfinished.keys():
+        for job_id in self._running_jobs.keys() - unfinished.keys():
             await self._end_sweep(job_id)
         for job in unfinished.values():
             if self._job_tasks.drives(job.kind):
@@ -146,7 +146,7 @@ class Scheduler:
             elif job.kind == "reproduction" and rows.is_abandoned(job):
                 await self._store.write(self._store.jobs.cancel, job.id)
                 await self._store.write(self._store.jobs.delete, job.id)
-            elif job.id not in self._handed_out:
+            elif job.id not in self._running_jobs:
                 await self._begin(job)
             elif job.state == "queued":  # it was cancelled and resumed between two looks
                 await self._end_sweep(job.id)
@@ -154,8 +154,8 @@ class Scheduler:
 
     async def _end_sweep(self, job_id: str) -> None:
         self._rekeyed.discard(job_id)  # what was cancelled meanwhile has its old keys
-        stopped = self._handed_out.pop(job_id)
-        if stopped.under_way and self._cluster is not None:
+        stopped = self._running_jobs.pop(job_id)
+        if stopped.open_chunks and self._cluster is not None:
             await self._cluster.stop(stopped.group)
 
     async def _begin(self, job: StoredJob) -> None:
@@ -168,40 +168,40 @@ class Scheduler:
             self._cluster = Cluster(self._settings)
             await self._cluster.start()
         await self._store.write(self._store.jobs.start, job.id)
-        self._handed_out[job.id] = HandOut(job=job)
+        self._running_jobs[job.id] = RunningJob(job=job)
 
-    async def _hand_out(self) -> None:
-        """Keep every process busy; the next place is for the job with the fewest chunks on their way."""
+    async def _send_chunks(self) -> None:
+        """Keep every process busy; the next chunk is of the job with the fewest open chunks."""
         cluster = self._cluster
-        if cluster is None or not self._handed_out:
+        if cluster is None or not self._running_jobs:
             return
-        places = AHEAD * max(1, await cluster.slots())
+        max_chunks = CHUNKS_PER_PROCESS * max(1, await cluster.slots())
         looked_at: set[str] = set()
-        while self._chunks.count < places and cluster.connected:
-            waiting = [each for each in self._handed_out.values() if each.job.id not in looked_at]
+        while self._chunks.count < max_chunks and cluster.connected:
+            waiting = [each for each in self._running_jobs.values() if each.job.id not in looked_at]
             if not waiting:
                 return
-            handed_out = min(waiting, key=lambda each: (each.under_way, each.turn))
-            runs = await handed_out.next_chunk(self._store, places)
+            running = min(waiting, key=lambda each: (each.open_chunks, each.last_send))
+            runs = await running.next_chunk(self._store, max_chunks)
             if runs:
-                handed_out.turn = next(self._turns)
-                self._chunks.send(cluster, handed_out, runs)
+                running.last_send = next(self._send_counter)
+                self._chunks.send(cluster, running, runs)
             else:
-                looked_at.add(handed_out.job.id)
-                if not handed_out.under_way and not handed_out.returned:  # one may have come back meanwhile
-                    await self._finish(handed_out)
+                looked_at.add(running.job.id)
+                if not running.open_chunks and not running.returned:  # one may have come back meanwhile
+                    await self._finish(running)
 
-    async def _finish(self, handed_out: HandOut) -> None:
-        job_id = handed_out.job.id
+    async def _finish(self, running: RunningJob) -> None:
+        job_id = running.job.id
         if await self._store.write(self._store.jobs.finish, job_id):
-            self._handed_out.pop(job_id, None)
-            if handed_out.job.kind == "reproduction":
+            self._running_jobs.pop(job_id, None)
+            if running.job.kind == "reproduction":
                 await self._forget(job_id)
         else:  # something waits after all: from the start
-            handed_out.position, handed_out.exhausted = -1, False
+            running.position, running.exhausted = -1, False
 
     async def _forget(self, job_id: str) -> None:
-        """Nobody looks at a reproduction that is done: its rows are results. One with failures stays and says why."""
+        """Delete a reproduction that is done: its rows are stored results. One with failures stays and says why."""
         job = await self._store.read(self._store.jobs.load, job_id)
         if job is not None and not job.failed:
             await self._store.write(self._store.jobs.delete, job_id)
@@ -218,7 +218,7 @@ class Scheduler:
         self._rekeyed.add(job.id)
 
     async def _report(self) -> None:
-        """Tell the metrics how many jobs and runs there are, every few seconds."""
+        """Update the metrics of jobs and runs, every few seconds."""
         now = time.monotonic()
         if now - self._reported < REPORT:
             return
@@ -231,7 +231,7 @@ class Scheduler:
                 metrics.BATCH_QUEUE.labels(state=state).set(runs)
 
     async def _leave(self) -> None:
-        """End everything but what waits to be stored; what another service drives it also tells the metrics."""
+        """End everything except chunks that wait to be stored; the next leader reports the metrics."""
         self._retention.cancel()
         self._rekeyed.clear()
         metrics.BATCHES.clear()
@@ -242,7 +242,7 @@ class Scheduler:
 
     async def _end_cluster(self) -> None:
         await self._chunks.stop_computing()
-        self._handed_out.clear()
+        self._running_jobs.clear()
         if self._cluster is not None:
             cluster, self._cluster = self._cluster, None
             await cluster.close()

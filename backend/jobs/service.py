@@ -79,7 +79,7 @@ class Jobs:
         self, *, limit: int, cursor: str | None, state: State | None, label: str | None
     ) -> tuple[list[StoredJob], str | None]:
         """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
-        before = None if cursor is None else _place(cursor)
+        before = None if cursor is None else _position_of(cursor)
         page = await self._store.read(
             self._store.jobs.page, self._kind, limit + 1, before=before, state=state, label=label
         )
@@ -169,6 +169,6 @@ def _cursor(job: StoredJob) -> str:
     return f"{(job.created_at - EPOCH) // MICROSECOND:016}_{job.id}"
 
 
-def _place(cursor: str) -> tuple[datetime, str]:
+def _position_of(cursor: str) -> tuple[datetime, str]:
     time, _, job_id = cursor.partition("_")
     return EPOCH + int(time) * MICROSECOND, job_id

@@ -1,4 +1,4 @@
-"""Measured roads: taken in, given back, and handed to what drives them."""
+"""Measured roads: read from CSV, stored, answered, and added to scenarios that name them."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
@@ -16,7 +16,7 @@ from sim_core.car.measuring import FoundBump, bumps_in
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
-READING = 1.0  # a file of the longest kind [s of one core]
+SURVEY_COST = 1.0  # reading the longest file allowed [s of one core]
 POINTER = "/scenario/road/profile"
 
 
@@ -36,15 +36,19 @@ class Roads:
             InvalidError: It is none; the message has the line.
             TemporaryError: Too much is being read.
         """
-        with self._reading.acquired(client), self._admission.background(client, READING):
+        with self._reading.acquired(client), self._admission.background(client, SURVEY_COST):
             try:
-                found = await self._workers.call(survey.read, content)
+                surveyed = await self._workers.call(survey.read, content)
             except survey.SurveyError as error:
                 raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
-        await self._store.write(self._store.roads.save, found.road)
-        road = found.road
+        await self._store.write(self._store.roads.save, surveyed.road)
+        road = surveyed.road
         return CreatedRoad(
-            id=road.id, length=road.length, samples=road.samples, bumps=_bumps(found.bumps), warnings=found.warnings
+            id=road.id,
+            length=road.length,
+            samples=road.samples,
+            bumps=_bumps(surveyed.bumps),
+            warnings=surveyed.warnings,
         )
 
     async def get(self, road_id: str, points: int) -> RoadAnswer:
@@ -89,10 +93,10 @@ class Roads:
             InvalidError: One is not there.
         """
         wanted = set(ids)
-        found: dict[str, MeasuredRoad] = await self._store.read(self._store.roads.load, wanted) if wanted else {}
-        if wanted - found.keys():
+        roads: dict[str, MeasuredRoad] = await self._store.read(self._store.roads.load, wanted) if wanted else {}
+        if wanted - roads.keys():
             raise InvalidError("There is no measured road of this id.", kind="unknown", pointer=pointer)
-        return found
+        return roads
 
 
 def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[FoundBump]]:
@@ -102,11 +106,11 @@ def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], li
     cut = len(heights) // each * each
     stretches = heights[:cut].reshape(-1, each)
     first = np.arange(0, cut, each)
-    kept = np.unique(
+    samples = np.unique(
         np.concatenate([first + stretches.argmin(axis=1), first + stretches.argmax(axis=1), [len(heights) - 1]])
     )
-    return (kept * SPACING).round(2).tolist(), heights[kept].tolist(), bumps_in(heights)
+    return (samples * SPACING).round(2).tolist(), heights[samples].tolist(), bumps_in(heights)
 
 
-def _bumps(found: Iterable[FoundBump]) -> list[FoundBumpAnswer]:
-    return [FoundBumpAnswer(**asdict(each)) for each in found]
+def _bumps(bumps: Iterable[FoundBump]) -> list[FoundBumpAnswer]:
+    return [FoundBumpAnswer(**asdict(each)) for each in bumps]

@@ -1,4 +1,4 @@
-"""A surveyed profile as CSV: read line by line, checked, made a road. Runs in a worker: no web here."""
+"""A surveyed profile as CSV: read line by line, checked, converted to a road. Runs in a worker: no web here."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -112,9 +112,9 @@ def _columns(names: Sequence[str], line: int) -> tuple[list[float], list[int]]:
         titles.append(title.strip().lower())
         scales.append(UNITS[unit])
     for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT)):
-        found = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
-        if len(titles) == len(wanted) and all(len(each) == 1 for each in found):
-            return scales, [each[0] for each in found]
+        matches = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
+        if len(titles) == len(wanted) and all(len(each) == 1 for each in matches):
+            return scales, [each[0] for each in matches]
     raise SurveyError(FORM, line)
 
 
@@ -166,21 +166,21 @@ def _check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int]) -> None
 
 
 def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
-    made = surveyed(distance, np.mean(tracks, axis=0))
-    most = float(np.abs(made.heights).max())
+    profile = surveyed(distance, np.mean(tracks, axis=0))
+    most = float(np.abs(profile.heights).max())
     if not most <= 1000:  # nor NaN
         raise SurveyError("Heights differ by kilometres; is the unit right?", 1)
-    road, widest = MeasuredRoad.of(made.heights), float(np.diff(distance).max())
+    road, widest = MeasuredRoad.of(profile.heights), float(np.diff(distance).max())
     warnings = ["The mean of left and right track is taken"] if len(tracks) == 2 else []
     if distance[0]:
         warnings.append(f"The first distance, {distance[0]:g} m, is x = 0")
     warnings += [
         f"{len(distance)} heights became {road.samples}, one every {1000 * SPACING:g} mm, straight lines in between",
-        f"A straight line was taken off: {made.offset:.4g} m at the start, {100 * made.slope:.3g} % slope",
+        f"A straight line was taken off: {profile.offset:.4g} m at the start, {100 * profile.slope:.3g} % slope",
         f"Heights were averaged over {1000 * CONTACT:g} mm, as a tyre's contact does",
     ]
     if widest > WIDE_GAP:
         warnings.append(f"Heights are up to {widest:.3g} m apart: waves shorter than {2 * widest:.3g} m are missing")
     if most > HILLY:
         warnings.append(f"Heights reach {most:.3g} m beside the straight line; is the unit right?")
-    return Survey(road=road, bumps=bumps_in(made.heights), warnings=warnings)
+    return Survey(road=road, bumps=bumps_in(profile.heights), warnings=warnings)

@@ -6,7 +6,7 @@ from math import isfinite
 from backend.json_types import JsonObject
 from backend.models import CreatedRun, LiveRun, Run
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from backend.store import StoredResult, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -30,7 +30,9 @@ def created_answer(stored: StoredRun, cached: Mapping[str, bool]) -> CreatedRun 
     return CreatedRoadsRun(**_over_roads(stored, fields, stored.baseline or ""))
 
 
-def live_answer(scenario: Scenario, outcomes: Mapping[str, Outcome], fields: Mapping[str, JsonObject]) -> LiveRun:
+def live_answer(
+    scenario: Scenario, outcomes: Mapping[str, ComputedResult], fields: Mapping[str, JsonObject]
+) -> LiveRun:
     """A run that is not stored; `fields` is what each strategy has beside its figures."""
     entries = {name: _entry(outcome, fields[name]) for name, outcome in outcomes.items()}
     return LiveRun(core_version=CORE_VERSION, scenario=scenario, strategies=entries)
@@ -69,7 +71,7 @@ def _over_roads(stored: StoredRun, fields: Mapping[str, JsonObject], baseline: s
     }
 
 
-def _entry(item: Outcome | StoredResult, fields: JsonObject) -> JsonObject:
+def _entry(item: ComputedResult | StoredResult, fields: JsonObject) -> JsonObject:
     """One strategy's result or failure: its summary is answered as it was stored."""
     return {"status": item.status, "compute_ms": item.compute_ms, **fields, **item.summary}
 

@@ -9,7 +9,7 @@ from backend.roads.service import Roads
 from backend.runs import exports, pins
 from backend.runs.results import Results
 from backend.runs.series import Stages
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -47,7 +47,7 @@ class Histories:
             )
         return {name: key for name, key in keys.items() if key in pinned}
 
-    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, Outcome]:
+    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, ComputedResult]:
         """The strategies that have time histories, with as many samples as figures need.
 
         Raises:
@@ -65,7 +65,7 @@ class Histories:
         with self._admission.computing(client, scenario, ()):
             arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS)
         return {
-            item.strategy: Outcome(
+            item.strategy: ComputedResult(
                 status=item.status,
                 summary=item.summary,
                 compute_ms=item.compute_ms,

@@ -12,7 +12,7 @@ from backend.metrics import CACHE, count_run
 from backend.roads.service import Roads
 from backend.runs import work
 from backend.runs.memory import Memory
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from backend.store import Store, StoredResult
 from sim_core.scenario import Scenario
 
@@ -21,7 +21,7 @@ from sim_core.scenario import Scenario
 class Result:
     """A strategy's result and whether it was there (or on its way) before it was asked for."""
 
-    outcome: Outcome
+    outcome: ComputedResult
     cached: bool
 
 
@@ -34,7 +34,7 @@ class Results:
         self._memory = memory
         self._admission = admission
         self._roads = roads
-        self._flights: Flights[tuple[str, int | None], dict[str, Outcome]] = Flights()
+        self._flights: Flights[tuple[str, int | None], dict[str, ComputedResult]] = Flights()
 
     async def get(
         self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None
@@ -89,10 +89,10 @@ class Results:
         self, roads: Sequence[Scenario], missing: Sequence[Mapping[str, str]], points: int | None
     ) -> list[dict[str, Result]]:
         """At most as many roads at once as there are workers, so that other requests come in between."""
-        places = asyncio.Semaphore(self._workers.count)
+        slots = asyncio.Semaphore(self._workers.count)
 
         async def one(road: Scenario, keys: Mapping[str, str]) -> dict[str, Result]:
-            async with places:
+            async with slots:
                 cached = self._cached(keys, {}, points)  # by now another request may have computed it
                 rest = {name: key for name, key in keys.items() if name not in cached}
                 return cached | (await self._compute(road, rest, points) if rest else {})
@@ -107,10 +107,10 @@ class Results:
     async def _compute(self, scenario: Scenario, missing: Mapping[str, str], points: int | None) -> dict[str, Result]:
         """Join what is under way already; the rest goes to one worker, so that shared work is done once."""
 
-        def under_way(key: str) -> asyncio.Task[dict[str, Outcome]] | None:
+        def running_task(key: str) -> asyncio.Task[dict[str, ComputedResult]] | None:
             return self._flights.find(lambda flight: flight[0] == key and points in (None, flight[1]))
 
-        tasks = {name: task for name, key in missing.items() if (task := under_way(key))}
+        tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
         joined = set(tasks)
         fresh = {name: key for name, key in missing.items() if name not in joined}
         if fresh:
@@ -119,7 +119,7 @@ class Results:
         landed = await self._flights.wait(set(tasks.values()))
         return {name: Result(outcome=landed[task][name], cached=name in joined) for name, task in tasks.items()}
 
-    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], points: int | None) -> dict[str, Outcome]:
+    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], points: int | None) -> dict[str, ComputedResult]:
         outcomes = await self._workers.call(work.run, scenario, list(fresh), points)
         for outcome in outcomes.values():
             count_run("interactive", outcome.status, outcome.summary)
@@ -129,5 +129,5 @@ class Results:
         return outcomes
 
 
-def _outcome(item: StoredResult) -> Outcome:
-    return Outcome(status=item.status, summary=item.summary, compute_ms=item.compute_ms)
+def _outcome(item: StoredResult) -> ComputedResult:
+    return ComputedResult(status=item.status, summary=item.summary, compute_ms=item.compute_ms)

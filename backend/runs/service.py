@@ -23,7 +23,7 @@ from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Result, Results
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from backend.store import Store, StoredResult, StoredRun
 from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
@@ -202,7 +202,7 @@ class Runs:
         if baseline is not None and baseline not in names:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
             raise InvalidError(message, parameter="baseline")
-        outcomes: Mapping[str, Outcome] = {}
+        outcomes: Mapping[str, ComputedResult] = {}
         gone = None
         try:
             outcomes = await self._histories.outcomes(stored, client)
@@ -276,7 +276,7 @@ def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
         raise NewerSchemaError(f"{error.message}.") from None
 
 
-def _to_store(scenario: Scenario, name: str, outcome: Outcome) -> StoredResult:
+def _to_store(scenario: Scenario, name: str, outcome: ComputedResult) -> StoredResult:
     return StoredResult(
         key=digest.result_key(scenario, name) if outcome.cacheable else digest.uncacheable_key(),
         strategy=name,

@@ -21,7 +21,7 @@ SUMMARY_BYTES = 20 * 1024  # a summary's dictionaries and numbers as Python hold
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Outcome:
+class ComputedResult:
     """One strategy's computed result.
 
     Attributes:
@@ -45,7 +45,7 @@ class Outcome:
         return SUMMARY_BYTES + (self.series.nbytes if self.series is not None else 0)
 
 
-def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, Outcome]:
+def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> dict[str, ComputedResult]:
     """Simulate the strategies one after the other, so that what they share is worked out once.
 
     Args:
@@ -56,18 +56,18 @@ def run(scenario: Scenario, strategies: Sequence[str], points: int | None) -> di
     return {strategy: _run_one(scenario, strategy, points) for strategy in strategies}
 
 
-def _run_one(scenario: Scenario, strategy: str, points: int | None) -> Outcome:
+def _run_one(scenario: Scenario, strategy: str, points: int | None) -> ComputedResult:
     begin = time.perf_counter()
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
         elapsed, cacheable = elapsed_ms(begin), not isinstance(error, NOT_CACHEABLE)
         summary = refusal(error)
-        return Outcome(status="failed", summary=summary, compute_ms=elapsed, cacheable=cacheable, points=points)
+        return ComputedResult(status="failed", summary=summary, compute_ms=elapsed, cacheable=cacheable, points=points)
     summary = orjson.loads(summary_json(result))
     elapsed = elapsed_ms(begin)
     series = None if points is None else pack(result, points)
-    return Outcome(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
+    return ComputedResult(status="ok", summary=summary, compute_ms=elapsed, points=points, series=series)
 
 
 def refusal(error: RidelabError) -> JsonObject:

@@ -10,7 +10,7 @@ import pytest
 from backend import digest
 from backend.models import CreatedRun
 from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.study.intervals import change_with_interval, mean_with_interval
@@ -149,7 +149,7 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(
     async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None) -> Any:
         outcomes = await original(function, scenario, names, points)
         if scenario.road.seed == 72:
-            outcomes["lqr"] = Outcome(status="failed", summary={"reason": "no controller"}, compute_ms=1.0)
+            outcomes["lqr"] = ComputedResult(status="failed", summary={"reason": "no controller"}, compute_ms=1.0)
         return outcomes
 
     monkeypatch.setattr(workers, "call", refused)

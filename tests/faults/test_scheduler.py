@@ -15,7 +15,7 @@ from sqlalchemy.exc import IntegrityError, OperationalError
 
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
-from backend.jobs import chunks, cluster, handout, scheduler
+from backend.jobs import chunks, cluster, running_job, scheduler
 from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
@@ -171,7 +171,7 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any)
     assert rows[17].reason == chunks.REASONS[trouble]
     assert [row.status for row in rows].count("ok") == RUNS - 1
     alone = [chunk for chunk in Misbehaving.chunks if seeds(chunk) == [17]]
-    assert len(alone) == (handout.STRIKES if trouble == "lost" else 1)
+    assert len(alone) == (running_job.STRIKES if trouble == "lost" else 1)
 
 
 def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> None:

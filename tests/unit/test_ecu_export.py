@@ -19,7 +19,7 @@ from backend.__main__ import main
 from backend.ecu import build, effort, export, firmware, tables
 from backend.ecu.link import connected
 from backend.ecu.realtime import PacedEcu, Timing, spread
-from backend.ecu.report import Variant
+from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.drive import ecu_calibration
@@ -141,9 +141,9 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
 
 
 def test_a_variant_is_never_more_than_the_scenarios_own() -> None:
-    changed = Variant(prediction=20, control=10, iterations=4).of(SMALL)
+    changed = ControllerVariant(prediction=20, control=10, iterations=4).of(SMALL)
     assert (changed.mpc.prediction_horizon, changed.mpc.control_horizon, changed.hil.iterations) == (10, 6, 4)
-    assert Variant().of(SMALL) == SMALL
+    assert ControllerVariant().of(SMALL) == SMALL
 
 
 @pytest.mark.parametrize("overslept", [False, True])

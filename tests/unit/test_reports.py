@@ -1,4 +1,4 @@
-"""Reports without a service: numbers in words, the scenario's tables, doubts, and text that wants to be markup."""
+"""Reports without a service: numbers in words, the scenario's tables, caveats, and text that wants to be markup."""
 
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from backend.runs.reports import inputs, numbers
-from backend.runs.reports.doubts import doubts
+from backend.runs.reports.caveats import caveats
 from backend.runs.reports.run import RunFacts, report
-from backend.runs.work import Outcome, run
+from backend.runs.work import ComputedResult, run
 from sim_core.scenario import Scenario, dotted
 from tests.html import check, read
 
@@ -85,13 +85,13 @@ def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
 
 
 @pytest.fixture(scope="module")
-def outcomes() -> dict[str, Outcome]:
-    """A smooth road with a bump a car jumps over: short, and full of doubts."""
+def outcomes() -> dict[str, ComputedResult]:
+    """A smooth road with a bump a car jumps over: short, and with every caveat."""
     scenario = Scenario.model_validate({"road": {"length": 60, "bump": {"start": 40, "height": 0.15}}})
     return run(scenario, ["lv", "passive"], 200)
 
 
-def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
+def facts(outcomes: dict[str, ComputedResult], **more: Any) -> RunFacts:
     entries = {name: {"status": "ok", "compute_ms": 1.0, **outcome.summary} for name, outcome in outcomes.items()}
     answer = {
         "id": "a-run",
@@ -104,9 +104,9 @@ def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
     return RunFacts(answer=answer, created_at=when, baseline="passive", outcomes=outcomes, axis="position", gone=False)
 
 
-def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[str, Outcome]) -> None:
+def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, ComputedResult]) -> None:
     entry = {"status": "ok", "arrival_speed_kmh": 41.26, "events": {}}
-    assert doubts({**entry, "events": {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}}) == []
+    assert caveats({**entry, "events": {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}}) == []
     events = {
         "airborne_ms": 94.0,
         "travel_exceeded_mm": 1.57,
@@ -116,8 +116,8 @@ def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[st
         "qp_fallbacks": 3,
         "qp_failures": 1,
     }
-    caveats = doubts({**entry, "events": events})
-    assert [text.partition(":")[0] for text in caveats] == [
+    sentences = caveats({**entry, "events": events})
+    assert [text.partition(":")[0] for text in sentences] == [
         "Airborne",
         "Over travel",
         "Target speed not reached",
@@ -125,18 +125,18 @@ def test_doubts_are_told_in_words_and_only_where_there_are_any(outcomes: dict[st
         "Solver failures",
         "Solver fallbacks",
     ]
-    assert "94\u00a0ms" in caveats[0]
-    assert "1.6\u00a0mm" in caveats[1]
-    assert "41.3\u00a0km/h" in caveats[2]
-    assert "1 of 79" in caveats[4]
-    assert doubts({"status": "failed", "reason": "no controller"}) == ["It could not run: no controller"]
+    assert "94\u00a0ms" in sentences[0]
+    assert "1.6\u00a0mm" in sentences[1]
+    assert "41.3\u00a0km/h" in sentences[2]
+    assert "1 of 79" in sentences[4]
+    assert caveats({"status": "failed", "reason": "no controller"}) == ["It could not run: no controller"]
     page = report(facts(outcomes), compressed=False).content.decode()
     airborne = outcomes["passive"].summary["events"]["airborne_ms"]
     assert airborne > 0
     assert f"for {airborne:.0f}\u00a0ms a tyre" in page
 
 
-def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
+def test_text_never_becomes_markup(outcomes: dict[str, ComputedResult]) -> None:
     scenario = Scenario().model_dump(mode="json")
     scenario["road"]["bump"]["shape"] = HOSTILE
     scenario["mpc"]["preview"] = HOSTILE

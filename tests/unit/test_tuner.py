@@ -16,7 +16,7 @@ from pydantic import ValidationError
 from backend.analysis import comparison, front, robustness
 from backend.analysis.measure import Aims, Failure
 from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
-from backend.jobs.handout import HandOut
+from backend.jobs.running_job import RunningJob
 from backend.jobs.tuning import space
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.search import Search, ask
@@ -170,7 +170,7 @@ def test_preview_horizon_and_times_are_searched_as_what_they_are() -> None:
         assert back is not None
         assert back["mpc.sample_time"] == pytest.approx(point["mpc.sample_time"], rel=1e-2)
         Scenario.model_validate(dotted.with_changes(PAPER, weights))
-    assert space.dearest(request) == {"mpc.prediction_horizon": 60, "mpc.sample_time": 0.005}
+    assert space.longest_run(request) == {"mpc.prediction_horizon": 60, "mpc.sample_time": 0.005}
 
 
 def test_an_uncertain_road_is_a_point_of_the_robustness_study_that_its_seed_names() -> None:
@@ -292,10 +292,10 @@ def test_what_cannot_be_tuned_is_refused_at_its_place(body: dict[str, Any], plac
 
 
 def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
-    handed_out = HandOut(job=replace(BATCH, total=64), position=31)
-    handed_out.learn(32, 0.64)
-    assert handed_out.size(places=4) == 8, "32 are left"
-    handed_out.position = 55
-    assert handed_out.size(places=4) == 5, "no shorter than a tenth of a second"
-    long = HandOut(job=replace(BATCH, total=10_000), run_seconds=0.02)
-    assert long.size(places=4) == 50, "about a second while there is enough"
+    running = RunningJob(job=replace(BATCH, total=64), position=31)
+    running.record_time(32, 0.64)
+    assert running.size(max_chunks=4) == 8, "32 are left"
+    running.position = 55
+    assert running.size(max_chunks=4) == 5, "no shorter than a tenth of a second"
+    long = RunningJob(job=replace(BATCH, total=10_000), run_seconds=0.02)
+    assert long.size(max_chunks=4) == 50, "about a second while there is enough"

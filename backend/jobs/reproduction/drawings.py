@@ -10,7 +10,7 @@ from backend.jobs.reproduction.work import SPEEDS_KMH
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS, STYLES, filled, templates
 from backend.runs.series import packed
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.strategies import STRATEGIES
 from sim_core.study.intervals import mean_with_interval
@@ -28,7 +28,7 @@ BAND = "rgba(28, 95, 223, 0.18)"
 Peaks = Sequence[Mapping[str, Sequence[Sequence[float]]]]
 
 
-def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[PaperFigure]:
+def all_figures(peaks: Peaks, outcomes: Mapping[str, ComputedResult]) -> list[PaperFigure]:
     """Every one.
 
     Args:
@@ -43,7 +43,7 @@ def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[PaperFigu
     return drawn
 
 
-def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outcome]) -> PaperFigure:
+def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, ComputedResult]) -> PaperFigure:
     figure = filled(signal, outcomes, "position")
     peaks = ", ".join(
         f"{STRATEGIES[name].label} {outcome.summary['metrics']['bump'][signal]['peak']:.4g}"
@@ -64,7 +64,7 @@ def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outc
     )
 
 
-def _speed_curve(outcomes: Mapping[str, Outcome]) -> PaperFigure:
+def _speed_curve(outcomes: Mapping[str, ComputedResult]) -> PaperFigure:
     lv = outcomes[SPEED_STRATEGY]
     arrival = lv.summary.get("arrival_speed_kmh")
     caption = "LV control did not run."

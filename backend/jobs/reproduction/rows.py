@@ -116,14 +116,14 @@ class PaperRows:
         """Until it has ended, letting the scheduler know that somebody waits; why one of its runs failed."""
         noted = time.monotonic()
         while True:
-            changes = self._store.changes.count
+            commits = self._store.commits.count
             now = await self._store.read(self._store.jobs.load, job.id)
             if now is None or now.state in FINAL:
                 break
             if time.monotonic() - noted > LINGER / 4:
                 noted = time.monotonic()
                 await self._note(job)
-            await self._store.changes.wait_beyond(changes, LOOK)
+            await self._store.commits.wait_beyond(commits, LOOK)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)

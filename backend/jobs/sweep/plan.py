@@ -25,7 +25,7 @@ NO_ROADS: Mapping[str, MeasuredRoad] = {}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Plan:
+class SweepPlan:
     """A batch before it is stored.
 
     Attributes:
@@ -83,7 +83,7 @@ def rekeyed(
     return keys
 
 
-def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> Plan:
+def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> SweepPlan:
     """Plan every point under every strategy.
 
     Raises:
@@ -105,7 +105,7 @@ def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> Plan:
             each = estimate(scenario, name)
             cost, max_run_cost = cost + each, max(max_run_cost, each)
             runs.append(PlannedRun(len(runs), text, name, digest.result_key(scenario, name)))
-    return Plan(fields=fields, runs=runs, cost=cost, max_run_cost=max_run_cost)
+    return SweepPlan(fields=fields, runs=runs, cost=cost, max_run_cost=max_run_cost)
 
 
 def contradiction(error: ValidationError) -> str:

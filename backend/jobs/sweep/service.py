@@ -214,7 +214,7 @@ class Sweeps:
         of_base = await self._roads.named(measured_roads(base))
         return {**of_base, **await self._roads.named(swept_roads(sent), "/sweep")}
 
-    async def _planned(self, base: JsonObject, names: Sequence[str], sweep: Sweep, client: str) -> plan.Plan:
+    async def _planned(self, base: JsonObject, names: Sequence[str], sweep: Sweep, client: str) -> plan.SweepPlan:
         self._check_size(sweep, names)
         try:
             cost = PLAN_COST * size(sweep) * len(names)

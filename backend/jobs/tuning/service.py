@@ -12,7 +12,7 @@ from backend.jobs.sweep import plan
 from backend.jobs.sweep.sweeps import Sweep
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningItem, Tunings
 from backend.jobs.tuning.models import TuningRequest
-from backend.jobs.tuning.space import dearest, first_weights, ranges_of, road
+from backend.jobs.tuning.space import first_weights, longest_run, ranges_of, road
 from backend.jobs.tuning.steps import first_progress
 from backend.json_types import JsonObject
 from backend.settings import Settings
@@ -135,7 +135,7 @@ class TuningService:
         Raises:
             CostLimitError: It is over the limits of a batch.
         """
-        changes = road(request, request["seeds"][0]) | dearest(request)
+        changes = road(request, request["seeds"][0]) | longest_run(request)
         scenario = Scenario.model_validate(dotted.with_changes(request["scenario"], changes))
         aims = Aims.of(request)
         training, validation = len(request["seeds"]), len(request["fresh_seeds"])

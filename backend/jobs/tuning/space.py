@@ -79,8 +79,8 @@ def road(request: JsonObject, seed: int) -> JsonObject:
     return {"road.seed": seed} | (robustness.drawn(seed) if request.get("uncertain") else {})
 
 
-def dearest(request: JsonObject) -> JsonObject:
-    """The changes that make the request's longest run: farthest look ahead, shortest sample time."""
+def longest_run(request: JsonObject) -> JsonObject:
+    """The changes that give the request's longest run: the longest horizon and the shortest sample time."""
     search, horizon = request["search"], STRATEGIES[request["strategy"]].horizon
     longest = {horizon: int(search[horizon][1])} if horizon in search else {}
     shortest = {SAMPLE_TIME: search[SAMPLE_TIME][0]} if SAMPLE_TIME in search else {}

@@ -228,11 +228,11 @@ class TuningSteps:
             JobFailedError: It was cancelled, or failed as a whole.
         """
         while True:
-            changes = self._store.changes.count
+            commits = self._store.commits.count
             now = await self._store.read(self._store.jobs.load, sweep.id)
             if now is None or now.state in FINAL:
                 break
-            await self._store.changes.wait_beyond(changes, LOOK)
+            await self._store.commits.wait_beyond(commits, LOOK)
         if now is None or now.state == "cancelled":
             raise JobFailedError("One of its batches was cancelled")
         if now.state == "failed":

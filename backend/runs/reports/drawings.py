@@ -10,7 +10,7 @@ from backend.json_types import JsonObject
 from backend.runs.reports.keys import line_of
 from backend.runs.reports.numbers import NOTHING, significant, with_unit
 
-REACH = 0.6  # how far beyond the curves, in spans of theirs, a reference line is still brought into view
+NEAR = 0.6  # a reference line at most so far beyond the curves is brought into view [spans of the curves]
 PADDING = 0.05
 
 
@@ -24,9 +24,9 @@ def framed(figure: JsonObject) -> JsonObject:
     if not values:
         return figure
     low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)
-    reach = REACH * max(high - low, NOTHING)
+    margin = NEAR * max(high - low, NOTHING)
     for shape in figure["layout"].get("shapes", ()):
-        if shape["yref"] == "y" and low - reach <= shape["y0"] and shape["y1"] <= high + reach:
+        if shape["yref"] == "y" and low - margin <= shape["y0"] and shape["y1"] <= high + margin:
             low, high = min(low, shape["y0"]), max(high, shape["y1"])
     room = PADDING * (high - low) if high > low else max(abs(high), 1.0)
     y_axis = {**figure["layout"]["yaxis"], "range": [low - room, high + room], "title": None}

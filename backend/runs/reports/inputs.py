@@ -21,7 +21,7 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Part:
+class ScenarioPart:
     """One part and its own fields, not those of parts inside it."""
 
     name: str
@@ -35,7 +35,7 @@ class Part:
         return sum(field.paper is not None for field in self.fields)
 
 
-def parts(scenario: JsonObject) -> list[Part]:
+def parts(scenario: JsonObject) -> list[ScenarioPart]:
     """Every part of a complete scenario, in the schema's order; parts inside parts follow them."""
     by_part: dict[str, list[Field]] = {}
     for name, described in dotted.fields().items():
@@ -46,7 +46,7 @@ def parts(scenario: JsonObject) -> list[Part]:
             by_part.setdefault(".".join(path[:length]), [])
         by_part[".".join(path)].append(_field(described, dotted.value(scenario, name), dotted.value(_paper(), name)))
     return [
-        Part(name=name, title=_title(name), description=_described(name)[1], fields=tuple(fields))
+        ScenarioPart(name=name, title=_title(name), description=_described(name)[1], fields=tuple(fields))
         for name, fields in by_part.items()
     ]
 

@@ -8,7 +8,7 @@ from typing import Any
 from backend.json_types import JsonObject
 from backend.runs import figures
 from backend.runs.reports import inputs
-from backend.runs.reports.doubts import doubts
+from backend.runs.reports.caveats import caveats
 from backend.runs.reports.drawings import caption, framed
 from backend.runs.reports.keys import key_of, label
 from backend.runs.reports.numbers import (
@@ -24,7 +24,7 @@ from backend.runs.reports.numbers import (
     with_unit,
 )
 from backend.runs.reports.page import Report, render
-from backend.runs.work import Outcome
+from backend.runs.work import ComputedResult
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import (
     COMFORT,
@@ -65,7 +65,7 @@ class RunFacts:
     answer: JsonObject
     created_at: datetime
     baseline: str
-    outcomes: Mapping[str, Outcome]
+    outcomes: Mapping[str, ComputedResult]
     axis: str
     gone: str | None
 
@@ -95,7 +95,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "seed": answer["scenario"]["road"]["seed"],
         "parts": inputs.parts(answer["scenario"]),
         "command": inputs.command(answer["scenario"], list(entries), roads, facts.baseline),
-        "doubts": [(label(name), sentences) for name, entry in entries.items() if (sentences := doubts(entry))],
+        "caveats": [(label(name), sentences) for name, entry in entries.items() if (sentences := caveats(entry))],
         "ran": [key_of(name) for name in ran],
         "tables": {
             title: [(signal, SIGNALS[signal].label, *_shown_unit(signal)) for signal in signals]

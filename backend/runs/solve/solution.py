@@ -14,7 +14,7 @@ from sim_core.study import limit_search
 from sim_core.study.intervals import mean_with_interval
 
 RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/physics.md)
-MAX_TURNS = 4  # that one sentence names
+MAX_EXTREMA = 4  # that one sentence names
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,7 +35,7 @@ class Tried:
 
     @property
     def interval(self) -> Interval | None:
-        """The metric over several roads."""
+        """The metric's mean and interval over several roads."""
         if self.values is None or len(self.values) == 1:
             return None
         over = mean_with_interval(self.values)
@@ -43,19 +43,19 @@ class Tried:
 
     @property
     def bound(self) -> float:
-        """What is held to the limit: the metric, over several roads its interval's upper end; infinite without."""
+        """What the limit is compared with: the metric, or its interval's upper end; infinite without a metric."""
         if self.values is None:
             return inf
         return self.values[0] if (interval := self.interval) is None else interval.high
 
 
 def bounds_of(tried: Mapping[int, Tried]) -> dict[int, float]:
-    """What of each value is held to the limit."""
+    """By index of the value what the limit is compared with."""
     return {index: each.bound for index, each in tried.items()}
 
 
 def solution(request: SolveRequest, tried: Mapping[int, Tried]) -> Solution:
-    """The answer.
+    """The answer to the request.
 
     Raises:
         NoSolutionError: No value keeps the limit.
@@ -90,8 +90,8 @@ def _refusal(request: SolveRequest, tried: Mapping[int, Tried]) -> ServiceError:
     """Why there is no solution."""
     least = min(tried, key=lambda index: tried[index].bound)
     if tried[least].values is None:
-        place = "/metric" if any(each.undefined for each in tried.values()) else "/range"
-        return InvalidError(f"No value in the range can be tried: {tried[least].reason}.", pointer=place)
+        pointer = "/metric" if any(each.undefined for each in tried.values()) else "/range"
+        return InvalidError(f"No value in the range can be tried: {tried[least].reason}.", pointer=pointer)
     return NoSolutionError(
         f"No value tried from {_value(request, 0, bare=True)} to {_value(request, request.axis.last)} keeps "
         f"{request.metric} at or below {_metric(request, request.limit)}; the least, "
@@ -126,19 +126,19 @@ def _warnings(
         yield f"Not every smaller value keeps the limit: {over} exceed it."
     # Over the scan: within the bracket a metric may jump from one control step to the next.
     scan = {index: finite[index] for index in request.axis.scan if index in finite}
-    turns = limit_search.turning_points(scan, RESOLUTION)
-    if len(turns) > 2:
-        yield _course(request, bounds, turns)
+    extrema = limit_search.turning_points(scan, RESOLUTION)
+    if len(extrema) > 2:
+        yield _not_monotone(request, bounds, extrema)
 
 
-def _course(request: SolveRequest, bounds: Mapping[int, float], turns: list[int]) -> str:
-    """How a metric that is not monotone goes."""
-    rises = bounds[turns[1]] > bounds[turns[0]]
-    steps = [f"{_metric(request, bounds[turns[0]])} at {_value(request, turns[0])}"]
-    for number, index in enumerate(turns[1:MAX_TURNS]):
+def _not_monotone(request: SolveRequest, bounds: Mapping[int, float], extrema: list[int]) -> str:
+    """A sentence with the extrema of a metric that is not monotone."""
+    rises = bounds[extrema[1]] > bounds[extrema[0]]
+    steps = [f"{_metric(request, bounds[extrema[0]])} at {_value(request, extrema[0])}"]
+    for number, index in enumerate(extrema[1:MAX_EXTREMA]):
         goes = "rises" if rises == (number % 2 == 0) else "falls"
         steps.append(f"{goes} to {bounds[index]:.4g} at {request.value(index):g}")
-    more = " and so on" if len(turns) > MAX_TURNS else ""
+    more = " and so on" if len(extrema) > MAX_EXTREMA else ""
     return f"The metric is not monotone: {', '.join(steps)}{more}; between values tried it may exceed the limit unseen."
 
 

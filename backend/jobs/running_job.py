@@ -1,4 +1,4 @@
-"""What of a sweep is handed out next, and how large a chunk: about a second of computing."""
+"""A job whose runs are being computed: which chunk comes next, and how large it is (about a second of computing)."""
 
 import math
 from collections import Counter
@@ -9,26 +9,26 @@ from backend.jobs.chunk import WaitingRun
 from backend.store import Store, StoredJob
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
-SHORTEST_CHUNK = 0.1  # and no shorter where the rest of a job is shared out [s]
-FIRST_CHUNK = 8  # runs at most, while it is not known how long one takes
+SHORTEST_CHUNK = 0.1  # and no shorter where the processes share the rest of a job [s]
+FIRST_CHUNK = 8  # runs at most, before a run has been timed
 FIRST_COST = 2.0  # their estimated cost [s]
 LONGEST_CHUNK = 1000  # runs
 STRIKES = 3  # a run alone may lose its processes so often (two each time) before it fails
 
 
 @dataclass(slots=True, kw_only=True)
-class HandOut:
-    """A sweep being computed.
+class RunningJob:
+    """A job whose runs are being computed.
 
     Attributes:
-        job: As it was when this began.
-        group: Of its chunks.
-        position: Runs up to this one are computed or on their way.
-        returned: Chunks to hand out (again) before new ones are cut.
-        under_way: How many chunks are not yet stored.
-        exhausted: Whether no run behind `position` waits, as far as is known.
-        turn: When it was last given a place.
-        run_seconds: How long a run takes, by the chunks so far [s].
+        job: The stored job as it was at the start.
+        group: Cancels all its chunks together.
+        position: Runs up to this one are computed or sent.
+        returned: Chunks to send again before new ones are cut.
+        open_chunks: Chunks sent and not yet stored.
+        exhausted: Whether the last look saw no waiting run behind `position`.
+        last_send: Number of its last chunk among all chunks sent.
+        run_seconds: Mean time of a run in the chunks so far [s].
         strikes: How often a run alone lost its processes, by key.
     """
 
@@ -36,18 +36,18 @@ class HandOut:
     group: str = field(default_factory=digest.random_id)
     position: int = -1
     returned: list[list[WaitingRun]] = field(default_factory=list)
-    under_way: int = 0
+    open_chunks: int = 0
     exhausted: bool = False
-    turn: int = 0
+    last_send: int = 0
     run_seconds: float | None = None
     strikes: Counter[str] = field(default_factory=Counter)
 
-    async def next_chunk(self, store: Store, places: int) -> list[WaitingRun]:
-        """What to hand out next, where so many chunks can be under way; nothing where all is on its way or done."""
+    async def next_chunk(self, store: Store, max_chunks: int) -> list[WaitingRun]:
+        """The next chunk, where all jobs have at most `max_chunks` open; empty where every run is sent or done."""
         if self.returned:
             return self.returned.pop(0)
         while not self.exhausted:
-            last, runs = await store.write(store.job_runs.waiting, self.job.id, self.position, self.size(places))
+            last, runs = await store.write(store.job_runs.waiting, self.job.id, self.position, self.size(max_chunks))
             if last is None:
                 self.exhausted = True
             else:
@@ -57,11 +57,11 @@ class HandOut:
         return []
 
     def take_back(self, *chunks: list[WaitingRun]) -> None:
-        """Hand these out again."""
+        """Send these chunks again."""
         self.returned += [chunk for chunk in chunks if chunk]
 
     def halve(self, runs: list[WaitingRun]) -> bool:
-        """Hand a chunk that could not be computed out again in two halves; False where it is a single run."""
+        """Send a chunk that failed again as two halves; False where it is a single run."""
         keys = list(dict.fromkeys(run.key for run in runs))
         if len(keys) == 1:
             return False
@@ -70,24 +70,24 @@ class HandOut:
         return True
 
     def try_again(self, runs: list[WaitingRun]) -> bool:
-        """Hand a single run that lost its process out again; False where it has had its tries."""
+        """Send a single run that lost its process again; False after `STRIKES` tries."""
         self.strikes[runs[0].key] += 1
         if self.strikes[runs[0].key] == STRIKES:
             return False
         self.take_back(runs)
         return True
 
-    def learn(self, runs: int, seconds: float) -> None:
-        """A chunk of so many runs took so long."""
+    def record_time(self, runs: int, seconds: float) -> None:
+        """Update the mean time of a run: a chunk of `runs` took `seconds`."""
         if runs:
             each = max(seconds, 1e-4) / runs
             self.run_seconds = each if self.run_seconds is None else 0.7 * self.run_seconds + 0.3 * each
 
-    def size(self, places: int) -> int:
-        """Runs of the next chunk, where so many chunks can be under way: at the end the rest is shared."""
+    def size(self, max_chunks: int) -> int:
+        """Runs in the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
         if self.run_seconds is None:
             each = self.job.estimated_cost / self.job.total
             return min(FIRST_CHUNK, max(1, int(FIRST_COST / max(each, 1e-3))))
         left = self.job.total - 1 - self.position
-        share = max(math.ceil(left / places), round(SHORTEST_CHUNK / self.run_seconds))
+        share = max(math.ceil(left / max_chunks), round(SHORTEST_CHUNK / self.run_seconds))
         return min(LONGEST_CHUNK, max(1, min(round(CHUNK_SECONDS / self.run_seconds), share)))

@@ -1,12 +1,12 @@
-"""What makes a result one that no real car would have, or that says less than it seems, in plain words."""
+"""Caveats: sentences on a result that no real car would have, or that says less than it seems."""
 
 from backend.json_types import JsonObject
 from backend.runs.reports.numbers import amount, in_words, with_unit
 from sim_core.catalogue import EVENTS
 
 
-def doubts(entry: JsonObject) -> list[str]:
-    """Sentences about one strategy of a run, as `Run` has it; none where nothing is to be doubted."""
+def caveats(entry: JsonObject) -> list[str]:
+    """Sentences about one strategy of a run, as `Run` has it; empty where there is no caveat."""
     if entry["status"] != "ok":
         return [f"It could not run: {entry['reason']}"]
     events, sentences = entry["events"], []

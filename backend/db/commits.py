@@ -1,11 +1,11 @@
-"""Tells coroutines of this process that something was committed; what other processes commit is found by looking."""
+"""Tells coroutines of this process that something was committed; commits of other processes are seen by polling."""
 
 import asyncio
 import contextlib
 import threading
 
 
-class Changes:
+class CommitCounter:
     """Counts commits; safe for several threads and event loops."""
 
     def __init__(self) -> None:
@@ -15,11 +15,11 @@ class Changes:
 
     @property
     def count(self) -> int:
-        """How many there were."""
+        """Commits so far."""
         return self._count
 
     def notify(self) -> None:
-        """There was one more; from any thread."""
+        """Count a commit; callable from any thread."""
         with self._lock:
             self._count += 1
             waiting, self._waiting = self._waiting, set()
@@ -28,7 +28,7 @@ class Changes:
                 future.get_loop().call_soon_threadsafe(_wake, future)
 
     async def wait_beyond(self, count: int, timeout: float) -> None:
-        """Until there were more than `count`, or the time [s] is over."""
+        """Wait for more than `count` commits, at most `timeout` [s]."""
         future = asyncio.get_running_loop().create_future()
         with self._lock:
             if self._count > count:
