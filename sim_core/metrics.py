@@ -9,12 +9,12 @@ from collections.abc import Sequence
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.car.plant import RECORDED
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.comfort import vibration_dose, weighted
+from sim_core.compiled.library import ADDRESS, INT, address, function
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import KMH, TARGET_BAND, Drive
 from sim_core.recording import Recording
@@ -22,8 +22,10 @@ from sim_core.result import Series, Span, StrategyResult
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.sections import Integrand, SectionValues, over_sections
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
+from sim_core.tyre_peaks import peaks_with_kinks
 from sim_core.windows import Windows, section_ends, windows_of
 
+_both_powers = function("power", ADDRESS, ADDRESS, INT, ADDRESS)
 _ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
 _SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come before them
 # The accelerations jump with the force and are steep lines in between.
@@ -43,9 +45,8 @@ def evaluate(
     bump, road_input = scenario.road.bump, recording.road_input
     report, loop = recording.report, recording.loop
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
-    samples, commands = signals.shape[1:]
     bump_end = bump.end + scenario.vehicle.wheelbase
-    windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length, samples - 1, commands)
+    windows = windows_of(road_input.drive, drive, bump.start, bump_end, scenario.road.length)
     values = over_sections(signals, _INTEGRANDS, windows.ends)
     metrics = _by_window(values, signals[_LOADS], windows, road_input, scenario.real_vehicle)
 
@@ -102,9 +103,8 @@ def _by_window(
     durations = windows.ends[:, 1] - windows.ends[:, 0]
     rough, bump, _ = squares = values.integrals.T
     means = rough / durations[0], bump / durations[1], squares.sum(axis=0) / durations.sum()
-    peaks = values.peaks
-    kinks = _peaks_at_kinks(loads, values.highest[_LOADS], peaks[:, _LOADS], vehicle, windows, road_input)
-    peaks[:, _LOADS] = np.maximum(peaks[:, _LOADS], kinks)
+    peaks, highest = values.peaks, values.highest[_LOADS]
+    peaks[:, _LOADS] = peaks_with_kinks(loads, highest, peaks[:, _LOADS].T, vehicle, windows, road_input).T
     return {
         window: {
             signal: {"rms": rms, "peak": peak}
@@ -137,62 +137,12 @@ def rms_between(series: Series, drive: Drive, stretches: Sequence[tuple[float, f
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
 
 
-def _peaks_at_kinks(
-    loads: FloatArray,
-    highest: FloatArray,
-    peaks: FloatArray,
-    vehicle: Vehicle,
-    windows: Windows,
-    road_input: RoadInput,
-) -> FloatArray:
-    """Largest magnitude of the tyre loads at kinks of the road between two samples, in each section (sections, 2).
-
-    There a load deviates from the line between the samples by the tyre's stiffness times the height of the kink. Only
-    kinks that may raise a peak count: under commands whose samples come near it.
-
-    Args:
-        loads: Front and rear (2, fine steps of a command + 1, commands) [N].
-        highest: Their largest magnitude under each command (2, commands) [N].
-        peaks: Their largest magnitude in each section, at samples (sections, 2) [N].
-        vehicle: The real one.
-        windows: Where the sections lie.
-        road_input: The road under the axles.
-    """
-    tyres = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
-    beside, on_bump = road_input.surface.slope_range()
-    most_rise = max(tyres) * np.array([beside, on_bump, beside]) * windows.step_distance / 4
-    near = np.ones(highest.shape, dtype=np.bool_)
-    for inner, peak, rise in zip(windows.inner, peaks, most_rise, strict=True):
-        near[:, inner] = highest[:, inner] >= peak[:, np.newaxis] - rise
-    kinks, command = _kinks_under(np.flatnonzero(near), windows.first_kink)
-    samples, commands = loads.shape[1:]
-    met = road_input.drive.kinks
-    axle, step, share = met.axle(kinks), met.step[kinks] % (samples - 1), met.share[kinks]
-    sample = (axle * (samples - 1) + step) * commands + command
-    before, after = loads.take(sample), loads.take(sample + commands)
-    values = before + share * (after - before) + np.take(tyres, axle) * road_input.above_chord(kinks)
-    if vehicle.tyre_lift_off:
-        values = np.maximum(values, -np.take(vehicle.static_loads, axle))
-    values = np.abs(values)
-    ends = kinks.searchsorted(windows.kink_ends).tolist()
-    return np.array([[values[first:last].max(initial=0) for first, last in axle] for axle in ends]).T
-
-
-def _kinks_under(commands: NDArray[np.intp], first_kink: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """The kinks met under some commands, and the command each of them is met under; both as in `Windows.first_kink`."""
-    first = first_kink[commands]
-    count = first_kink[commands + 1] - first
-    command = np.repeat(np.arange(len(commands)), count)
-    number = np.arange(len(command)) - (count.cumsum() - count)[command]
-    return first[command] + number, commands[command]
-
-
 def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str, float]:
-    """Mean and largest |u·ḋ| summed over both axles [W]."""
+    """Mean and largest |u·ḋ| summed over both axles [W], from samples (2, fine steps of a command + 1, commands)."""
     mean = peak = 0.0
     if forces.any():
-        each = forces * speeds
-        power = np.abs(each, out=each).sum(axis=0, keepdims=True)
+        power = np.empty((1, *forces.shape[1:]))
+        _both_powers(address(forces), address(speeds), power.size, address(power))
         values = over_sections(power, [Integrand.VALUE], windows.ends)
         mean = float(values.integrals.sum() / (windows.ends[-1, 1] - windows.ends[0, 0]))
         peak = float(values.peaks.max())

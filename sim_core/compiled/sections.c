@@ -84,3 +84,10 @@ void ridelab_sections(const double *table, int signals, const int *integrands, i
         }
     }
 }
+
+/* Power of both axles' actuators |u d'| + |u d'|, from their forces and the deflections' speeds (2 x samples). */
+void ridelab_power(const double *restrict force, const double *restrict speed, int samples, double *restrict power)
+{
+    for (int i = 0; i < samples; i++)
+        power[i] = fabs(force[i] * speed[i]) + fabs(force[samples + i] * speed[samples + i]);
+}

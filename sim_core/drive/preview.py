@@ -13,12 +13,14 @@ from numpy.lib.stride_tricks import sliding_window_view
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.road import GridPlace, RoadProfile, grid_place
+from sim_core.car.road import RoadProfile
+from sim_core.compiled.library import ADDRESS, INT, address, function
 from sim_core.drive.sampling import RoadInput, SampledDrive
 from sim_core.drive.sensed_road import ExpectedErrors, sensed_road
 from sim_core.drive.speed_profile import Drive
 from sim_core.scenario import Mismatch, Preview, Road
 
+_horizons = function("horizons", ADDRESS, INT, INT, ADDRESS, ADDRESS)
 EXACT, NO_ERRORS = Mismatch(), ExpectedErrors()
 
 
@@ -89,16 +91,13 @@ def preview(
 
 def sliding_forecast(disturbances: FloatArray, horizon: int) -> Forecast:
     """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1)."""
-    sums = np.zeros((2, DISTURBANCES, disturbances.shape[1] + 1))
-    disturbances.cumsum(axis=1, out=sums[0, :, 1:])
-    (disturbances * disturbances).cumsum(axis=1, out=sums[1, :, 1:])
-    total, squares = sums[:, :, horizon:] - sums[:, :, :-horizon]
-    braking = total[2] / horizon
-    squares[2] -= total[2] * braking
+    steps = disturbances.shape[1] - horizon + 1
+    braking, spread = np.empty(steps), np.empty((DISTURBANCES, steps))
+    _horizons(address(disturbances), steps, horizon, address(braking), address(spread))
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
         braking=braking,
-        spread=np.sqrt(np.maximum(squares, 0)),
+        spread=spread,
     )
 
 
@@ -108,28 +107,21 @@ def _by_sensors(
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
     sampled = road_input.drive
-    offset, delay, samples = mismatch.preview_offset, mismatch.preview_delay, len(surface.roughness)
-    axles, place, braking = _ahead(drive, sampled, horizon, wheelbase, offset, delay, samples)
-    height = mismatch.preview_gain * surface.height_along(axles, place)
+    axles, braking = _ahead(drive, sampled, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay)
+    height = mismatch.preview_gain * surface.height(axles)
     return sliding_forecast(np.vstack([np.diff(height) / sampled.step, braking]), horizon)
 
 
 @cached
 def _ahead(
-    drive: Drive,
-    sampled: SampledDrive,
-    horizon: int,
-    wheelbase: float,
-    offset: float,
-    delay: float,
-    grid_samples: int,
-) -> tuple[FloatArray, GridPlace, FloatArray]:
+    drive: Drive, sampled: SampledDrive, horizon: int, wheelbase: float, offset: float, delay: float
+) -> tuple[FloatArray, FloatArray]:
     """Where sensors take the axles to be at every control instant to come (2, n + 1) [m]; the braking in between."""
     time, h = sampled.time, sampled.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
     position = drive.at(further - delay)[0] - offset
     axles = np.stack([position, position - wheelbase])
-    return axles, grid_place(axles, grid_samples), drive.sample(drive.braking, further[:-1] + h / 2)
+    return axles, drive.sample(drive.braking, further[:-1] + h / 2)
 
 
 @cached

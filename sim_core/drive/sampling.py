@@ -8,48 +8,18 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.road import (
-    GRID,
-    GridPlace,
-    RoadProfile,
-    detail,
-    grid_between,
-    grid_place,
-    grid_samples,
-    kinks,
-    profile,
-)
+from sim_core.car.road import GRID, RoadProfile, detail, profile
+from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.drive.speed_profile import KMH, Drive, run_in_steps
 from sim_core.scenario import Road, Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 
+_disturbances = function("disturbances", ADDRESS, ADDRESS, INT, DOUBLE, ADDRESS)
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Kinks:
-    """Where both axles meet the kinks of the road, from x = 0 to its end: the roughness' samples and the bump's own.
-
-    Attributes:
-        position: Of the kinks (k,) [m], the front axle's, then the rear's, each in the order they are met.
-        step: The fine step from x = 0 in which each is met (k,).
-        share: Of that step, after which it is met (k,).
-        rear: Index of the rear axle's first.
-    """
-
-    position: FloatArray
-    step: NDArray[np.intp]
-    share: FloatArray
-    rear: int
-
-    def axle(self, indices: NDArray[np.intp]) -> NDArray[np.intp]:
-        """0 for those of these kinks that the front axle meets, 1 for the rear's."""
-        return (indices >= self.rear).astype(np.intp)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -61,8 +31,6 @@ class SampledDrive:
         fine: Fine steps in each control step.
         before: Control steps before x = 0.
         position: Of the front and the rear axle at every fine instant (2, n + 1) [m].
-        place: The same on the road's grid.
-        kinks: Where they meet kinks of the road.
         braking: Deceleration, held over a fine step (n,) [m/s^2].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
@@ -72,8 +40,6 @@ class SampledDrive:
     fine: int
     before: int
     position: FloatArray
-    place: GridPlace
-    kinks: Kinks
     braking: FloatArray
     on_record: slice
     series: dict[str, FloatArray]
@@ -135,14 +101,6 @@ class RoadInput:
         """Fine step [s]."""
         return self.drive.fine_step
 
-    def above_chord(self, indices: NDArray[np.intp]) -> FloatArray:
-        """Height of these kinks above the chord of the fine step in which they are met [m]."""
-        kinks, heights = self.drive.kinks, self.height
-        sample = kinks.axle(indices) * heights.shape[1] + self.on_record.start + kinks.step[indices]
-        low, high = heights.take(sample), heights.take(sample + 1)
-        chord: FloatArray = low + kinks.share[indices] * (high - low)
-        return self.surface.height(kinks.position[indices]) - chord
-
 
 def fine_step(scenario: Scenario, strategy: Strategy) -> float:
     """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
@@ -182,19 +140,17 @@ def sample_road(
         multiple: A control step has a whole multiple of so many fine steps.
     """
     fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
-    sampled = _sampled(drive, road.length, wheelbase, step, fine, kinks(road.bump))
+    sampled = _sampled(drive, road.length, wheelbase, step, fine)
     surface = profile(road)
-    height = surface.height_along(sampled.position, sampled.place)
-    held = np.empty((len(sampled.braking), DISTURBANCES))
-    velocity = np.subtract(height[:, 1:], height[:, :-1], out=held.T[:2])
-    velocity *= 1 / sampled.fine_step
-    held[:, 2] = sampled.braking
+    height = surface.height(sampled.position)
+    held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
+    _disturbances(address(height), address(sampled.braking), len(sampled.braking), sampled.fine_step, address(held))
     height.flags.writeable = False
     front, rear = height[:, sampled.on_record]
     return RoadInput(
         drive=sampled,
         position=sampled.position[0, : -1 : sampled.fine],
-        disturbance=held.reshape(len(sampled.time) - 1, sampled.fine * DISTURBANCES),
+        disturbance=held,
         surface=surface,
         height=height,
         series=sampled.series | {"front_road": front, "rear_road": rear},
@@ -202,10 +158,8 @@ def sample_road(
 
 
 @cached
-def _sampled(
-    drive: Drive, length: float, wheelbase: float, step: float, fine: int, bump_kinks: tuple[float, ...]
-) -> SampledDrive:
-    """The part of `sample_road` that needs no height; length of the road and the bump's kinks in m."""
+def _sampled(drive: Drive, length: float, wheelbase: float, step: float, fine: int) -> SampledDrive:
+    """The part of `sample_road` that needs no height; length of the road in m."""
     duration = drive.time_at(length)
     before = run_in_steps(drive.initial_speed, step)
     steps = before + int(duration / step + 1e-6) + 1  # the last one begins at the road's end or before it
@@ -230,28 +184,7 @@ def _sampled(
         fine=fine,
         before=before,
         position=axles,
-        place=grid_place(axles, grid_samples(length)),
-        kinks=_kinks(axles[:, first:], bump_kinks),
         braking=drive.sample(drive.braking, time[:-1] + h / 2),
         on_record=record,
         series=series,
-    )
-
-
-def _kinks(position: FloatArray, bump_kinks: tuple[float, ...]) -> Kinks:
-    """Of axles at those positions from x = 0 on (2, n + 1) [m]."""
-    positions, steps, shares = [], [], []
-    for driven in position:
-        begin, end = float(driven[0]), float(driven[-1])
-        met = np.sort(np.concatenate([grid_between(begin, end), bump_kinks]))
-        met = met[(met > begin) & (met < end)]
-        step = driven.searchsorted(met) - 1
-        positions.append(met)
-        steps.append(step)
-        shares.append((met - driven[step]) / (driven[step + 1] - driven[step]))
-    return Kinks(
-        position=np.concatenate(positions),
-        step=np.concatenate(steps),
-        share=np.concatenate(shares),
-        rear=len(positions[0]),
     )

@@ -3,14 +3,22 @@
 In space, once for the whole drive: a place has one height for both axles and in every control step.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import pi
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.car.road import CUTOFF_FREQUENCY, GRID, REFERENCE_FREQUENCY, RoadProfile, bump_height, grid_positions
+from sim_core.car.road import (
+    CUTOFF_FREQUENCY,
+    GRID,
+    REFERENCE_FREQUENCY,
+    RoadProfile,
+    bump_height,
+    grid_positions,
+    rough_profile,
+)
 from sim_core.scenario import Mismatch, Mpc, Road
 
 _NOISE_STREAM = 2  # a generator of its own beside the road's
@@ -51,7 +59,7 @@ def sensed_road(
     if mismatch.preview_resolution:
         heights = roughness + bump_height(bump, grid_positions(len(roughness)))
         roughness, bump = _averaged(heights, mismatch.preview_resolution), bump.model_copy(update={"height": 0.0})
-    return replace(surface, roughness=roughness, rise=np.diff(roughness), bump=bump)
+    return rough_profile(roughness, bump)
 
 
 def trusted(seen: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArray:

@@ -10,6 +10,7 @@ from numpy.random import default_rng
 from sim_core.arrays import FloatArray
 from sim_core.compiled.library import address, load
 from sim_core.control.qp import QpShape, residual
+from sim_core.drive.preview import sliding_forecast
 from sim_core.recurrence import run_recurrence
 from sim_core.sections import Integrand, over_sections
 
@@ -78,6 +79,17 @@ def test_what_is_not_finite_shows_in_its_section_alone() -> None:
     values = over_sections(table, [Integrand.SQUARE], np.array([[0.0, 6.0], [6.0, 8.0]]))
     np.testing.assert_array_equal(values.integrals, [[6.0, np.nan]])
     np.testing.assert_array_equal(values.peaks, [[1.0], [np.nan]])
+
+
+def test_a_sliding_horizon_is_each_of_its_windows() -> None:
+    horizon = 5
+    forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon)
+    velocities, braking = forecast.windows[:2], forecast.windows[2]
+    assert braking.shape == (16, horizon)
+    np.testing.assert_allclose(forecast.braking, braking.mean(axis=1))
+    about_mean = braking - braking.mean(axis=1, keepdims=True)
+    norms = [np.linalg.norm(each, axis=1) for each in (*velocities, about_mean)]
+    np.testing.assert_allclose(forecast.spread, norms)
 
 
 def test_a_residual_is_the_largest_violation() -> None:

@@ -1,0 +1,67 @@
+"""Peaks of the tyre loads where the road's slope changes between two samples, by the C of compiled/road.c."""
+
+import ctypes
+from math import inf
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.car.road import CompiledRoad, kinks
+from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.drive.sampling import RoadInput
+from sim_core.scenario import Vehicle
+from sim_core.windows import Windows
+
+
+class _Axle(ctypes.Structure):
+    """`struct axle` of compiled/road.c."""
+
+    _fields_ = [
+        *((name, ADDRESS) for name in ("position", "height", "load", "highest")),
+        *((name, DOUBLE) for name in ("stiffness", "lowest")),
+    ]
+
+
+_kink_peaks = function(
+    "kink_peaks",
+    *(ctypes.POINTER(CompiledRoad), ctypes.POINTER(_Axle), INT, INT),
+    *(ADDRESS, ADDRESS, ADDRESS, INT, ADDRESS),
+)
+
+
+def peaks_with_kinks(
+    loads: FloatArray,
+    highest: FloatArray,
+    peaks: FloatArray,
+    vehicle: Vehicle,
+    windows: Windows,
+    road_input: RoadInput,
+) -> FloatArray:
+    """Largest magnitude of the tyre loads in each section (2, sections) [N].
+
+    At a kink of the road a load deviates from the line between the samples by the tyre's stiffness times the height of
+    the kink above the road's chord. Only kinks that may raise a peak count: under commands whose samples come near it.
+
+    Args:
+        loads: Front and rear (2, fine steps of a command + 1, commands) [N].
+        highest: Their largest magnitude under each command (2, commands) [N].
+        peaks: Their largest magnitude in each section at samples (2, sections) [N].
+        vehicle: The real one.
+        windows: Where the sections lie.
+        road_input: The road under the axles.
+    """
+    samples, commands = loads.shape[1:]
+    surface, start = road_input.surface, road_input.on_record.start
+    road, of_bump = surface.compiled, np.array([*sorted(kinks(surface.bump)), inf])
+    beside, on_bump = surface.slope_range()
+    rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
+    found = np.ascontiguousarray(peaks)
+    tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
+    for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
+        arrays = road_input.drive.position[axle, start:], road_input.height[axle, start:], loads[axle], highest[axle]
+        lowest = -static if vehicle.tyre_lift_off else -inf
+        _kink_peaks(
+            *(road, _Axle(*map(address, arrays), stiffness, lowest), samples - 1, commands),
+            *(address(of_bump), address(windows.ends), address(rise), len(rise), address(found[axle])),
+        )
+    return found
