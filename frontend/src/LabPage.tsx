@@ -2,6 +2,7 @@ import { useDocumentTitle, useHotkeys } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { lazy, Suspense, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
+import { useCompared } from "./compare/useCompared";
 import { standardScenario } from "./editor/diff";
 import { CouldNotLoad } from "./shell/Blank";
 import { EditorPane } from "./shell/EditorPane";
@@ -55,6 +56,7 @@ function Desk() {
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
   const view = useView();
+  const compared = useCompared();
 
   useDocumentTitle(pageTitle(useScenario()));
   useHotkeys([
@@ -69,8 +71,8 @@ function Desk() {
   }, [lab, schema.data, figures.data]);
 
   const scene = useMemo(
-    () => (shown && strategies.data ? makeScene(shown, strategies.data, selected, view) : null),
-    [shown, strategies.data, selected, view],
+    () => (shown && strategies.data ? makeScene(shown, strategies.data, selected, view, compared) : null),
+    [shown, strategies.data, selected, view, compared],
   );
   const failedQuery = [schema, presets, strategies, catalogue, figures].find(({ error }) => error !== null && !isTransient(error));
 

@@ -10,8 +10,11 @@ from tests.browser.dashboard import Dashboard
 ROADS = Path(__file__).parents[2] / "docs" / "roads"
 
 
-def test_dragging_is_live_and_the_release_exact(dashboard: Dashboard) -> None:
+def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(dashboard: Dashboard) -> None:
+    """I changed the bump: what got better, what got worse, against what I had?"""
     dashboard.open()
+    drawn = dashboard.page.locator("section[data-figure=body_acceleration] .scatterlayer .trace")
+    expect(drawn).to_have_count(3)
     before, address = dashboard.shown_values(), dashboard.page.url
     answers = dashboard.drag(dashboard.slider("Height"), (10, 20, 30))
     assert all(answer.ok for answer in answers)
@@ -25,6 +28,18 @@ def test_dragging_is_live_and_the_release_exact(dashboard: Dashboard) -> None:
     key = "passive bump.body_acceleration.peak"
     assert dashboard.shown_values()[key] > before[key]
     expect(dashboard.status).to_contain_text(re.compile(r"(from store|computed in [\d.]+ ms)"))
+
+    expect(drawn).to_have_count(6)  # the state before as thin curves
+    expect(dashboard.page.get_by_test_id("differences")).to_contain_text(f"Bump height 0.1 → {height:g}\u00a0m")
+    dashboard.page.get_by_label("Change against").select_option("Before the last edit")
+    values = dashboard.shown_values()
+    for strategy in ("lv", "passive"):
+        peak = f"{strategy} bump.body_acceleration.peak"
+        cell = dashboard.row(strategy).locator("td[data-cell='bump.body_acceleration.peak']")
+        expect(cell).to_contain_text(f"▲ +{100 * (values[peak] / before[peak] - 1):.1f}\u2009%, worse")
+    expect(dashboard.row("passive")).to_contain_text("50.0\u00a0km/h")
+    dashboard.page.get_by_label("Change against").select_option("Passive")
+    expect(dashboard.row("passive")).to_have_attribute("data-baseline", "true")
 
 
 def test_address_table_and_curves_change_together(dashboard: Dashboard) -> None:

@@ -1,8 +1,9 @@
-/** What differs from the paper. */
+/** What differs from the paper, and between two scenarios. */
 
-import type { Scenario } from "../api/types";
+import type { JsonValue, Scenario } from "../api/types";
+import { formatExact, prettyUnit } from "../units/format";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
-import { fieldsOf, type Field, type Member, type NumberField, type ChoiceField, type TextField } from "./schema";
+import { fieldsOf, optionOf, optionTitle, type Field, type Member, type NumberField, type ChoiceField, type TextField } from "./schema";
 
 /** A field somebody changes by itself: the entries of a vector count one by one. */
 export type Leaf = NumberField | ChoiceField | TextField;
@@ -28,4 +29,43 @@ export function resetMember(scenario: Scenario, member: Member): Scenario {
 /** The paper's scenario as the schema states it. */
 export function standardScenario(root: Member): Scenario {
   return fieldsOf(root).reduce<Scenario>((result, field) => setAt(result, field.pointer, field.standard), {});
+}
+
+/** A field that two scenarios give different values: `Bump height`, `0.1 → 0.12 m`. */
+export interface FieldChange {
+  readonly pointer: Pointer;
+  readonly name: string;
+  readonly change: string;
+}
+
+const lowered = (title: string) => (/^.[a-z]/.test(title) ? title.charAt(0).toLowerCase() + title.slice(1) : title);
+
+/** The group's title before the field's, where that does not say it itself: `Bump height`, but `Target speed`. */
+function named(group: string, title: string): string {
+  return group === "" || title.toLowerCase().includes(group.toLowerCase()) ? title : `${group} ${lowered(title)}`;
+}
+
+function shown(value: JsonValue | undefined, leaf: Leaf): string {
+  if (value === null || value === undefined || value === "") return "none";
+  if (leaf.kind === "choice") return optionTitle(optionOf(value)).toLowerCase();
+  return typeof value === "number" ? formatExact(value, "1") : typeof value === "string" ? value : JSON.stringify(value);
+}
+
+/** What two scenarios differ in, in the form's order, by the form's names and units. */
+export function changedFields(form: Member, from: Scenario, to: Scenario, group = ""): readonly FieldChange[] {
+  if (form.kind === "group") return form.members.flatMap((member) => changedFields(member, from, to, form.pointer === "/" ? "" : form.title));
+  const name = named(group, form.title);
+  return leavesOf(form).flatMap((leaf): readonly FieldChange[] => {
+    const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
+    if (sameValue(one, other)) return [];
+    const unit = leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.unit)}`.trimEnd() : "";
+    return [{ pointer: leaf.pointer, name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name, change: `${shown(one, leaf)} → ${shown(other, leaf)}${unit}` }];
+  });
+}
+
+/** The first few of them in one line. */
+export function changesText(changes: readonly FieldChange[], most = 3): string {
+  const rest = changes.length - most;
+  const listed = changes.slice(0, rest === 1 ? most + 1 : most).map(({ name, change }) => `${name} ${change}`);
+  return [...listed, ...(rest > 1 ? [`${rest} more`] : [])].join(", ");
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { changedPointers, leavesOf, resetMember, standardScenario } from "./diff";
+import { changedFields, changedPointers, changesText, leavesOf, resetMember, standardScenario } from "./diff";
 import { fieldFor, placeErrors } from "./errors";
 import { FORM } from "./form.fixture";
 import { readTyped, sliderScale, typicalValue } from "./limits";
@@ -59,6 +59,21 @@ describe("difference from the paper", () => {
     expect(changed.mpc).toBe(STANDARD.mpc);
     expect(sameValue(changed, STANDARD)).toBe(false);
     expect(sameValue(setAt(changed, "/road/bump/height", 0.1), STANDARD)).toBe(true);
+  });
+});
+
+describe("difference between two scenarios", () => {
+  const paper = standardScenario(FORM);
+
+  it("is told by the form's names and units", () => {
+    const other = setAt(setAt(setAt(paper, "/road/bump/height", 0.12), "/mpc/lag", 8), "/mpc/weights/1", 2);
+    const changes = changedFields(FORM, paper, setAt(other, "/road/bump/shape", "flat_top"));
+    expect(changes.map(({ name, change }) => `${name} ${change}`)).toEqual([
+      "Bump shape cosine → flat top", "Bump height 0.1 → 0.12\u00a0m", "MPC bandwidth none → 8\u00a0Hz", "MPC cruise, pitch 1 → 2",
+    ]);
+    expect(changesText(changes, 2)).toBe("Bump shape cosine → flat top, Bump height 0.1 → 0.12\u00a0m, 2 more");
+    expect(changesText(changes, 3).endsWith("pitch 1 → 2")).toBe(true);
+    expect(changedFields(FORM, other, other)).toEqual([]);
   });
 });
 

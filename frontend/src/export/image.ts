@@ -2,6 +2,7 @@
 
 import type { FigureTemplate } from "../api/types";
 import { buildFigure, axisUnit, type Palette } from "../plots/figure";
+import { layersOf } from "../plots/layers";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
 import type { Scene } from "../state/scene";
 
@@ -15,9 +16,10 @@ const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", 
 /** One figure with a row for each panel over one x axis. */
 export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
+  const layers = layersOf(scene);
   const row = 1 / templates.length;
   const built = templates.map((template) =>
-    buildFigure({ template, series: scene.series, summaries: scene.summaries, strategies: scene.strategies, axis: scene.axis, range: scene.range, palette: ON_PAPER }),
+    buildFigure({ template, series: scene.series, layers, summaries: scene.summaries, strategies: scene.strategies, axis: scene.axis, range: scene.range, palette: ON_PAPER }),
   );
   const name = (letter: "x" | "y", index: number) => (index === 0 ? letter : `${letter}${index + 1}`);
   const axes: Record<string, unknown> = {};

@@ -6,6 +6,7 @@ import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../state/address";
 import { useDesk } from "../state/context";
 import type { Scene } from "../state/scene";
+import { layersOf } from "./layers";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
@@ -22,10 +23,11 @@ export function PlotGrid({ templates, scene }: Props) {
   const palette = PALETTES[useComputedColorScheme("light")];
   const series = useDetail(scene);
   const onZoom = useZoom();
-  const { summaries, strategies, axis, range, shown } = scene;
+  const { summaries, strategies, axis, range, shown, before, pins } = scene;
+  const layers = useMemo(() => layersOf({ before, pins }), [before, pins]);
   const curves = useMemo(
-    () => ({ series, summaries, strategies, axis, range, live: shown.source === "live" }),
-    [series, summaries, strategies, axis, range, shown.source],
+    () => ({ series, layers, summaries, strategies, axis, range, live: shown.source === "live" }),
+    [series, layers, summaries, strategies, axis, range, shown.source],
   );
   return (
     <div className={classes.grid}>

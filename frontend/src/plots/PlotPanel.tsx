@@ -7,6 +7,7 @@ import type { Axis, Zoom } from "../state/address";
 import { printing } from "../state/printing";
 import { useStore } from "../state/store";
 import { buildFigure, type Palette } from "./figure";
+import type { Layer } from "./layers";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
 import type { Plotly } from "./plotly";
@@ -17,6 +18,7 @@ import { Card } from "../ui/Card";
 /** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
 export interface Curves {
   readonly series: SeriesByStrategy;
+  readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly strategies: readonly Strategy[];
   readonly axis: Axis;

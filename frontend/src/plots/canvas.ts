@@ -69,12 +69,14 @@ function tracePath(context: CanvasRenderingContext2D, x: Numbers, y: Numbers, fr
   context.stroke();
 }
 
-function drawTrace(context: CanvasRenderingContext2D, { x, y, line }: PlotTrace, frame: Frame): void {
+function drawTrace(context: CanvasRenderingContext2D, { x, y, line, opacity = 1 }: PlotTrace, frame: Frame): void {
+  context.globalAlpha = opacity;
   context.strokeStyle = asText(line.color, "#868e96");
   context.lineWidth = asNumber(line.width, 1.5);
   context.lineJoin = "round";
   context.setLineDash(dashOf(line.dash, context.lineWidth));
   tracePath(context, x, y, frame);
+  context.globalAlpha = 1;
 }
 
 export function clearCanvas(canvas: HTMLCanvasElement): void {

@@ -2,6 +2,7 @@
 
 import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../state/address";
+import type { Layer } from "./layers";
 import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
 import { covering, extent } from "./samples";
 import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
@@ -15,6 +16,8 @@ export interface Palette {
 export interface FigureInput {
   readonly template: FigureTemplate;
   readonly series: SeriesByStrategy;
+  /** Curves of other variants, under those of `series`. */
+  readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   /** In the order of drawing. */
   readonly strategies: readonly Pick<Strategy, "id">[];
@@ -33,7 +36,13 @@ function scaled(values: Numbers, factor: number): Numbers {
   return factor === 1 ? values : values.map((value) => value * factor);
 }
 
-function traces({ template, series, strategies, axis, range }: FigureInput): readonly PlotTrace[] {
+
+function traces(input: FigureInput): readonly PlotTrace[] {
+  const layers = [...(input.layers ?? []), { name: "", series: input.series, line: {}, opacity: 1 }];
+  return layers.flatMap((layer) => tracesOf(input, layer));
+}
+
+function tracesOf({ template, strategies, axis, range }: FigureInput, { name, series, line, opacity }: Layer): readonly PlotTrace[] {
   const { scale } = template.layout.meta;
   return template.data.flatMap((trace): PlotTrace[] => {
     const { strategy, signal } = trace.meta;
@@ -45,10 +54,11 @@ function traces({ template, series, strategies, axis, range }: FigureInput): rea
       {
         type: "scatter",
         mode: "lines",
-        ...(trace.name === undefined ? {} : { name: trace.name }),
+        ...(trace.name === undefined ? {} : { name: name === "" ? trace.name : `${trace.name}, ${name}` }),
         x: x.subarray(from, to),
         y: scaled(y.subarray(from, to), scale),
-        line: { ...trace.line, simplify: true },
+        line: { ...trace.line, ...line, simplify: true },
+        opacity,
       },
     ];
   });

@@ -20,6 +20,7 @@ const OPENING: LabState = {
   shown: null,
   exact: null,
   before: null,
+  against: "baseline",
   shared: null,
   busy: false,
   stale: false,
@@ -111,9 +112,11 @@ export function createLab(services: Services): Lab {
     },
     setBaseline: (baseline) => {
       const { shown, shared } = store.get();
+      patch({ against: "baseline" });
       router.setView({ baseline });
       if (!shared && shown?.over && shown.over.baseline !== baseline) submit("push");
     },
+    setAgainst: (against) => patch({ against }),
     resume: asking.resume,
   };
 }

@@ -2,6 +2,7 @@
 
 import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, View, ViewZoom, Zoom } from "./address";
+import { NOTHING_COMPARED, referenceOf, type Compared, type Variant } from "./compare";
 import type { Shown } from "./shown";
 
 export interface Scene {
@@ -12,6 +13,11 @@ export interface Scene {
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly series: SeriesByStrategy;
   readonly baseline: StrategyId | null;
+  /** The state before the last edit. */
+  readonly before: Shown | null;
+  readonly pins: readonly Variant[];
+  /** What changes are against, where that is not the baseline. */
+  readonly reference: Variant | null;
   readonly axis: Axis;
   readonly whole: Zoom;
   /** The bump with some road around it; `null` where there is none. */
@@ -26,7 +32,13 @@ function wholeRange(series: SeriesByStrategy, ids: readonly StrategyId[], axis: 
   return [0, Math.max(1e-3, ...ends)];
 }
 
-export function makeScene(shown: Shown, catalogue: readonly Strategy[], selected: readonly StrategyId[], view: View): Scene {
+export function makeScene(
+  shown: Shown,
+  catalogue: readonly Strategy[],
+  selected: readonly StrategyId[],
+  view: View,
+  compared: Compared = NOTHING_COMPARED,
+): Scene {
   const strategies = catalogue.filter(({ id }) => selected.includes(id) && id in shown.summaries);
   const ids = strategies.map(({ id }) => id);
   const whole = wholeRange(shown.series, ids, view.axis);
@@ -39,6 +51,9 @@ export function makeScene(shown: Shown, catalogue: readonly Strategy[], selected
     summaries,
     series,
     baseline: view.baseline in summaries ? view.baseline : (ids.at(-1) ?? null),
+    before: compared.before,
+    pins: compared.pins,
+    reference: referenceOf(compared),
     axis: view.axis,
     whole,
     bump,

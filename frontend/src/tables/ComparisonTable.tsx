@@ -1,14 +1,11 @@
-/** RMS on the rough road and peak on the bump, side by side, against a baseline chosen by a click. */
+/** RMS on the rough road and peak on the bump, side by side, a row for each strategy of each variant. */
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
 import { prettyUnit } from "../units/format";
-import { BaselineButton } from "./BaselineButton";
-import { ChangeMark } from "./ChangeMark";
-import { CaveatMarks } from "./CaveatMarks";
-import { caveatsOf } from "./caveats";
-import { Estimated } from "./Estimated";
-import { statisticsOf, type RoadsStatistics } from "./overRoads";
+import { entryGroups } from "./entries";
+import { EntryHead } from "./EntryHead";
+import { ResultCell } from "./ResultCell";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 import { ScrollTable } from "../ui/ScrollTable";
@@ -68,49 +65,40 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
           )}
         </tr>
       </thead>
-      <tbody>
-        {scene.strategies.map((strategy) => (
-          <tr key={strategy.id} data-baseline={strategy.id === scene.baseline || undefined} data-strategy={strategy.id}>
-            <th scope="row" className={classes.rowHeader}>
-              <BaselineButton strategy={strategy} isBaseline={strategy.id === scene.baseline} />
-              <CaveatMarks caveats={caveatsOf(scene.summaries[strategy.id]?.events, catalogue)} />
-            </th>
-            {VIEWS.map(({ window, statistic }) =>
-              signals.map((signal, index) => (
-                <Cell
-                  key={`${window} ${signal}`}
-                  first={index === 0}
-                  name={`${window}.${signal}.${statistic}`}
-                  value={scene.summaries[strategy.id]?.metrics[window]?.[signal]?.[statistic]}
-                  baseline={scene.baseline === null ? null : scene.summaries[scene.baseline]?.metrics[window]?.[signal]?.[statistic]}
-                  overRoads={statisticsOf(scene, strategy.id, { window, signal, statistic })}
-                  isBaseline={strategy.id === scene.baseline}
-                  scale={shownUnit(signal, figures, catalogue).scale}
-                />
-              )),
-            )}
-          </tr>
-        ))}
-      </tbody>
+      {entryGroups(scene).map(({ name, entries }) => (
+        <tbody key={entries[0]?.key ?? name} data-pinned={name ?? undefined}>
+          {scene.pins.length > 0 && <GroupRow name={name} columns={1 + VIEWS.length * signals.length} />}
+          {entries.map((entry) => (
+            <tr key={entry.key} data-baseline={entry.isReference || undefined} {...{ [name === null ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id }}>
+              <th scope="row" className={classes.rowHeader}>
+                <EntryHead entry={entry} catalogue={catalogue} />
+              </th>
+              {VIEWS.map(({ window, statistic }) =>
+                signals.map((signal, index) => (
+                  <ResultCell
+                    key={`${window} ${signal}`}
+                    first={index === 0}
+                    name={`${window}.${signal}.${statistic}`}
+                    place={{ window, signal, statistic }}
+                    scale={shownUnit(signal, figures, catalogue).scale}
+                    {...{ scene, entry }}
+                  />
+                )),
+              )}
+            </tr>
+          ))}
+        </tbody>
+      ))}
     </ScrollTable>
   );
 }
 
-interface CellProps {
-  readonly name: string;
-  readonly first: boolean;
-  readonly value: number | null | undefined;
-  readonly baseline: number | null | undefined;
-  readonly overRoads: RoadsStatistics;
-  readonly isBaseline: boolean;
-  readonly scale: number;
-}
-
-function Cell({ name, first, value, baseline, overRoads, isBaseline, scale }: CellProps) {
+function GroupRow({ name, columns }: { readonly name: string | null; readonly columns: number }) {
   return (
-    <td className={classes.cell} data-first={first || undefined} data-cell={name} data-value={value ?? ""}>
-      <Estimated value={value} interval={overRoads.interval} scale={scale} />
-      {isBaseline ? <span className={classes.change}>&nbsp;</span> : <ChangeMark value={value} baseline={baseline} paired={overRoads.change} scale={scale} />}
-    </td>
+    <tr>
+      <th scope="rowgroup" colSpan={columns} className={classes.variantRow}>
+        {name ?? "Current scenario"}
+      </th>
+    </tr>
   );
 }

@@ -1,30 +1,32 @@
 /** Comfort, travel time and events: a row per figure, a column per strategy. */
 
-import type { Catalogue, Quantity, Summary } from "../api/types";
+import type { Catalogue, Quantity } from "../api/types";
 import type { Scene } from "../state/scene";
 import { formatNumber, formatResult, prettyUnit } from "../units/format";
-import { ChangeMark } from "./ChangeMark";
+import { ChangeText } from "./ChangeMark";
+import { changeOf, entryGroups, type Entry } from "./entries";
 import { Estimated } from "./Estimated";
-import { statisticsOf } from "./overRoads";
+import { intervalAt, valueAt, type Place } from "./place";
 import { StrategyKey } from "./StrategyKey";
 import classes from "./tables.module.css";
+import { VariantHeads } from "./VariantHeads";
 import { ScrollTable } from "../ui/ScrollTable";
 
 type Value = number | boolean | null | undefined;
 
 interface Row {
   readonly quantity: Quantity;
-  readonly read: (summary: Summary) => Value;
+  /** Where its number stands; an event has none. */
+  readonly place: Place | null;
   /** Lower is better, so that a change has a verdict. */
   readonly judged: boolean;
 }
 
 function rows(catalogue: Catalogue): readonly Row[] {
-  const runFigure = (key: string) => (summary: Summary) => (key === "travel_time" ? summary.travel_time : summary.arrival_speed_kmh);
   return [
-    ...catalogue.comfort.map((quantity) => ({ quantity, read: (summary: Summary) => summary.comfort[quantity.key], judged: true })),
-    ...catalogue.run_figures.map((quantity) => ({ quantity, read: runFigure(quantity.key), judged: quantity.key === "travel_time" })),
-    ...catalogue.events.map((quantity) => ({ quantity, read: (summary: Summary) => summary.events[quantity.key], judged: false })),
+    ...catalogue.comfort.map((quantity) => ({ quantity, place: { comfort: quantity.key }, judged: true })),
+    ...catalogue.run_figures.map((quantity) => ({ quantity, place: { run: quantity.key }, judged: quantity.key === "travel_time" })),
+    ...catalogue.events.map((quantity) => ({ quantity, place: null, judged: false })),
   ];
 }
 
@@ -35,17 +37,19 @@ function show(value: Value): string {
 }
 
 export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
-  const reference = scene.baseline === null ? undefined : scene.summaries[scene.baseline];
+  const groups = entryGroups(scene);
+  const entries = groups.flatMap((group) => group.entries);
   return (
     <ScrollTable label="Comfort, time and events" className={classes.runTable}>
       <caption className="visually-hidden">Comfort, time and events</caption>
       <thead>
+        <VariantHeads groups={groups} />
         <tr>
           <th scope="col" className={classes.corner}>
             Comfort, time and events
           </th>
-          {scene.strategies.map((strategy) => (
-            <th key={strategy.id} scope="col" className={classes.column}>
+          {entries.map(({ key, strategy }) => (
+            <th key={key} scope="col" className={classes.column}>
               <span className={classes.columnName}>
                 <StrategyKey strategy={strategy} /> {strategy.label}
               </span>
@@ -54,32 +58,28 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
         </tr>
       </thead>
       <tbody>
-        {rows(catalogue).map(({ quantity, read, judged }) => (
-          <tr key={quantity.key}>
-            <th scope="row" className={classes.quantity} title={quantity.description}>
-              {quantity.label} <span className={classes.columnUnit}>{prettyUnit(quantity.unit)}</span>
+        {rows(catalogue).map((row) => (
+          <tr key={row.quantity.key}>
+            <th scope="row" className={classes.quantity} title={row.quantity.description}>
+              {row.quantity.label} <span className={classes.columnUnit}>{prettyUnit(row.quantity.unit)}</span>
             </th>
-            {scene.strategies.map(({ id }) => {
-              const summary = scene.summaries[id];
-              const value = summary && read(summary);
-              const base = reference && read(reference);
-              const overRoads = statisticsOf(scene, id, { comfort: quantity.key });
-              return (
-                <td key={id} className={classes.cell} data-cell={`${id}.${quantity.key}`}>
-                  {overRoads.interval ? (
-                    <Estimated value={overRoads.interval.mean} interval={overRoads.interval} scale={1} />
-                  ) : (
-                    <span className={classes.value}>{show(value)}</span>
-                  )}
-                  {judged && id !== scene.baseline && typeof value === "number" && typeof base === "number" && (
-                    <ChangeMark value={value} baseline={base} paired={overRoads.change} />
-                  )}
-                </td>
-              );
-            })}
+            {entries.map((entry) => (
+              <RunCell key={entry.key} {...{ scene, entry, row }} />
+            ))}
           </tr>
         ))}
       </tbody>
     </ScrollTable>
+  );
+}
+
+function RunCell({ scene, entry, row: { quantity, place, judged } }: { readonly scene: Scene; readonly entry: Entry; readonly row: Row }) {
+  const interval = place ? intervalAt(entry.shown, entry.strategy.id, place) : undefined;
+  const value = place ? valueAt(entry.summary, place) : entry.summary?.events[quantity.key];
+  return (
+    <td className={classes.cell} data-cell={`${entry.strategy.id}.${quantity.key}`}>
+      {interval ? <Estimated value={interval.mean} interval={interval} scale={1} /> : <span className={classes.value}>{show(value)}</span>}
+      {judged && place && !entry.isReference && <ChangeText change={changeOf(scene, entry, place)} />}
+    </td>
   );
 }

@@ -4,6 +4,7 @@ import { Button } from "@mantine/core";
 import { IconChevronDown, IconChevronUp } from "../icons";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
+import { CompareBar } from "../compare/CompareBar";
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
 import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
@@ -37,6 +38,7 @@ export function Tables({ scene, catalogue, figures }: Props) {
     );
   return (
     <Card aria-label="Comparison">
+      <CompareBar scene={scene} />
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
         <div id={id}>

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { changeAgainst, formatPercent, pairedChange } from "./change";
+import { changeAgainst, formatPercent, pairedChange, separateChange } from "./change";
 
 describe("change against the baseline", () => {
   it("is in percent, lower is better", () => {
@@ -26,6 +26,13 @@ describe("change against the baseline", () => {
 });
 
 describe("a change over several roads", () => {
+  it("between two runs has both intervals in its own", () => {
+    const reference = { mean: 2, low: 1.7, high: 2.3 };
+    expect(separateChange({ mean: 1, low: 0.6, high: 1.4 }, reference)).toEqual({ percent: -50, half: expect.closeTo(25) as number, verdict: "better" });
+    expect(separateChange({ mean: 1.8, low: 1.4, high: 2.2 }, reference).verdict).toBe("same");
+    expect(separateChange(reference, { mean: 0, low: 0, high: 0 }).verdict).toBe("none");
+  });
+
   it("has a verdict only where its interval leaves out zero", () => {
     expect(pairedChange({ mean: -40, low: -43, high: -37 })).toEqual({ percent: -40, half: 3, verdict: "better" });
     expect(pairedChange({ mean: 4, low: 1, high: 7 }).verdict).toBe("worse");

@@ -36,6 +36,15 @@ export function pairedChange({ mean, low, high }: Interval): Change {
   return { percent: mean, half: high - mean, verdict: open ? "same" : mean < 0 ? "better" : "worse" };
 }
 
+/** A change between two runs over roads that are not paired: the intervals of both make its own. */
+export function separateChange(value: Interval, reference: Interval): Change {
+  if (isNothing(reference.mean)) return { percent: null, half: 0, verdict: "none" };
+  const part = 100 / Math.abs(reference.mean);
+  const mean = (value.mean - reference.mean) * part;
+  const half = Math.hypot(value.high - value.mean, reference.high - reference.mean) * part;
+  return pairedChange({ mean, low: mean - half, high: mean + half });
+}
+
 /** `−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−44 ± 2 %`. */
 export function formatPercent(percent: number, half = 0): string {
   const sign = percent < 0 ? "−" : percent > 0 ? "+" : "±";

@@ -1,0 +1,73 @@
+/** What is compared with what: the choice, and in words what differs. */
+
+import { NativeSelect } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import type { StrategyId } from "../api/types";
+import { changedFields, changesText } from "../editor/diff";
+import { againstPin, type Against } from "../state/compare";
+import { useDesk } from "../state/context";
+import { schemaQuery } from "../state/queries";
+import type { Scene } from "../state/scene";
+import classes from "./compare.module.css";
+
+const STRATEGY = "strategy:";
+
+export function CompareBar({ scene }: { readonly scene: Scene }) {
+  return (
+    <div className={classes.bar}>
+      <AgainstSelect scene={scene} />
+      <Differences scene={scene} />
+    </div>
+  );
+}
+
+function AgainstSelect({ scene: { strategies, pins, before, reference, baseline } }: { readonly scene: Scene }) {
+  const { lab } = useDesk();
+  const variants = [
+    ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
+    ...pins.map(({ name, shown }) => ({ value: againstPin(shown.runId ?? ""), label: name })),
+  ];
+  const chosen = reference === null ? `${STRATEGY}${baseline}` : reference.shown === before ? "before" : againstPin(reference.shown.runId ?? "");
+  return (
+    <label className={classes.choice}>
+      Change against
+      <NativeSelect
+        size="xs"
+        value={chosen}
+        onChange={({ currentTarget: { value } }) =>
+          value.startsWith(STRATEGY) ? lab.setBaseline(value.slice(STRATEGY.length) satisfies StrategyId) : lab.setAgainst(value as Against)
+        }
+      >
+        <optgroup label="Another strategy">
+          {strategies.map(({ id, label }) => (
+            <option key={id} value={`${STRATEGY}${id}`}>
+              {label}
+            </option>
+          ))}
+        </optgroup>
+        {variants.length > 0 && (
+          <optgroup label="The same strategy">
+            {variants.map(({ value, label }) => (
+              <option key={value} value={value}>
+                {label}
+              </option>
+            ))}
+          </optgroup>
+        )}
+      </NativeSelect>
+    </label>
+  );
+}
+
+/** Of the variant that changes are against, or of the state before the last edit. */
+function Differences({ scene: { shown, before, reference } }: { readonly scene: Scene }) {
+  const form = useQuery(schemaQuery).data;
+  const other = reference?.shown ?? before;
+  const changes = form && other ? changedFields(form, other.scenario, shown.scenario) : [];
+  const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
+  return (
+    <p className={classes.differences} title={all} data-testid="differences">
+      {other === null ? "\u00a0" : `${other === before ? "Last edit, thin curves before it" : `Against ${reference?.name ?? ""}`}: ${changesText(changes) || "the same scenario"}`}
+    </p>
+  );
+}

@@ -1,0 +1,24 @@
+/** The caveats of a result on one line, so that no table moves when one appears; on hover, focus or touch what they mean. */
+
+import { Tooltip } from "@mantine/core";
+import { IconAlertTriangle } from "../icons";
+import type { Caveat } from "./caveats";
+import classes from "./tables.module.css";
+
+export function CaveatMark({ caveats }: { readonly caveats: readonly Caveat[] }) {
+  if (caveats.length === 0) return null;
+  const text = caveats.map((caveat) => caveat.text).join(", ");
+  const meaning = caveats.map((caveat) => (
+    <span key={caveat.event} className={classes.caveatMeaning}>
+      <strong>{caveat.text}</strong> {caveat.description}
+    </span>
+  ));
+  return (
+    <Tooltip label={meaning} multiline w={280} withinPortal events={{ hover: true, focus: true, touch: true }}>
+      <button type="button" className={classes.caveat} data-caveat={caveats.map(({ event }) => event).join(" ")}>
+        <IconAlertTriangle size={12} stroke={2} aria-hidden />
+        <span>{text}</span>
+      </button>
+    </Tooltip>
+  );
+}

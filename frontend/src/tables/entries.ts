@@ -1,0 +1,55 @@
+/** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
+
+import type { Strategy, Summary } from "../api/types";
+import type { Scene } from "../state/scene";
+import type { Shown } from "../state/shown";
+import { changeAgainst, pairedChange, separateChange, type Change } from "./change";
+import { intervalAt, pairedAt, valueAt, type Place } from "./place";
+
+export interface Entry {
+  readonly key: string;
+  readonly strategy: Strategy;
+  readonly shown: Shown;
+  readonly summary: Summary | undefined;
+  /** Whether changes are against this one: it has none. */
+  readonly isReference: boolean;
+}
+
+export interface EntryGroup {
+  /** A pinned variant's name; `null` for the result that is shown. */
+  readonly name: string | null;
+  readonly entries: readonly Entry[];
+}
+
+export function entryGroups({ shown, strategies, pins, reference, baseline }: Scene): readonly EntryGroup[] {
+  const group = (name: string | null, of: Shown): EntryGroup => ({
+    name,
+    entries: strategies
+      .filter(({ id }) => name === null || id in of.summaries)
+      .map((strategy) => ({
+        key: `${name === null ? "" : (of.runId ?? "")} ${strategy.id}`,
+        strategy,
+        shown: of,
+        summary: of.summaries[strategy.id],
+        isReference: reference === null ? strategy.id === baseline : of.runId !== null && of.runId === reference.shown.runId,
+      })),
+  });
+  return [group(null, shown), ...pins.map(({ name, shown: pinned }) => group(name, pinned))];
+}
+
+/**
+ * The change of an entry's number: against the same strategy in the reference, or against the baseline of its own
+ * variant; `null` for what changes are against.
+ */
+export function changeOf({ reference, baseline }: Scene, { strategy, shown, summary, isReference }: Entry, place: Place, scale = 1): Change | null {
+  if (isReference) return null;
+  const value = valueAt(summary, place);
+  if (reference === null) {
+    const paired = pairedAt(shown, strategy.id, baseline, place);
+    if (paired) return pairedChange(paired);
+    return changeAgainst(value, baseline === null ? null : valueAt(shown.summaries[baseline], place), scale);
+  }
+  const [one, other] = [intervalAt(shown, strategy.id, place), intervalAt(reference.shown, strategy.id, place)];
+  if (one && other) return separateChange(one, other);
+  return changeAgainst(value, valueAt(reference.shown.summaries[strategy.id], place), scale);
+}
