@@ -1,16 +1,16 @@
 """Fuzzy speed controller: Table 1's rules over speed error and distance to the bump (section 3.1).
 
 Mamdani min/max inference, five even triangles each, centroid. One direct scikit-fuzzy evaluation takes about
-10 ms, so its memberships make the whole surface once and a run interpolates.
+10 ms, so its memberships make a surface once and a run interpolates.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 import skfuzzy
 
 from sim_core.arrays import FloatArray
+from sim_core.compiled.library import ADDRESS, INT, address, function
 
 SETS = "OSMLV"  # very low, medium-low, medium, medium-high, very high
 # Rows: distance to the bump O to V; columns: speed error O to V; entries: braking torque (Table 1).
@@ -18,7 +18,7 @@ RULES = ("OMLVV", "OMLVV", "OSMLL", "OSMML", "OSSMM")
 SPEED_ERROR_MAX = 30.0  # universe [0, 30] km/h
 DISTANCE_MAX = 80.0  # universe [0, 80] m
 _ERROR_STEPS, _DISTANCE_STEPS, _TORQUE_STEPS = 120, 160, 100
-_ROWS = 8  # of the surface at a time: what they need stays in a processor's cache
+_torque_shares = function("torque_shares", ADDRESS, ADDRESS, INT, ADDRESS, ADDRESS, INT, ADDRESS)
 
 
 def even_triangles(universe: FloatArray) -> FloatArray:
@@ -28,11 +28,19 @@ def even_triangles(universe: FloatArray) -> FloatArray:
     return np.array([skfuzzy.trimf(universe, [peak - width, peak, peak + width]) for peak in peaks])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
 class TorqueSurface:
-    """Braking torque as a share of its universe, on an even grid (distance, speed error)."""
+    """Table 1: braking torque as a share of its universe, on a grid of 0.25 km/h × 0.5 m.
 
-    table: tuple[tuple[float, ...], ...]
+    Its rows, one for each distance, are evaluated when they are first asked for: no drive needs all. By the C of
+    compiled/fuzzy.c.
+    """
+
+    def __init__(self) -> None:
+        self._error = even_triangles(np.linspace(0, SPEED_ERROR_MAX, _ERROR_STEPS + 1))
+        self._distance = even_triangles(np.linspace(0, DISTANCE_MAX, _DISTANCE_STEPS + 1)).T
+        self._torque = even_triangles(np.linspace(0, 1, _TORQUE_STEPS + 1))
+        self._rules = np.array([SETS.index(conclusion) for row in RULES for conclusion in row], dtype=np.intc)
+        self._rows: dict[int, list[float]] = {}
 
     def share(self, speed_error_kmh: float, distance: float) -> float:
         """Torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
@@ -40,39 +48,23 @@ class TorqueSurface:
         row = min(max(distance, 0.0), DISTANCE_MAX) * (_DISTANCE_STEPS / DISTANCE_MAX)
         i, j = min(int(row), _DISTANCE_STEPS - 1), min(int(column), _ERROR_STEPS - 1)
         fy, fx = row - i, column - j
-        low, high = self.table[i], self.table[i + 1]
+        low, high = self._row(i), self._row(i + 1)
         first = low[j] + fx * (low[j + 1] - low[j])
         return first + fy * (high[j] + fx * (high[j + 1] - high[j]) - first)
+
+    def _row(self, number: int) -> list[float]:
+        """Shares at one distance, over the errors."""
+        if number not in self._rows:
+            distance, shares = np.ascontiguousarray(self._distance[number]), np.empty(_ERROR_STEPS + 1)
+            _torque_shares(
+                *(address(distance), address(self._error), len(shares), address(self._rules)),
+                *(address(self._torque), _TORQUE_STEPS, address(shares)),
+            )
+            self._rows[number] = shares.tolist()
+        return self._rows[number]
 
 
 @lru_cache(maxsize=1)
 def torque_surface() -> TorqueSurface:
-    """Table 1 evaluated on a grid of 0.25 km/h × 0.5 m."""
-    error = even_triangles(np.linspace(0, SPEED_ERROR_MAX, _ERROR_STEPS + 1))
-    distance = even_triangles(np.linspace(0, DISTANCE_MAX, _DISTANCE_STEPS + 1))
-    torque_universe = np.linspace(0, 1, _TORQUE_STEPS + 1)
-    torque = even_triangles(torque_universe)
-
-    fired = np.zeros((len(SETS), distance.shape[1], error.shape[1]))  # how strongly each torque set is concluded
-    for s, row in enumerate(RULES):
-        for v, conclusion in enumerate(row):
-            strength = np.minimum(distance[s][:, None], error[v][None, :])
-            index = SETS.index(conclusion)
-            fired[index] = np.maximum(fired[index], strength)
-
-    # Between two neighbouring peaks of the torque only their two sets are concluded at all.
-    weight = np.ones_like(torque_universe)
-    weight[[0, -1]] = 0.5  # trapezoids
-    moments = np.stack([weight * torque_universe, weight], axis=1)
-    between = _TORQUE_STEPS // (len(SETS) - 1)
-    centroid = np.empty(fired.shape[1:])
-    for first in range(0, len(centroid), _ROWS):
-        rows = slice(first, first + _ROWS)
-        sums = np.zeros((*centroid[rows].shape, 2))
-        for low in range(len(SETS) - 1):
-            part = slice(low * between, (low + 1) * between + (low == len(SETS) - 2))
-            concluded = np.minimum(fired[low, rows, :, None], torque[low, part])
-            other = np.minimum(fired[low + 1, rows, :, None], torque[low + 1, part])
-            sums += np.maximum(concluded, other, out=concluded) @ moments[part]
-        centroid[rows] = sums[..., 0] / sums[..., 1]
-    return TorqueSurface(tuple(map(tuple, centroid.tolist())))
+    """The one surface of a process."""
+    return TorqueSurface()
