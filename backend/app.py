@@ -1,4 +1,4 @@
-"""The application: its parts put together, started and ended."""
+"""The application: creates its parts, starts and ends them."""
 
 import asyncio
 from collections.abc import AsyncIterator

@@ -21,12 +21,12 @@ RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
 
 def uncacheable_key() -> str:
-    """Key of a result that nobody shall find by what it depends on: a failure that may be none the next time."""
+    """A key that no lookup finds: for a failure that may not happen the next time."""
     return secrets.token_urlsafe(32)
 
 
 def random_id() -> str:
-    """Id of what its content does not name: 128 random bits; begins as every id does."""
+    """An id of 128 random bits, for what has no content to be named by; begins as every id does."""
     while not (text := secrets.token_urlsafe(16))[0].isalnum():
         pass
     return text
@@ -69,7 +69,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
 
 
 def _program(strategies: Iterable[str]) -> dict[str, str]:
-    """What computes these strategies: the core's version, and where one has an ECU that program's hash."""
+    """The version of what computes these strategies: the core's, and of one with an ECU its program's hash."""
     by_ecu = any(strategy_named(name).suspension is SuspensionPolicy.ECU for name in strategies)
     return {"core": CORE_VERSION, "ecu": program_hash()} if by_ecu else {"core": CORE_VERSION}
 
@@ -79,7 +79,7 @@ def _hash(content: JsonObject) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """The same value with each whole float as an integer (which also makes -0.0 a 0), each huge integer as a float."""
+    """The value with each whole float as an integer (also -0.0 as 0), and each huge integer as a float."""
     if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
         return int(value)
     if isinstance(value, int) and not -(2**63) <= value < 2**63:

@@ -1,4 +1,4 @@
-"""What the service refuses or cannot do. `backend.http` makes answers of these; nothing here knows HTTP."""
+"""The errors of the service. `backend.http` turns them into answers; nothing here knows HTTP."""
 
 from collections.abc import Mapping, Sequence
 

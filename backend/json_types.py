@@ -1,4 +1,4 @@
-"""Types of JSON that is passed on as it is: stored, sent, or made by a library."""
+"""Types of JSON that is passed on unchanged: stored, sent, or from a library."""
 
 from collections.abc import Mapping
 from typing import Any

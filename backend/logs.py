@@ -1,4 +1,4 @@
-"""Structured logs: one line an event on standard error, JSON or coloured text; every library's lines too."""
+"""Structured logs: one line for each event on standard error, JSON or coloured text; every library's events too."""
 
 import logging
 import sys
@@ -56,12 +56,12 @@ def _rendering(form: Format) -> list[Processor]:
 
 
 def _one_line(_: WrappedLogger, __: str, event: EventDict) -> EventDict:
-    """An event's text cannot begin another line or move the cursor; other values are written as Python writes them."""
+    """Escape an event's text, so that it cannot begin another line or move the cursor."""
     event["event"] = str(event["event"]).translate(CONTROL)
     return event
 
 
 def _without_colours(_: WrappedLogger, __: str, event: EventDict) -> EventDict:
-    """Leave out what uvicorn sends beside its events: the same text with a terminal's colours."""
+    """Drop uvicorn's second copy of the text, which has a terminal's colours."""
     event.pop("color_message", None)
     return event

@@ -1,4 +1,4 @@
-"""What Prometheus reads: counters and histograms of the process, gauges of one application.
+"""The Prometheus metrics: counters and histograms of the process, gauges of one application.
 
 Labels take their values from short lists only (states, route templates, reasons): nothing of a scenario, an address
 or a client ever becomes a label.
@@ -75,7 +75,7 @@ def count_run(kind: str, status: str, summary: JsonObject) -> None:
 
 
 class Loaded(Protocol):
-    """A part of one application that says how much it holds right now."""
+    """A part of one application that reports its current load."""
 
     @property
     def load(self) -> Mapping[str, float]:
@@ -83,7 +83,7 @@ class Loaded(Protocol):
 
 
 def service_registry(workers: Loaded, admission: Loaded) -> CollectorRegistry:
-    """What `/metrics` of one application shows: the process's counters, and gauges that are read when it is asked.
+    """The registry behind `/metrics` of one application: the process's counters, and gauges read on request.
 
     Args:
         workers: Holds `busy` and `idle` processes, and tasks `waiting` for one.

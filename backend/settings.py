@@ -228,6 +228,6 @@ def _unknown(name: int | str) -> str:
 
 
 def _reason(location: tuple[int | str, ...], message: str) -> str:
-    """What is wrong with a variable, or with several together, which then name themselves."""
+    """What is wrong with a variable; an error of several names them itself."""
     message = message.removeprefix("Value error, ")
     return f"{_variable(str(location[0]))}: {message}" if location else message

@@ -1,4 +1,4 @@
-"""The paper's weights and the tuned ones side by side: on the roads trained on, and on fresh ones."""
+"""The paper's weights and the tuned ones side by side, on the training roads and on the validation roads."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Runs become trials: the figures of each run, then of a set of weights over its roads."""
+"""Runs become trials: the metrics of each run, then of a set of weights over its roads."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

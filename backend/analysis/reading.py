@@ -1,4 +1,4 @@
-"""Reads a batch as a whole: gathers its rows by point and strategy and has a worker summarise them."""
+"""Reads a whole batch: collects its rows by point and strategy, and has a worker summarise them."""
 
 import asyncio
 from collections import Counter

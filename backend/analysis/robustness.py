@@ -1,4 +1,4 @@
-"""What a robustness study varies unless told otherwise; the ranges are ours (docs/robustness.md says why)."""
+"""The fields that a robustness study varies by default, with their ranges; docs/robustness.md gives the reasons."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass

@@ -1,4 +1,4 @@
-"""What a batch says as a whole: distributions, margins against a baseline, which field matters, stability.
+"""A batch's statistics: distributions, margins against a baseline, sensitivity to each field, stability.
 
 Runs in a worker: no web here. Everything is read from the batch's own rows; nothing is fitted, nothing random.
 """
@@ -61,7 +61,7 @@ class Study:
 
 
 def dampings(base: JsonObject, schema_version: int, changes: Sequence[str], strategies: Sequence[str]) -> FloatArray:
-    """Least damping of each strategy's loop at each of those points (`changes` is JSON text); NaN: not known."""
+    """Least damping of each strategy's loop at these points (`changes` is JSON text); NaN where there is none."""
     ratios = np.full((len(changes), len(strategies)), np.nan)
     for point, text in enumerate(changes):
         try:
@@ -144,7 +144,7 @@ def _margin(study: Study, key: str, index: int, against: int, numbers: Numbers) 
 
 
 def _distribution(study: Study, index: int, values: FloatArray, numbers: Numbers) -> dict[str, Any]:
-    """The fields of `SensitiveDistribution`, of what is finite."""
+    """The fields of `SensitiveDistribution`, over the finite values."""
     defined = np.flatnonzero(np.isfinite(values))
     if not len(defined):
         return {"n": 0, "mean": None, "quantiles": None, "lowest": None, "highest": None, "sensitivity": []}
@@ -207,7 +207,7 @@ def _sensitivity(values: FloatArray, numbers: Numbers) -> list[Sensitivity]:
 
 
 def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
-    """Share explained, and the probability of as much without any effect."""
+    """The share of the variance explained, and the probability of such a share without any effect."""
     from scipy.stats import kruskal
 
     values = np.unique(x)

@@ -13,7 +13,7 @@ from backend.runs.solve.service import Solver
 
 
 def part_of_application(name: str) -> Any:
-    """The dependency that gives that part of the application."""
+    """The dependency that gives a route this part of the application."""
 
     async def part(request: Request) -> Any:
         return getattr(request.app.state, name)
@@ -32,6 +32,6 @@ Client = Annotated[str, Depends(_client)]
 
 
 def html_answer(report: Report, name: str) -> Response:
-    """A report under its own content security policy, to be read or kept under that file name."""
+    """A report under its own content security policy, shown by the browser or saved under that file name."""
     headers = {**report.headers, "Cache-Control": "no-cache", "Content-Disposition": f'inline; filename="{name}"'}
     return HTMLResponse(report.content, headers=headers)

@@ -1,4 +1,4 @@
-"""The page's login: a token once, then a cookie, so that event streams and downloads are let in too."""
+"""The page's login: a token once, then a cookie, which event streams and downloads send too."""
 
 from typing import Annotated
 

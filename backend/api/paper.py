@@ -1,4 +1,4 @@
-"""The paper, checked: tables, switches, what each part contributes, figures."""
+"""The paper page: tables, interpretations, what each part contributes, figures."""
 
 from typing import Annotated, Any
 

@@ -1,4 +1,4 @@
-"""Measured roads: sent as CSV, given back."""
+"""Measured roads: upload as CSV, and read."""
 
 from typing import Annotated
 

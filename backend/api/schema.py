@@ -1,4 +1,4 @@
-"""What the core knows about itself: the scenario's schema, presets, strategies, signals, figure templates."""
+"""What the core declares: the scenario's schema, presets, strategies, signals, figure templates."""
 
 import dataclasses
 from functools import cache
@@ -113,7 +113,7 @@ def _answer(content: bytes) -> Response:
 
 
 def warm() -> None:
-    """Make every answer of this module once; they do not change while the service runs."""
+    """Build every answer of this module once; they do not change while the service runs."""
     for make in (_schema, _presets, _strategies, _catalogue, _templates):
         make()
 

@@ -1,1 +1,1 @@
-"""Processes that compute: warm, replaced when they die or grow, ended with whoever waits for them."""
+"""Warm worker processes, replaced when they die or grow, ended when nobody waits for them."""

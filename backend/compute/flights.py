@@ -1,4 +1,4 @@
-"""Computations under way: equal ones are joined, and one that nobody waits for any more is called off."""
+"""Computations in progress: equal ones are joined, and one that nobody waits for any more is cancelled."""
 
 import asyncio
 from collections import Counter
@@ -10,25 +10,25 @@ T = TypeVar("T")
 
 
 class Flights(Generic[K, T]):
-    """Computations by key, one perhaps under several; its methods belong to the event loop."""
+    """Computations by key, one perhaps under several keys; its methods belong to the event loop."""
 
     def __init__(self) -> None:
         self._by_key: dict[K, asyncio.Task[T]] = {}
         self._waiting: Counter[asyncio.Task[T]] = Counter()
 
     def find(self, matches: Callable[[K], bool]) -> asyncio.Task[T] | None:
-        """One under way with such a key."""
+        """A computation in progress with such a key."""
         return next((task for key, task in self._by_key.items() if matches(key)), None)
 
     def begin(self, keys: Iterable[K], work: Coroutine[Any, Any, T]) -> asyncio.Task[T]:
-        """Compute what these keys name; wait for it with `wait`."""
+        """Start the computation of these keys; wait for it with `wait`."""
         task = asyncio.create_task(work)
         self._by_key |= dict.fromkeys(keys, task)
         task.add_done_callback(self._forget)
         return task
 
     async def wait(self, tasks: Collection[asyncio.Task[T]]) -> dict[asyncio.Task[T], T]:
-        """The result of each; raises what the first failed one raised."""
+        """The result of each computation; raises what the first failed one raised."""
         self._waiting.update(tasks)
         try:
             return {task: await asyncio.shield(task) for task in tasks}
@@ -41,7 +41,7 @@ class Flights(Generic[K, T]):
                     task.cancel()
 
     async def join(self, key: K, begin: Callable[[], Coroutine[Any, Any, T]]) -> T:
-        """The result of that key, of the computation under way or of one that is begun."""
+        """The result of the key, from the computation in progress or from a new one."""
         task = self._by_key.get(key) or self.begin([key], begin())
         return (await self.wait([task]))[task]
 

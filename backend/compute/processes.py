@@ -1,4 +1,4 @@
-"""What a process does first. A worker imports the core itself, so that the service can spawn it before it has."""
+"""The first steps of a process. A worker imports the core itself, so the service can spawn it before importing it."""
 
 import ctypes
 import os
@@ -29,7 +29,7 @@ def return_freed_memory() -> None:
 
 
 def start(nice: int) -> None:
-    """First thing in a new worker: end with the service, even when that was killed and could say nothing.
+    """Make a new worker end with the service, even when the service is killed; called first.
 
     Args:
         nice: How far behind other processes this one stands (0 to 19).
@@ -47,7 +47,7 @@ def start(nice: int) -> None:
 
 
 def warm_up() -> None:
-    """Run the paper's scenario with every strategy once, so that a first request meets filled caches.
+    """Run the paper's scenario with every strategy once, so that the first request has filled caches.
 
     Not those with an ECU: its program is built when somebody asks for it.
     """
@@ -61,7 +61,7 @@ def warm_up() -> None:
 
 
 def call_and_measure(function: Callable[..., T], args: tuple[Any, ...]) -> tuple[T, int]:
-    """What the function returns, and the resident memory of this process afterwards [bytes]; 0 outside Linux."""
+    """The function's result, and the resident memory of this process afterwards [bytes]; 0 outside Linux."""
     result = function(*args)
     try:
         return result, int(_STATM.read_text().split()[1]) * resource.getpagesize()

@@ -22,7 +22,7 @@ POLL_INTERVAL = 0.25  # of a slot that computes [s]
 
 
 class Slot:
-    """A process that imports and computes what later tasks find done.
+    """A process that has imported the core and filled its caches before its first task.
 
     Attributes:
         state: `grown` while a successor of a process that takes too much memory is warmed, `succeeded` once that is
@@ -40,15 +40,15 @@ class Slot:
 
     @property
     def active(self) -> bool:
-        """Whether it can still take tasks."""
+        """Whether it still accepts tasks."""
         return bool(self._pool.active)
 
     async def wait_until_warm(self) -> None:
-        """Until it is warm; raises what kept it from that."""
+        """Wait until it is warm; raises the error that prevented it."""
         await self._result(self._warm, WARM_UP)
 
     async def call(self, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> tuple[T, int]:
-        """What the function returns, and the resident memory of the process afterwards [bytes].
+        """The function's result, and the resident memory of the process afterwards [bytes].
 
         Raises:
             BrokenProcessPool: The slot broke.

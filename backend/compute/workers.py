@@ -28,7 +28,7 @@ ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_
 
 
 class Workers:
-    """A fixed number of warm processes, handed out one task at a time, the last used first (its caches fit best)."""
+    """A fixed number of warm processes, which take one task each; the last used is first (its caches fit best)."""
 
     def __init__(self, count: int, *, timeout: float, nice: int = 0, max_memory: int = MAX_WORKER_MEMORY) -> None:
         self._count = count
@@ -51,24 +51,24 @@ class Workers:
                 self._spawned.append(Slot(self._nice))
 
     def start(self) -> None:
-        """Begin to spawn and warm every slot, unless that has begun, and hand each out once it is warm."""
+        """Begin to spawn and warm every slot, unless that has begun, and use each once it is warm."""
         self._started = True
         os.environ.update(ONE_THREAD)
         for _ in range(self._count):
             self._chore(self._add_slot(self._spawned.pop() if self._spawned else None))
 
     def abandon(self) -> None:
-        """End what `spawn` began, where there is nothing to start."""
+        """End the processes that `spawn` began, where the application does not start."""
         for slot in self._spawned:
             slot.end()
 
     async def wait_until_warm(self) -> None:
-        """Until the first worker is."""
+        """Wait until the first worker is warm."""
         await self._warm.wait()
 
     @property
     def count(self) -> int:
-        """How many processes there are to be."""
+        """Number of processes when all are started."""
         return self._count
 
     @property

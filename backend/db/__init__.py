@@ -1,1 +1,1 @@
-"""The database: its tables, connections and threads; what is stored in it is written by the stores."""
+"""The database: its tables, connections and threads; the stores write its rows."""

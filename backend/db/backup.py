@@ -19,12 +19,12 @@ RETRY_INTERVAL = 0.002  # SQLite's own retries are so rare that a busy writer wo
 
 
 class BackupError(Exception):
-    """No copy was made; the message says why, in one sentence."""
+    """The backup failed; the message says why, in one sentence."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Backup:
-    """A copy.
+    """A finished copy.
 
     Attributes:
         database: What was copied.
@@ -88,7 +88,7 @@ def _check_target(database: Path, target: Path, *, overwrite: bool) -> None:
 
 
 def _put_in_place(temporary: Path, target: Path, *, overwrite: bool) -> None:
-    """Give the complete copy its name; a file that is there, or came meanwhile, is replaced only on request."""
+    """Give the complete copy its name; an existing file is replaced only on request."""
     if not overwrite:
         try:
             os.link(temporary, target)
@@ -107,7 +107,7 @@ def _taken(target: Path) -> BackupError:
 
 
 def _copy(database: Path, copy: Path) -> float:
-    """Copy and check a database; how long nobody could write to it [s]."""
+    """Copy and check a database; returns how long nobody could write to it [s]."""
     address = f"{database.absolute().as_uri()}?mode=rw"
     with (
         closing(sqlite3.connect(address, uri=True, timeout=0, isolation_level=None)) as lock,
@@ -141,7 +141,7 @@ def _begin_writing(connection: sqlite3.Connection) -> None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """The file's name outlives a power cut, too."""
+    """Sync the folder, so that the file's name survives a power cut."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(handle)

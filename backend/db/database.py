@@ -63,11 +63,11 @@ class Database:
         self.commits = CommitCounter()
 
     def changed(self) -> None:
-        """A store has committed something that others wait for."""
+        """Count a commit that others wait for."""
         self.commits.notify()
 
     async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-        """Run a method that reads in a thread: it waits for the disk, the event loop must not.
+        """Run a method that reads in a thread: it waits for the disk, which the event loop must not.
 
         Raises:
             DatabaseLockedError: Another program keeps SQLite from being read.
@@ -105,7 +105,7 @@ class Database:
                 self._open_writes -= 1
 
     def migrate(self, revision: str = "head") -> None:
-        """Bring the database up to the newest schema, or that step; safe when several processes start at once.
+        """Bring the database to the newest schema, or to that revision; safe when several processes start at once.
 
         Raises:
             UnusableDatabaseError: It cannot be opened, is damaged, is another program's or a newer version's.
@@ -121,13 +121,13 @@ class Database:
                     raise UnusableDatabaseError(f"{self._name}: {reason(error)}") from error
 
     def close(self) -> None:
-        """Let the threads end and give every connection back."""
+        """Wait for the threads and close every connection."""
         self._reads.close()
         self._writes.close()
         self.engine.dispose()
 
     def ping(self) -> None:
-        """Read something, and see that something can be written; raises SQLAlchemyError where that is not so."""
+        """Check that the database can be read and written; raises SQLAlchemyError where it cannot."""
         with self.reading() as connection:
             connection.execute(select(runs.c.id).limit(1)).all()
             if not self._is_sqlite and connection.exec_driver_sql("SHOW transaction_read_only").scalar_one() == "on":
@@ -136,7 +136,7 @@ class Database:
             try_writing(self.engine)
 
     def _is_locked_by_us(self) -> bool:
-        """Whether a lock that keeps us from reading SQLite is our own: while we write, no other can be held."""
+        """Whether the lock that keeps us from reading SQLite is our own: while we write, nobody else holds one."""
         return self._is_sqlite and self._open_writes > 0
 
     @property
@@ -171,14 +171,14 @@ class Database:
 
 
 class _RetryingThreads:
-    """Threads for one kind of transaction, which try again while SQLite is locked."""
+    """Threads for one kind of transaction, which retry while SQLite is locked."""
 
     def __init__(self, name: str, threads: int) -> None:
         self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
         self._timed_out_at = 0.0
 
     async def run(self, method: Callable[[], T], locked_by_us: Callable[[], bool]) -> T:
-        """Call the method, again and again while SQLite is locked.
+        """Call the method, and retry while SQLite is locked.
 
         Args:
             method: One transaction, which is rolled back where it fails.
@@ -193,7 +193,7 @@ class _RetryingThreads:
         )
 
     def close(self) -> None:
-        """Let the threads end."""
+        """Wait for the threads to end."""
         self._threads.shutdown()
 
     def _call(self, method: Callable[[], T], locked_by_us: Callable[[], bool], submitted: float) -> T:

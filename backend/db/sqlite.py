@@ -1,4 +1,4 @@
-"""What only SQLite needs: its file, its locks, and what a start says of a database that cannot be used."""
+"""SQLite's own needs: its file, its locks, and the errors of a start on a database that cannot be used."""
 
 import os
 import sqlite3
@@ -45,14 +45,14 @@ class DatabaseReplacedError(OperationalError):
 
 
 class DatabaseFile:
-    """The file of a database."""
+    """The file of a SQLite database."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self._opened: tuple[int, int] | None = None
 
     def connect(self) -> sqlite3.Connection:
-        """A connection; unlike SQLite's own it makes no new file where there is none."""
+        """A connection; unlike SQLite's own it creates no file where there is none."""
         return sqlite3.connect(
             f"{self.path.absolute().as_uri()}?mode=rw",
             uri=True,
@@ -62,7 +62,7 @@ class DatabaseFile:
         )
 
     def create(self) -> None:
-        """Create it where there is none, atomically: so an empty file is a lost database, and no start that crashed.
+        """Create the file atomically where there is none: an empty file is then a lost database, not a crashed start.
 
         Raises:
             UnusableDatabaseError: It is empty, or its folder cannot be written to.
@@ -90,7 +90,7 @@ class DatabaseFile:
                 new.replace(self.path)
 
     def check(self) -> None:
-        """Make sure it is the file that was there when this was called first.
+        """Raise where the file is not the one of the first call.
 
         Raises:
             DatabaseReplacedError: It is not.
@@ -113,7 +113,7 @@ def database_file(url: URL) -> DatabaseFile | None:
 
 
 def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:
-    """Connections to it. A transaction with the execution option `lock_timeout` writes, and may wait so long [s]."""
+    """Connections to the file. A transaction with the option `lock_timeout` writes, and may wait so long [s]."""
     if file is None:
         engine = create_engine(url, connect_args={"isolation_level": None})
     else:
@@ -144,7 +144,7 @@ def _begin(connection: Connection) -> None:
 
 
 def try_writing(engine: Engine) -> None:
-    """Begin to write and roll back; it takes 0.1 ms. A lock is no error: whoever holds it can write.
+    """Begin to write and roll back (0.1 ms). A lock is no error: its holder can write.
 
     Raises:
         SQLAlchemyError: Nothing can be written.

@@ -1,4 +1,4 @@
-"""The tables; the migrations in backend/db/migrations make them, and a test holds the two together."""
+"""The tables; the migrations in backend/db/migrations create them, and a test compares both."""
 
 from sqlalchemy import (
     Boolean,

@@ -25,7 +25,7 @@ NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a C
 
 
 class EcuError(Exception):
-    """The ECU's program cannot be built, or does not do its part; the message says why, for a person to read."""
+    """The ECU's program cannot be built or does not work; the message says why."""
 
     def __init__(self, message: str) -> None:
         super().__init__(message)

@@ -15,7 +15,7 @@ logger = logging.getLogger(__name__)
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:
-    """Drive one strategy, one with an ECU by the program; a program that ends in the middle is started once more.
+    """Drive one strategy, one with an ECU by its program; a program that ends in mid-drive is restarted once.
 
     Raises:
         EcuUnavailableError: The program cannot be built, or failed twice.

@@ -1,4 +1,4 @@
-"""What a call of the controller costs on a Cortex-M3 without floating-point hardware.
+"""The cost of one call of the controller on a Cortex-M3 without floating-point hardware.
 
 The program counts its operations itself (sim_core/ecu/source/ridelab_count.h). What one costs was measured by running
 the compiled controller in an emulator that counts cycles as the processor's manual does: `make ecu` prints it again, a

@@ -1,4 +1,4 @@
-"""The controller of one scenario as C sources: the files, and a zip of them that is the same to the byte every time."""
+"""The controller of one scenario as C sources: the files, and a zip of them that is always the same to the byte."""
 
 import io
 import json

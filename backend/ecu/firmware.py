@@ -1,4 +1,4 @@
-"""The controller compiled for the control unit's own processor, and what it takes there.
+"""The controller compiled for the control unit's own processor, and its memory there.
 
 The part is of the STM32F103 class: Cortex-M3 at 72 MHz without floating-point hardware, 512 KB flash, 64 KB RAM
 (STM32F103xE data sheet, DS5792). The compiler is the package `ziglang`, so that the figures are the same everywhere.
@@ -25,7 +25,7 @@ _COMMAND = (
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Image:
-    """A linked program: section name -> bytes it takes in memory, symbol -> address, what lies where."""
+    """A linked program: section name -> size in memory [bytes], symbol -> address, and its segments."""
 
     sections: dict[str, int]
     symbols: dict[str, int]

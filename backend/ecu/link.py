@@ -51,7 +51,7 @@ class ProcessEcu(Ecu):
         self.computing_ns: list[int] = []
 
     def exchange(self, frame: Frame) -> Reply:
-        """Send and wait.
+        """Send a frame and wait for its answer.
 
         Raises:
             EcuError: No answer, or not one to this frame.
@@ -80,7 +80,7 @@ class ProcessEcu(Ecu):
             raise EcuError(_GONE) from None
 
     def receive(self, deadline: float) -> tuple[int, Reply] | None:
-        """The next answer and the step it is for, or None where none is complete at the deadline (monotonic) [s].
+        """The next answer and its step, or None where none is complete at the deadline (monotonic) [s].
 
         Raises:
             EcuError: The program is gone, or says what it should not.
@@ -116,7 +116,7 @@ class ProcessEcu(Ecu):
 def connected(
     calibration: Calibration, program: Path | None = None, *, patience: float = ANSWER
 ) -> Iterator[ProcessEcu]:
-    """A new process of the ECU's program, ready for the first frame; it is gone afterwards.
+    """A new process of the ECU's program, ready for the first frame; ended afterwards.
 
     Args:
         calibration: Its tables.
@@ -148,7 +148,7 @@ def connected(
 def _greeted(
     listener: socket.socket, process: "subprocess.Popen[bytes]", token: bytes, content: bytes, expected: int
 ) -> socket.socket:
-    """The connection of the process that has the token; others are turned away."""
+    """The connection of the process that has the token; others are closed."""
     assert process.stdin is not None  # noqa: S101  # it was asked for
     with suppress(BrokenPipeError), process.stdin:  # a program that ended already is noticed below
         process.stdin.write(token + content)

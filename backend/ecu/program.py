@@ -1,4 +1,4 @@
-"""A program that was built from exported sources drives the scenario, and is held against Ridelab's own."""
+"""A program built from exported sources drives the scenario, and is compared with Ridelab's own."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -13,7 +13,7 @@ from sim_core.simulate import simulate
 
 
 def driven(scenario: Scenario, program: Path) -> Iterator[str]:
-    """Whether every metric is that of Ridelab's own program, and the changes against `lv` simulated [%], as text.
+    """Whether every metric equals that of Ridelab's own program, and the changes against `lv` simulated [%], as text.
 
     Raises:
         EcuError: It has another scenario's tables, or did not answer.

@@ -1,4 +1,4 @@
-"""The drive by the clock: a frame every control step, and what is not answered within it comes too late.
+"""The drive in real time: a frame every control step; an answer after the next frame is late.
 
 The plant is simulated at the same pace; an ordinary operating system wakes both sides, so the figures are this
 machine's at this moment, not a control unit's.
@@ -39,7 +39,7 @@ class Timing:
 
 
 class PacedEcu(Ecu):
-    """Sends each frame at its time and waits for the answer until the next one's."""
+    """Sends each frame at its time and waits for the answer until the next frame."""
 
     def __init__(self, link: ProcessEcu, step: float, timing: Timing) -> None:
         self._link = link

@@ -1,4 +1,4 @@
-"""Does the controller fit the part? Memory from the linked program, time from the operations it counts in the drive."""
+"""Whether the controller fits the part: memory from the linked program, time from operations counted in the drive."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,7 +21,7 @@ from sim_core.simulate import simulate
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControllerVariant:
-    """A controller that may fit where the scenario's own does not; None is the scenario's own."""
+    """A controller that may fit where the scenario's own does not; None takes the scenario's value."""
 
     prediction: int | None = None
     control: int | None = None
@@ -54,7 +54,7 @@ VARIANTS = (
 
 
 def report(scenario: Scenario) -> ControllerReport:
-    """The scenario's own controller and smaller ones.
+    """Report on the scenario's own controller and on smaller ones.
 
     Raises:
         EcuUnavailableError: A program cannot be built, or fails.
@@ -114,7 +114,7 @@ def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: 
 
 
 def _reasons(linked: firmware.Image, most: float, sample_time: float, part: ControllerPart) -> list[str]:
-    """Why it does not fit; nothing where it does."""
+    """Why it does not fit; empty where it does."""
     reasons = []
     if linked.flash > part.flash:
         reasons.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")

@@ -1,4 +1,4 @@
-"""Controllers: exported, measured for the part, driven by the clock. The work is a worker's."""
+"""Controllers: exported, checked against the part, driven in real time. A worker does the work."""
 
 from collections.abc import Callable
 from typing import TypeVar
@@ -53,7 +53,7 @@ class Controllers:
         return await self._alone(report.report, scenario, client, programs, BUILDING * programs)
 
     async def drive_by_clock(self, scenario: Scenario, client: str) -> RealtimeReport:
-        """A drive in real time, after as long as it takes.
+        """Drive in real time; it takes as long as the drive.
 
         Raises:
             CostLimitError: It would take too much.

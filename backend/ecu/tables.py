@@ -1,4 +1,4 @@
-"""The controller's numbers as the C program takes them: float32, loaded at its start or as C text to be compiled in."""
+"""The controller's numbers for the C program: float32, loaded at its start, or C text to compile in."""
 
 import struct
 import zlib
@@ -15,12 +15,12 @@ _ACROSS = 6  # numbers a line
 
 
 def fingerprint(calibration: Calibration) -> int:
-    """Names a set of tables: both sides of a connection must have the same."""
+    """The hash of a set of tables: both sides of a connection must have the same."""
     return zlib.crc32(_body(calibration))
 
 
 def loaded(calibration: Calibration) -> bytes:
-    """What the program reads at its start: fingerprint, sizes, tables."""
+    """The bytes that the program reads at its start: fingerprint, sizes, tables."""
     body = _body(calibration)
     return struct.pack("<I", zlib.crc32(body)) + body
 
@@ -136,6 +136,6 @@ def _array(name: str, values: FloatArray) -> Iterator[str]:
 
 
 def _text(value: float) -> str:
-    """A float32 as C has it: nine digits give it back exactly (IEEE 754, table in 5.12.2)."""
+    """A float32 as C text: nine digits represent it exactly (IEEE 754, table in 5.12.2)."""
     text = f"{float(np.float32(value)):.9g}"
     return f"{text}f" if any(mark in text for mark in ".en") else f"{text}.0f"

@@ -1,1 +1,1 @@
-"""What every request meets: limits, security headers, problem answers, its line in the log. Nothing of any service."""
+"""What every request passes: limits, security headers, problem answers, the log. Nothing of any one service."""

@@ -1,4 +1,4 @@
-"""How much is accepted at once, so that an overload is refused early and nobody waits for ever."""
+"""How much is accepted at the same time, so that an overload is refused early and nobody waits for ever."""
 
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
@@ -11,7 +11,7 @@ from sim_core.workload import estimate
 
 
 class Admission:
-    """Counts what is open, for each client and in all: requests that compute (also in estimated seconds), streams.
+    """Counts open requests that compute (also their estimated seconds) and streams, for each client and in all.
 
     What counts as open raises a TemporaryError where the client has too much of it (TooManyRequestsError) or the
     service has (BusyError).
@@ -52,7 +52,7 @@ class Admission:
 
     @property
     def load(self) -> dict[str, float]:
-        """`cost` [s of one core] not finished; expected `wait` [s]; `requests`, `streams`, long `bodies` open."""
+        """`cost` [s of one core] in progress; expected `wait` [s]; `requests`, `streams`, long `bodies` open."""
         return {
             "cost": self._queued_cost,
             "wait": self._backlog.expected_wait,
@@ -62,7 +62,7 @@ class Admission:
         }
 
     def check(self, scenario: Scenario, strategies: Iterable[str], beside: float = 0.0) -> None:
-        """Refuse a request that is too big for anybody; what it costs beside the runs counts too [s of one core].
+        """Refuse a request that is too large for any client; its cost beside the runs counts too [s of one core].
 
         Raises:
             CostLimitError: Naming limit and estimate.
@@ -70,7 +70,7 @@ class Admission:
         self.check_cost(beside + sum(estimate(scenario, strategy) for strategy in strategies))
 
     def check_cost(self, cost: float) -> None:
-        """The same of a request of that estimate [s of one core].
+        """Refuse a request whose estimated cost is too large for any client [s of one core].
 
         Raises:
             CostLimitError: Naming limit and estimate.
@@ -83,7 +83,7 @@ class Admission:
             )
 
     def check_admission(self, client: str) -> None:
-        """Refuse a request that may compute before anything is done for it, so that refusals cost next to nothing.
+        """Refuse a request that may compute before any work on it, so that refusals cost next to nothing.
 
         Raises:
             TemporaryError: As above, or the wait would be long.
@@ -93,7 +93,7 @@ class Admission:
 
     @contextmanager
     def admitted(self, client: str) -> Iterator[None]:
-        """A request that may compute, from before its body is parsed to its answer.
+        """Admit a request that may compute, from before its body is parsed to its answer.
 
         A lookup in the database costs much more than a refusal: without this limit a flood would keep the database's
         threads from the requests that were admitted.
@@ -103,12 +103,12 @@ class Admission:
             yield
 
     def reading(self, client: str) -> AbstractContextManager[None]:
-        """A request that only reads, but much."""
+        """Admit a request that only reads, but much."""
         return self._requests.acquired(client)
 
     @contextmanager
     def background(self, client: str, cost: float) -> Iterator[None]:
-        """Count what is computed for that client in the background, of that estimated cost [s of one core].
+        """Count a background computation of that client, of that estimated cost [s of one core].
 
         Raises:
             TooManyRequestsError: The client has too many open.
@@ -125,7 +125,7 @@ class Admission:
 
     @contextmanager
     def computing(self, client: str, scenario: Scenario, strategies: Iterable[str]) -> Iterator[None]:
-        """What is computed for that client."""
+        """Count a computation of that client."""
         with self._computing.acquired(client):
             cost = sum(estimate(scenario, strategy) for strategy in strategies)
             if self._queued_cost and self._queued_cost + cost > self._max_queued_cost:
@@ -140,11 +140,11 @@ class Admission:
                     self._queued_cost = 0.0  # no drift from rounding
 
     def streaming(self, client: str) -> AbstractContextManager[None]:
-        """An event stream."""
+        """Count an open event stream."""
         return self._streams.acquired(client)
 
     def receiving(self, client: str) -> AbstractContextManager[None]:
-        """A long request body, while it is received and worked on."""
+        """Count a long request body, from its first byte to the answer."""
         return self._bodies.acquired(client)
 
     def linking(self, client: str, pinned: int) -> None:

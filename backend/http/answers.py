@@ -1,4 +1,4 @@
-"""How routes answer: JSON, nothing new, or nothing because nobody waits any more."""
+"""How routes answer: JSON, 304, or nothing because the client has gone."""
 
 import asyncio
 from collections.abc import Coroutine
@@ -15,19 +15,19 @@ IMMUTABLE = "public, max-age=31536000, immutable"
 
 
 def json_answer(content: Any, headers: dict[str, str] | None = None, *, status: int = 200) -> Response:
-    """JSON as orjson writes it; its shape is the route's `response_model`."""
+    """JSON as orjson writes it; the route's `response_model` declares its shape."""
     if isinstance(content, BaseModel):
         content = content.model_dump(by_alias=True)
     return Response(orjson.dumps(content), status, headers, media_type="application/json")
 
 
 def takes_gzip(request: Request) -> bool:
-    """Whether whoever asks takes a compressed answer, as the service's other answers see it."""
+    """Whether the client accepts a compressed answer, by the same rule as the service's other answers."""
     return "gzip" in request.headers.get("accept-encoding", "")
 
 
 def answer_unless_cached(request: Request, tag: str, content: Any, cache_control: str) -> Response:
-    """JSON with that entity tag, or 304 where the client has it already (weak comparison, RFC 9110, 13.1.2)."""
+    """JSON with that entity tag, or 304 where the client has it (weak comparison, RFC 9110, 13.1.2)."""
     headers = {"ETag": tag, "Cache-Control": cache_control}
     offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
     if "*" in offered or tag.removeprefix("W/") in offered:
@@ -36,7 +36,7 @@ def answer_unless_cached(request: Request, tag: str, content: Any, cache_control
 
 
 async def cancel_on_disconnect(request: Request, work: Coroutine[Any, Any, T]) -> T:
-    """The result of `work`, which is called off when the client goes away first.
+    """The result of `work`, which is cancelled when the client goes away first.
 
     Raises:
         ClientDisconnect: It went away.

@@ -1,4 +1,4 @@
-"""How long a new request would wait: by the requests in progress and the interval at which they complete, measured."""
+"""How long a new request would wait: from the requests in progress and the measured interval of completions."""
 
 import math
 import time
@@ -102,7 +102,7 @@ class Backlog:
         self._mean_interval += max(MIN_SMOOTHING, 1 / self._intervals) * (interval - self._mean_interval)
 
     def _retry_after(self, wait: float) -> int:
-        """That wait in whole seconds; soon while too few have completed to tell it, unless none does."""
+        """That wait in whole seconds; short while too few have completed to estimate it, unless none does."""
         if self._intervals < RELIABLE:
             wait = min(wait, max(SOON, self._clock() - self._interval_start))
         return min(MAX_RETRY_AFTER, max(1, math.ceil(wait)))

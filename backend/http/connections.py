@@ -11,18 +11,18 @@ PROXIES, HEALTH = "proxies", "health"  # groups beside those of clients
 
 
 class Connection(Protocol):
-    """What is counted."""
+    """The interface of a counted connection."""
 
     @property
     def idle(self) -> bool:
         """Whether it waits for a request."""
 
     def evict(self) -> None:
-        """Close it, while it is idle, for another one."""
+        """Close it while it is idle, to make room for another one."""
 
 
 class Decision(Enum):
-    """What becomes of a new connection."""
+    """Whether a new connection is accepted."""
 
     SERVE = auto()
     HEALTH_ONLY = auto()
@@ -46,7 +46,7 @@ class Connections:
         self._group_of: dict[Connection, str] = {}
 
     def add(self, connection: Connection, address: str) -> Decision:
-        """Count a new one, where there is room or an idle one can be closed."""
+        """Count a new connection, where there is room or an idle one can be closed."""
         group = PROXIES if self._is_proxy(address) else client_key(address)
         if self._make_room(group):
             self._insert(connection, group)
@@ -57,13 +57,13 @@ class Connections:
         return Decision.REFUSE
 
     def mark_used(self, connection: Connection) -> None:
-        """It answered a request: of its client's idle ones it is closed last."""
+        """Note that it answered a request: of its client's idle connections it is closed last."""
         if connection in self._group_of:
             group = self._groups[self._group_of[connection]]
             group[connection] = group.pop(connection)
 
     def remove(self, connection: Connection) -> None:
-        """It has ended."""
+        """Count a connection as ended."""
         name = self._group_of.pop(connection, None)
         if name is not None:
             del self._groups[name][connection]
@@ -71,7 +71,7 @@ class Connections:
                 del self._groups[name]
 
     def _make_room(self, group: str) -> bool:
-        """Close an idle connection where one more of that group is over a limit; whether there is room for it now."""
+        """Close an idle connection where one more of that group is over a limit; returns whether there is room now."""
         if group != PROXIES and self._size(group) >= self._per_client and not self._evict(group):
             return False
         return len(self._group_of) - self._size(HEALTH) < self._total or self._evict_of_largest_client()
@@ -88,7 +88,7 @@ class Connections:
         return any(self._evict(group) for group in sorted(clients, key=self._size, reverse=True))
 
     def _evict(self, group: str) -> bool:
-        """Close the one that has been idle for longest; False where none is idle."""
+        """Close the connection that has been idle for longest; False where none is idle."""
         connection = next((each for each in self._groups.get(group, ()) if each.idle), None)
         if connection is None:
             return False

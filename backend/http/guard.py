@@ -95,7 +95,7 @@ class GuardMiddleware:
             scope.update({key: inner[key] for key in MATCHED if key in inner})  # for those outside, HEAD or GET
 
     def _refusal(self, scope: Scope) -> Response | None:
-        """The answer to a head that no well-meaning client sends."""
+        """The problem that answers a head which is refused; None where it is accepted."""
         headers: list[tuple[bytes, bytes]] = scope["headers"]
         if len(scope["raw_path"]) + len(scope["query_string"]) > LONGEST_ADDRESS:
             return problem("address-too-long", f"The address may have {LONGEST_ADDRESS} characters.", headers=CLOSE)

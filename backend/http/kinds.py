@@ -1,4 +1,4 @@
-"""Every kind of problem the service answers with: the one list. docs/api.md shows it, and OpenAPI.
+"""The one list of problem kinds the service answers with; docs/api.md and OpenAPI show it.
 
 A new kind is one more entry here and one more line in docs/api.md; a test compares the two with what the code raises.
 """

@@ -1,4 +1,4 @@
-"""Limits for one client and for all: how many at once, how many a second, and who counts as one client."""
+"""Limits for each client and for all: open at the same time, and per second; and who counts as one client."""
 
 import ipaddress
 import math
@@ -26,11 +26,11 @@ class ConcurrencyLimit:
 
     @property
     def open(self) -> int:
-        """How many are open now."""
+        """Number open now."""
         return self._open.total()
 
     def open_by(self, client: str) -> int:
-        """How many that client has open now."""
+        """Number that this client has open now."""
         return self._open[client_key(client)]
 
     def check(self, client: str) -> None:
@@ -47,7 +47,7 @@ class ConcurrencyLimit:
 
     @contextmanager
     def acquired(self, client: str) -> Iterator[None]:
-        """Count one as open.
+        """Count one as open for the length of the block.
 
         Raises:
             TemporaryError: As `check`.
@@ -64,7 +64,7 @@ class ConcurrencyLimit:
 
 
 class TokenBucket:
-    """A rate limit for each client: a burst, and after that so many a second.
+    """A rate limit for each client: a burst, then so many each second.
 
     Args:
         what: Its name in the refusal.

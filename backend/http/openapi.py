@@ -1,4 +1,4 @@
-"""The service's description of itself: what FastAPI finds, with what it cannot know beside it.
+"""The service's OpenAPI description: FastAPI's, with additions it cannot derive.
 
 Headers, examples, links and tags stand here and not at each route, because they follow from a status, a name or a type.
 """
@@ -110,7 +110,7 @@ LINKS = {  # operations that take the id, by the operation that answers with it
 
 
 def describe(app: FastAPI) -> JsonObject:
-    """OpenAPI 3.1, made once."""
+    """The OpenAPI 3.1 description, built once."""
     if app.openapi_schema is None:
         whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
         whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
@@ -170,7 +170,7 @@ def _describe_answers(operation: JsonObject) -> None:
 
 
 def _name_strategies(name: str, field: JsonObject) -> None:
-    """Say which names there are where a field holds a strategy's, or several."""
+    """List the strategies' names where a field holds one or several."""
     listed = "with commas" in field.get("description", "")  # several in one text
     if name in ("strategy", "baseline", "strategies") and not listed:
         for each in (field, field.get("items", {}), *field.get("anyOf", [])):

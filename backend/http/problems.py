@@ -1,4 +1,4 @@
-"""Every error leaves as RFC 9457 `application/problem+json`; none repeats what was sent."""
+"""Every error is answered as RFC 9457 `application/problem+json`; no answer repeats what was sent."""
 
 import logging
 from collections.abc import Mapping, Sequence
@@ -98,7 +98,7 @@ def problem(
     headers: Mapping[str, str] | None = None,
     name: str | None = None,
 ) -> Response:
-    """The response that says so.
+    """The response with this problem.
 
     Args:
         kind: One of `backend.http.kinds`.
@@ -125,7 +125,7 @@ def problem(
 
 
 def register(app: FastAPI) -> None:
-    """Make every exception leave as a problem. What none of these know, `GuardMiddleware` answers with 500."""
+    """Answer every exception with a problem. `GuardMiddleware` answers other exceptions with 500."""
     app.add_exception_handler(HTTPException, _http)
     app.add_exception_handler(RequestValidationError, _invalid)
     app.add_exception_handler(ServiceError, _service)
@@ -144,7 +144,7 @@ async def _service(request: Request, error: Exception) -> Response:
 
 
 async def _http(request: Request, error: Exception) -> Response:
-    """The framework's own: its text might hold the path or a value, so ours is sent."""
+    """The framework's own error: its text might hold the path or a value, so ours is sent."""
     error = cast(HTTPException, error)
     headers = dict(error.headers or {})
     if error.status_code == 405:

@@ -1,4 +1,4 @@
-"""Each request gets a name, one log line and a place in the latency histogram."""
+"""Gives each request a name, one log line and one observation in the latency histogram."""
 
 import logging
 import re
@@ -24,12 +24,12 @@ _current: ContextVar[str] = ContextVar("request_id", default="")
 
 
 def request_id() -> str:
-    """The name of the request this task works for; empty outside one."""
+    """The name of the current request; empty outside one."""
     return _current.get()
 
 
 class RequestLogMiddleware:
-    """The outermost layer. Takes the request's name from the caller where it is harmless, else makes one."""
+    """The outermost layer. Takes the request's name from the caller where it is harmless, else creates one."""
 
     def __init__(self, app: ASGIApp) -> None:
         self.app = app
@@ -79,7 +79,7 @@ def _note(scope: Scope, status: int, seconds: float, first: float) -> None:
 
 
 def template(scope: Scope) -> str:
-    """The address with the names of its variable parts in place of their values; `none` where no route matched."""
+    """The address with the names of its path parameters instead of values; `none` where no route matched."""
     path: str = getattr(scope.get("route"), "path", "")
     mount: str = scope.get("root_path", "").removeprefix(scope.get("app_root_path", ""))
     if mount and "app_root_path" in scope:

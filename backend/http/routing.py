@@ -27,7 +27,7 @@ _parsing = ThreadPoolExecutor(1, thread_name_prefix="strict-json")
 
 
 def client_address(request: Request) -> str:
-    """The client's address by the server, or by a trusted proxy; empty where neither names one."""
+    """The client's address from the server or from a trusted proxy; empty where neither gives one."""
     return request.client.host if request.client else ""
 
 
@@ -87,7 +87,7 @@ class StrictRoute(APIRoute):
     COMPUTES = False
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The framework's handler, behind what it would let pass."""
+        """The framework's handler, after checks that it does not make."""
         handler = super().get_route_handler()
         takes_body = self.body_field is not None
         declared = [(field.alias, field.field_info) for field in get_flat_params(self.dependant)]
@@ -124,18 +124,18 @@ class ComputingRoute(StrictRoute):
 
 
 class ScenarioRoute(ComputingRoute):
-    """One that computes what its body holds, one scenario at most."""
+    """A computing route whose body holds one scenario at most."""
 
     MAX_VALUES = SCENARIO_VALUES
 
 
 class CsvRoute(StrictRoute):
-    """A route whose body is a CSV file; it finds it whole in `request.body()`."""
+    """A route whose body is a CSV file, read whole with `request.body()`."""
 
     MAX_BYTES = 4 * 1024 * 1024
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The framework's handler, behind what it would let pass."""
+        """The framework's handler, after checks that it does not make."""
         handler = super().get_route_handler()
 
         async def strict(request: Request) -> Response:

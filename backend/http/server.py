@@ -1,4 +1,4 @@
-"""HTTP/1.1 as uvicorn speaks it, with what a bare server lacks: time limits and a bound on connections.
+"""HTTP/1.1 by uvicorn, with additional time limits and a bound on connections.
 
 What never reaches the application (a malformed or slow head, one connection too many) is answered here, with the same
 security headers and the same kind of problem.
@@ -43,7 +43,7 @@ class GuardedProtocol(H11Protocol):
     _stuck: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # uvicorn's own type
-        """Count it, and begin to wait for a request."""
+        """Count the connection, and begin to wait for a request."""
         super().connection_made(transport)
         match self.OPEN.add(self, self.client[0] if self.client else ""):
             case Decision.REFUSE:
@@ -54,14 +54,14 @@ class GuardedProtocol(H11Protocol):
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Nothing is waited for any more."""
+        """Count the connection as ended and stop its timers."""
         self.OPEN.remove(self)
         self._relax()
         self._unstick()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Feed the parser; what does not complete a request does not win time."""
+        """Feed the parser; bytes that do not complete a request do not extend its time."""
         super().data_received(data)
         if self._answering():
             self._relax()
@@ -69,7 +69,7 @@ class GuardedProtocol(H11Protocol):
             self._watch()
 
     def on_response_complete(self) -> None:
-        """The rest of a body nobody reads has its time too.
+        """Limit the time for the rest of a body that nobody reads.
 
         It is read and dropped: a connection closed at once would be reset, and the client, still sending, would never
         see its answer.
@@ -85,22 +85,22 @@ class GuardedProtocol(H11Protocol):
         return not self._answering() and not self.transport.get_write_buffer_size()
 
     def evict(self) -> None:
-        """Close it for another one."""
+        """Close the connection to make room for another one."""
         self.transport.close()
 
     def pause_writing(self) -> None:
-        """The client takes less than it is sent."""
+        """Start a timer: the client reads more slowly than the service sends."""
         super().pause_writing()
         if self._stuck is None:
             self._stuck = self.loop.call_later(self.WRITE_TIMEOUT, self._cut_off)
 
     def resume_writing(self) -> None:
-        """It takes something again."""
+        """Stop the timer: the client reads again."""
         super().resume_writing()
         self._unstick()
 
     def _cut_off(self) -> None:
-        """Reset the connection: the system would go on offering what the client does not take."""
+        """Reset the connection: the system would go on sending what the client does not read."""
         connection = self.transport.get_extra_info("socket")
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET_ON_CLOSE)
         self.transport.abort()
@@ -111,7 +111,7 @@ class GuardedProtocol(H11Protocol):
             self._stuck = None
 
     def send_400_response(self, msg: str) -> None:
-        """Answer what is not HTTP; the parser knows whether it was only too long."""
+        """Answer bytes that are not HTTP; the parser knows whether a head was only too long."""
         too_long = getattr(sys.exc_info()[1], "error_status_hint", 400) == 431
         self._refuse("headers-too-long" if too_long else "malformed-request", msg)
 
@@ -155,7 +155,7 @@ class GuardedProtocol(H11Protocol):
 
 
 def server_config(app: "FastAPI", settings: Settings) -> uvicorn.Config:
-    """How uvicorn serves that application: these limits, our own logs, the client's address only from known proxies."""
+    """Uvicorn's configuration: these limits, our own logs, client addresses only from trusted proxies."""
     proxies = ProxyHeadersMiddleware(cast(Any, app), settings.forwarded_allow_ips).trusted_hosts  # as uvicorn reads it
     connections = Connections(
         per_client=settings.max_client_connections, total=settings.max_connections, is_proxy=proxies.__contains__

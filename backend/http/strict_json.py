@@ -1,4 +1,4 @@
-"""Strict JSON: what two parsers could read differently, or could choke on, is refused.
+"""Strict JSON: refuses what two parsers could read differently, or could fail on.
 
 orjson reads it. The standard library's parser goes first, for what only its hooks can see: a key that is there twice.
 """

@@ -1,4 +1,4 @@
-"""Optional tokens: a file names them, a request shows one in its header or, from the page, in a cookie."""
+"""Optional tokens: a file lists them; a request sends one in its header or, from the page, in a cookie."""
 
 import hashlib
 import hmac
@@ -49,12 +49,12 @@ def read_tokens(path: Path) -> dict[str, str]:
 
 
 def cookie_of(token: str) -> str:
-    """What the page's cookie holds: whoever reads it has no token for programs."""
+    """The value of the page's cookie: whoever reads it has no token for programs."""
     return _digest(f"cookie {token}")
 
 
 class Tokens:
-    """The tokens of a file, read again when it changes; while it cannot be read those from before count.
+    """The tokens of a file, read again when it changes; while it cannot be read the last ones stay valid.
 
     Args:
         path: As `read_tokens` takes it; usable now.
@@ -66,12 +66,12 @@ class Tokens:
         self._accept(read_tokens(path))
 
     def name_of_token(self, token: str) -> str | None:
-        """Whose token it is, if anybody's."""
+        """The name of that token; None where there is none."""
         self._refresh()
         return _find(self._by_token, _digest(token))
 
     def name_of_cookie(self, value: str) -> str | None:
-        """Whose token the page was given when it set that cookie."""
+        """The name of the token for which the page got that cookie."""
         self._refresh()
         return _find(self._by_cookie, value)
 
@@ -101,7 +101,7 @@ class Tokens:
 
 
 class TokenMiddleware:
-    """Lets only those with a token ask the API; the page, its login, health and metrics are everybody's.
+    """Lets only requests with a token use the API; the page, its login, health and metrics are open.
 
     Args:
         app: ASGI.
@@ -131,7 +131,7 @@ class TokenMiddleware:
 
 
 async def caller(request: Request) -> str | None:
-    """The name of the token that asks; None where the service has none."""
+    """The name of the request's token; None where the service has no tokens."""
     name: str | None = getattr(request.state, CALLER, None)
     return name
 
@@ -140,7 +140,7 @@ Caller = Annotated[str | None, Depends(caller)]
 
 
 def check_login(tokens: Tokens | None, token: str) -> str:
-    """What the page's cookie is to hold for that token.
+    """The value of the page's cookie for that token.
 
     Raises:
         RequestError: It is nobody's.
@@ -155,7 +155,7 @@ def _digest(text: str) -> str:
 
 
 def _find(names: dict[str, str], digest: str) -> str | None:
-    """In a time that tells nothing of how much of a digest was right; all are of equal length."""
+    """Search in constant time, so that the time tells nothing about a digest; all have equal length."""
     match = None
     for each, name in names.items():
         if hmac.compare_digest(each.encode(), digest.encode()):

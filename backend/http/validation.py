@@ -1,4 +1,4 @@
-"""Where in a request pydantic's errors belong, and what they say of names nobody knows."""
+"""Translates pydantic's errors: the field of the request, and for an unknown name those that exist."""
 
 from collections.abc import Iterator, Mapping
 from types import UnionType
@@ -10,7 +10,7 @@ from backend.unknown_names import Path, pointer, shown_path, unknown_name
 
 
 def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
-    """Where one of pydantic's errors belongs and what it says, without the value sent.
+    """The field that one of pydantic's errors is about and its message, without the value sent.
 
     Args:
         item: The error.
@@ -38,7 +38,7 @@ def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
 
 
 def locate_in_body(model: Any, path: Path) -> tuple[list[str | int], list[str]]:
-    """Where a validation error is in the body that was sent, and the names an object there may have.
+    """The path of a validation error in the body, and the names that an object there may have.
 
     Args:
         model: What the body is read as.

@@ -1,4 +1,4 @@
-"""A job's runs in pieces: planned, waiting, a chunk of them, a computed one. What travels, so little is imported."""
+"""The runs of a job: planned, waiting, grouped in a chunk, computed. Workers import this, so it imports little."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ class PlannedRun(NamedTuple):
     reason: str | None = None
 
     def row(self, job_id: str) -> dict[str, object]:
-        """As the table of runs has it."""
+        """Its row in the table of runs."""
         return {
             "job_id": job_id,
             "position": self.position,
@@ -54,7 +54,7 @@ class ComputedRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Chunk:
-    """Runs of one job that go to one process together.
+    """Runs of one job that one process computes together.
 
     Attributes:
         group: Chunks of one group are stopped together; a job that is resumed gets another one.
@@ -81,12 +81,12 @@ Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]
 
 
 class ClusterLostError(Exception):
-    """The chunk was not computed because the cluster, or a part of it, went away; it may be handed out again."""
+    """The chunk was not computed because the cluster, or a part of it, went away; it may be sent again."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ChunkOutcome:
-    """What became of a chunk.
+    """The results of a chunk, or why there are none.
 
     Attributes:
         computed: Its results, perhaps of a part only; None where it got none.

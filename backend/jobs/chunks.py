@@ -49,11 +49,11 @@ class Chunks:
 
     @property
     def count(self) -> int:
-        """How many are being computed or wait to be stored."""
+        """Chunks being computed or waiting to be stored."""
         return len(self._computing) + len(self._committing)
 
     def send(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
-        """Have these runs computed and stored."""
+        """Send these runs to the cluster, and store their results."""
         running.open_chunks += 1
         _keep(self._computing, self._compute(cluster, running, runs))
 

@@ -1,4 +1,4 @@
-"""Where jobs' runs are computed: Dask, embedded in this process by default, or the cluster at `RIDELAB_DASK_SCHEDULER`.
+"""The cluster that computes the runs of jobs: Dask, in this process by default, or at `RIDELAB_DASK_SCHEDULER`.
 
 Dask only hands chunks out. A Dask worker passes each to a pool of processes of its own (`backend.compute.Workers`,
 what interactive runs have too): so a run that crashes, hangs or is cancelled takes one process with it and never a
@@ -44,7 +44,7 @@ _stopped: deque[str] = deque(maxlen=1000)  # groups stopped lately: chunks of th
 
 
 class Cluster:
-    """Hands chunks to Dask; its methods belong to the event loop."""
+    """Sends chunks to Dask; its methods belong to the event loop."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -52,7 +52,7 @@ class Cluster:
         self._client: Client | None = None
 
     async def start(self) -> None:
-        """Start the embedded cluster, or connect to the one that is there.
+        """Start the embedded cluster, or connect to the external one.
 
         Raises:
             OSError: Nothing answers at the scheduler's address.
@@ -68,11 +68,11 @@ class Cluster:
 
     @property
     def connected(self) -> bool:
-        """Whether the scheduler is there."""
+        """Whether the connection to the scheduler is open."""
         return self._client is not None and self._client.status == "running"
 
     async def slots(self) -> int:
-        """How many chunks can be computed at once.
+        """Chunks that can be computed at the same time.
 
         Raises:
             ClusterLostError: The scheduler does not answer.
@@ -85,7 +85,7 @@ class Cluster:
             return sum(threads.values())
 
     async def compute(self, chunk: Chunk) -> ChunkOutcome:
-        """Compute it on some worker.
+        """Compute a chunk on some worker.
 
         Raises:
             ClusterLostError: The cluster, or the part that computed it, went away: it may be handed out again.
@@ -99,7 +99,7 @@ class Cluster:
                 future.release()
 
     async def stop(self, group: str) -> None:
-        """End every chunk of that group, at once, on whatever worker it is."""
+        """End every chunk of that group now, on any worker."""
         with contextlib.suppress(ClusterLostError), _lost():
             async with asyncio.timeout(CONNECT_TIMEOUT):
                 await self._connection.run(_stop, group, on_error="ignore")
@@ -127,7 +127,7 @@ class Cluster:
 
 @contextlib.contextmanager
 def _lost() -> Iterator[None]:
-    """Whatever Dask raises when a part of it goes away (it has many ways) as one error."""
+    """One error for everything that Dask raises when a part of it goes away."""
     try:
         yield
     except ClusterLostError:
@@ -154,7 +154,7 @@ async def _embedded(slots: int) -> SpecCluster:
 
 
 class _NoPort:
-    """A Dask server that listens for no HTTP: by default each of them opens a port to everybody."""
+    """A Dask server without HTTP: by default each opens a port to everybody."""
 
     http_application: RoutingApplication
     http_server: HTTPServer
@@ -229,7 +229,7 @@ def _pool(worker: Worker, timeout: float) -> Workers:
 
 
 async def _stop(group: str) -> None:
-    """On a Dask worker: end the chunks of that group, and begin none any more."""
+    """On a Dask worker: end the chunks of that group, and start no other of them."""
     _stopped.append(group)
     for task in tuple(_running.get(group, ())):
         task.cancel()

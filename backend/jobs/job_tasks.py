@@ -1,4 +1,4 @@
-"""A task for each job that is no mere sweep: steps of other kinds, and new keys after an upgrade."""
+"""A task for each job that is no sweep: the steps of the other kinds, and new keys after an upgrade."""
 
 import asyncio
 import logging
@@ -21,14 +21,14 @@ UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
 
 class JobFailedError(Exception):
-    """The job cannot go on; the message says why, to whoever submitted it."""
+    """The job cannot go on; the message tells its owner why."""
 
 
 class Stepper(Protocol):
     """Takes the steps of one kind of job."""
 
     async def step(self, job: StoredJob) -> None:
-        """The next step, to its end; which one follows from what is stored.
+        """Take the next step of the job to its end; the stored state says which it is.
 
         Raises:
             JobFailedError: The job cannot go on.
@@ -37,7 +37,7 @@ class Stepper(Protocol):
 
 
 class JobTasks:
-    """The tasks; its methods belong to the event loop.
+    """A task for each job; its methods belong to the event loop.
 
     Args:
         store: The database.
@@ -52,16 +52,16 @@ class JobTasks:
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
     def drives(self, kind: Kind) -> bool:
-        """Whether jobs of that kind take steps."""
+        """Whether jobs of that kind have steps."""
         return kind in self._steppers
 
     def drive(self, job: StoredJob) -> None:
-        """Take its steps, to its end, if there is room."""
+        """Start a task that takes the job's steps to its end, if there is room."""
         if len(self._tasks) < MAX_TASKS:
             self.begin(job.id, partial(self._drive, job.id, self._steppers[job.kind]))
 
     def begin(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
-        """Do that for the job, unless something is being done for it."""
+        """Start a task with that work for the job, unless it has one."""
         if job_id not in self._tasks:
             self._tasks[job_id] = asyncio.create_task(self._run(job_id, work))
 
@@ -71,7 +71,7 @@ class JobTasks:
             task.cancel()
 
     async def _run(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
-        """Until it is done, or something transient is in the way: a later look begins again."""
+        """Run the work until it ends or meets a transient error, after which a later look starts it again."""
         try:
             await work()
         except TRANSIENT as error:
@@ -85,7 +85,7 @@ class JobTasks:
             self._ended.set()
 
     async def _drive(self, job_id: str, stepper: Stepper) -> None:
-        """Step by step to its end."""
+        """Take the job's steps to its end."""
         while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
             try:
                 await stepper.step(job)

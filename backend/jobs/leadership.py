@@ -1,4 +1,4 @@
-"""Which of the services on one database drives its jobs: the one that holds a lock which dies with its holder."""
+"""Leader election among the services on one database: the leader holds a lock that ends with its process."""
 
 import asyncio
 import contextlib
@@ -16,7 +16,7 @@ RETRY = 2.0  # between two tries to get it [s]
 
 
 class LeadershipLostError(Exception):
-    """The connection that held the lock is gone, and the lock with it."""
+    """The connection that held the lock is closed, and the lock with it."""
 
 
 class Leadership:
@@ -28,7 +28,7 @@ class Leadership:
 
     @contextlib.asynccontextmanager
     async def held(self) -> AsyncIterator["Leadership"]:
-        """Wait until this service is the one, then be it for the length of the block."""
+        """Wait until this service is the leader, and stay it for the length of the block."""
         url = self._store.engine.url
         if url.get_backend_name() != "sqlite":
             async with self._session_lock():
@@ -49,7 +49,7 @@ class Leadership:
                 lock.release()
 
     async def confirm(self) -> None:
-        """Make sure the lock is still there.
+        """Raise where the lock is lost.
 
         Raises:
             LeadershipLostError: It is not.

@@ -1,4 +1,4 @@
-"""What requests about jobs of every kind have in common."""
+"""The requests that every kind of job has."""
 
 from typing import Annotated
 

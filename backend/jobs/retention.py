@@ -1,4 +1,4 @@
-"""Keeps the database within an age and a size, where its operator has set them."""
+"""Keeps the database within the age and the size that its operator has set."""
 
 import asyncio
 import logging
@@ -16,7 +16,7 @@ YOUNGEST = timedelta(hours=1)  # what is younger stays, however large the databa
 
 
 class Retention:
-    """Removes what is too old or too much; its methods belong to the event loop."""
+    """Removes what is too old, and the oldest where there is too much; its methods belong to the event loop."""
 
     def __init__(self, store: Store, settings: Settings) -> None:
         self._store = store
@@ -26,7 +26,7 @@ class Retention:
         self._task: asyncio.Task[None] | None = None
 
     def begin_if_due(self) -> None:
-        """Remove what is to be removed, beside everything else, if it is time for it."""
+        """Start a removal in the background, if it is due."""
         off = self._days is None and self._bytes is None
         if off or time.monotonic() < self._due or (self._task is not None and not self._task.done()):
             return
@@ -34,7 +34,7 @@ class Retention:
         self._task = asyncio.create_task(self._apply_safely())
 
     def cancel(self) -> None:
-        """Another service removes from now on."""
+        """Stop: another service is the leader and removes from now on."""
         if self._task is not None:
             self._task.cancel()
 
@@ -45,7 +45,7 @@ class Retention:
             logger.exception("Old jobs and results could not be removed")
 
     async def apply(self) -> None:
-        """Remove what is to be removed, now."""
+        """Remove everything beyond the limits now."""
         if self._days is not None:
             await self._remove_before(datetime.now(UTC) - timedelta(days=self._days))
         size = await self._store.read(self._store.retention.size)
@@ -59,7 +59,7 @@ class Retention:
         STORED_BYTES.set(size)
 
     async def _remove_before(self, before: datetime) -> None:
-        """Jobs first: then nothing needs their results, nor their roads."""
+        """Remove jobs first: after that nothing needs their results or their roads."""
         for what, remove in (
             ("jobs", self._store.retention.remove_jobs),
             ("results", self._store.retention.remove_results),

@@ -1,4 +1,4 @@
-"""Drives every job: runs of sweeps go to the cluster in chunks, jobs of other kinds take a step after the other.
+"""Drives every job: runs of sweeps go to the cluster in chunks, jobs of other kinds go step by step.
 
 The database is the truth. This keeps no state that a crash could lose: what is unfinished is a query, and a chunk that
 was on its way when a process died is waiting still. Of several services on one database one drives (`leadership`).
@@ -45,7 +45,7 @@ STATES: tuple[State, ...] = get_args(State)
 
 
 class Scheduler:
-    """One for each service; its methods belong to the event loop.
+    """The one scheduler of a service; its methods belong to the event loop.
 
     Args:
         store: The database.
@@ -71,7 +71,7 @@ class Scheduler:
         self._reported = -REPORT
 
     def start(self) -> None:
-        """Begin, in the background."""
+        """Start driving in the background."""
         self._task = asyncio.create_task(self._run())
 
     async def close(self) -> None:
@@ -120,7 +120,7 @@ class Scheduler:
             await self._rest(commits)
 
     async def _rest(self, commits: int) -> None:
-        """Until a chunk comes back, a job changes, or it is time for a look."""
+        """Wait until a chunk comes back, a job changes, or the next look is due."""
         waits = [
             asyncio.create_task(wait)
             for wait in (self._store.commits.wait_beyond(commits, LOOK), self._chunks.returned.wait())
@@ -132,7 +132,7 @@ class Scheduler:
                 wait.cancel()
 
     async def _look(self) -> None:
-        """Begin what was accepted, end what was cancelled, here or by another service."""
+        """Start jobs that were accepted and end jobs that were cancelled, by this service or another."""
         unfinished = {job.id: job for job in await self._store.read(self._store.jobs.unfinished)}
         if self._cluster is not None and not self._cluster.connected:
             logger.warning("The Dask scheduler is gone; its chunks are sent again")
@@ -207,7 +207,7 @@ class Scheduler:
             await self._store.write(self._store.jobs.delete, job_id)
 
     async def _rekey(self, job: StoredJob) -> None:
-        """Another core version accepted the job: what it left uncomputed is computed by this one, under new keys."""
+        """Give the runs that another core version left uncomputed the keys of this one, which computes them."""
         logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
         last: int | None = -1
         while last is not None:

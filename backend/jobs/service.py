@@ -1,4 +1,4 @@
-"""What every kind of job has in common: accepted once, listed, followed, named, cancelled, deleted."""
+"""What every kind of job does: accept once, list, follow, label, cancel, delete."""
 
 import hashlib
 from collections.abc import AsyncIterator, Mapping, Sequence
@@ -42,7 +42,7 @@ class Jobs:
         return None if job is None else _same(job, request_hash)
 
     async def check_room(self) -> None:
-        """See that not too many jobs of this kind wait.
+        """Refuse where too many jobs of this kind wait.
 
         Raises:
             BusyError: There are.
@@ -56,7 +56,7 @@ class Jobs:
             raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
 
     async def accept(self, job: StoredJob, runs: Sequence[PlannedRun], key: str | None) -> StoredJob:
-        """Commit it with its runs; where a job was accepted with that key meanwhile, that one.
+        """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
 
         Raises:
             ConflictError: The key had another request.
@@ -87,7 +87,7 @@ class Jobs:
         return shown, _cursor(shown[-1]) if more else None
 
     async def positions(self, *jobs: StoredJob) -> dict[str, int]:
-        """By id how many runs of jobs that were accepted before it wait; 0 for one that runs or has ended."""
+        """By id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
         unfinished = []
         if any(job.state == "queued" for job in jobs):
             unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
@@ -101,7 +101,7 @@ class Jobs:
         }
 
     async def cancel(self, job_id: str) -> StoredJob:
-        """Cancel what waits and what runs; what is finished stays. One that has ended is answered as it is.
+        """Cancel a job's waiting and running runs; finished ones stay. A job that has ended is returned unchanged.
 
         Raises:
             NotFoundError: There is none.
@@ -111,13 +111,13 @@ class Jobs:
         return await self.get(job_id)
 
     async def resume(self, job_id: str, **values: Any) -> StoredJob:
-        """Let one that has ended go on, with these columns changed."""
+        """Continue a job that has ended, with these columns changed."""
         await self.check_room()
         await self._store.write(self._store.jobs.resume, job_id, **values)
         return await self.get(job_id)
 
     async def set_label(self, job_id: str, label: str | None) -> StoredJob:
-        """Name it, or (None) take its name away.
+        """Set its label, or (None) remove it.
 
         Raises:
             NotFoundError: There is none.
@@ -127,7 +127,7 @@ class Jobs:
         return await self.get(job_id)
 
     async def delete(self, job_id: str, owner: str | None) -> None:
-        """Remove it; results that runs and other jobs share stay.
+        """Delete a job; results that runs and other jobs share stay.
 
         Raises:
             NotFoundError: There is none.
@@ -155,7 +155,7 @@ class Jobs:
 
 
 def request_hash(request: Any) -> str:
-    """What two equal requests have in common."""
+    """A hash that is equal for equal requests."""
     return hashlib.sha256(digest.canonical(request)).hexdigest()[:43]
 
 

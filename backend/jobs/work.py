@@ -1,4 +1,4 @@
-"""What a worker process does with a chunk of a job; no web here."""
+"""What a worker process computes of a job; no web here."""
 
 import time
 from collections.abc import Mapping, Sequence
@@ -24,7 +24,7 @@ def run_chunk(
     roads: Mapping[str, MeasuredRoad],
     budget: float,
 ) -> list[ComputedRun]:
-    """Simulate them in order, the first in any case, and begin no further one after `budget` [s].
+    """Simulate the runs in order, at least the first; start no other one after `budget` [s].
 
     Runs of one point lie side by side and share its scenario, equal ones their result.
     """
@@ -57,7 +57,7 @@ def run_chunk(
 
 
 def _summary(scenario: Scenario, strategy: str) -> str:
-    """What is stored of a run, as JSON."""
+    """A run's stored summary, as JSON."""
     if strategy.startswith(paper.PREFIX):
         return orjson.dumps(paper.compute(strategy, scenario), option=orjson.OPT_SERIALIZE_NUMPY).decode()
     return summary_json(simulate(scenario, strategy)).decode()

@@ -1,1 +1,1 @@
-"""Measured roads: read from CSV, stored by content, handed to whatever drives them."""
+"""Measured roads: read from CSV, stored by content, added to the scenarios that name them."""

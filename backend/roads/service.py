@@ -100,7 +100,7 @@ class Roads:
 
 
 def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[FoundBump]]:
-    """About so many of its heights, the highest and the lowest of each stretch, at their distances; and its bumps."""
+    """About `points` of its heights, the extremes of each section, with their distances; and its bumps."""
     heights = road.heights()
     each = max(1, -(-2 * len(heights) // points))
     cut = len(heights) // each * each

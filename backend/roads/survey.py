@@ -40,7 +40,7 @@ FORM = (
 
 
 class SurveyError(Exception):
-    """The file is no road.
+    """The file is not a road.
 
     Args:
         message: Why.
@@ -55,7 +55,7 @@ class SurveyError(Exception):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Survey:
-    """What became of a file: the road, the bumps in it, and what was done to it or may be wrong with it."""
+    """The result of reading a file: the road, the bumps in it, and warnings."""
 
     road: MeasuredRoad
     bumps: list[FoundBump]

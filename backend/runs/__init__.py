@@ -1,1 +1,1 @@
-"""Runs: what is stored is answered, the rest is computed once; their figures, files, links and reports."""
+"""Runs: stored results are answered, others are computed once; their figures, files, links and reports."""

@@ -1,4 +1,4 @@
-"""What is answered of a stored run: each strategy's result, over several roads with mean, interval and change."""
+"""The answers about a stored run: each strategy's result, over several roads with mean, interval and change."""
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
@@ -23,7 +23,7 @@ def run_answer(stored: StoredRun, *, baseline: str | None = None) -> Run | Roads
 
 
 def created_answer(stored: StoredRun, cached: Mapping[str, bool]) -> CreatedRun | CreatedRoadsRun:
-    """A run as the request that made it sees it, with what was cached by strategy."""
+    """The answer to the request that created a run; `cached` says by strategy what was not computed for it."""
     fields = {name: {"cached": value} for name, value in cached.items()}
     if stored.roads == 1:
         return CreatedRun(**_on_one_road(stored, fields))
@@ -33,13 +33,13 @@ def created_answer(stored: StoredRun, cached: Mapping[str, bool]) -> CreatedRun 
 def live_answer(
     scenario: Scenario, outcomes: Mapping[str, ComputedResult], fields: Mapping[str, JsonObject]
 ) -> LiveRun:
-    """A run that is not stored; `fields` is what each strategy has beside its figures."""
+    """A run that is not stored; `fields` holds what each strategy has beside its metrics."""
     entries = {name: _entry(outcome, fields[name]) for name, outcome in outcomes.items()}
     return LiveRun(core_version=CORE_VERSION, scenario=scenario, strategies=entries)
 
 
 def default_baseline(strategies: Sequence[str]) -> str:
-    """What changes refer to where nobody says: passive, or the first strategy where it does not run."""
+    """The default baseline of changes: passive, or the first strategy where passive is not run."""
     return "passive" if "passive" in strategies else strategies[0]
 
 

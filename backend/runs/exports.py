@@ -1,4 +1,4 @@
-"""Time histories of a run as a file: JSON, CSV or Parquet; pinned, or made again from its scenario; in a worker."""
+"""Time histories of a run as a file: JSON, CSV or Parquet; pinned, or simulated again; in a worker."""
 
 import io
 from collections.abc import Mapping, Sequence
@@ -20,7 +20,7 @@ from sim_core.scenario import Scenario
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
-    """Which time histories, and how.
+    """Which time histories to export, and in which format.
 
     Attributes:
         strategies: Ids, in the order they come out.
@@ -43,7 +43,7 @@ def render(scenario: Scenario, export: Export) -> bytes:
 
 
 def render_pinned(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], export: Export) -> bytes:
-    """Render what is pinned (arguments as for `pins.opened`); signals that were not pinned are left out."""
+    """Render pinned time histories (arguments as for `pins.opened`); signals that were not pinned are left out."""
     members = pins.opened(pinned, stages, export.points)
     present = [key for key in export.signals if not any(np.isnan(array[ROWS[key]]).all() for array in members.values())]
     return _rendered(members, replace(export, signals=present))
@@ -78,7 +78,7 @@ def render_csv(members: Mapping[str, SeriesArray], export: Export) -> bytes:
 
 
 def render_parquet(members: Mapping[str, SeriesArray], export: Export) -> bytes:
-    """The same table as Parquet; units are field metadata, the provenance is the file's."""
+    """The table as Parquet; units are field metadata, the provenance is the file's."""
     table = _table(members, export.signals)
     units = {column_name(key): {"signal": key, "unit": SIGNALS[key].unit} for key in export.signals}
     fields = [field.with_metadata(units.get(field.name, {})) for field in table.schema]
@@ -89,12 +89,12 @@ def render_parquet(members: Mapping[str, SeriesArray], export: Export) -> bytes:
 
 
 def column_name(key: str) -> str:
-    """A table's column: `body_acceleration [m/s^2]`."""
+    """The name of a signal's column: `body_acceleration [m/s^2]`."""
     return f"{key} [{SIGNALS[key].unit}]"
 
 
 def _table(members: Mapping[str, SeriesArray], signals: Sequence[str]) -> pa.Table:
-    """One row a sample; a first column names the strategy where there are several."""
+    """A table with a row for each sample; a first column names the strategy where there are several."""
     columns = {}
     if len(members) > 1:
         lengths = [array.shape[1] for array in members.values()]

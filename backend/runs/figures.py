@@ -68,7 +68,7 @@ class Panel:
 
 
 def _limits(signal: str) -> tuple[tuple[str, tuple[float, ...]], ...]:
-    """What limits an axle's signal: its travel and force both ways, its tyre's load where it leaves the road."""
+    """The limits of an axle's signal: its travel and force both ways, its tyre's load where it leaves the road."""
     axle, _, what = signal.partition("_")
     line, factors = {"tyre_load": (f"{axle}_static_load", (-1.0,))}.get(what, (f"{what}_limit", (-1.0, 1.0)))
     return ((line, factors),) if line in REFERENCES else ()
@@ -165,7 +165,7 @@ def _axis_title(axis: str) -> str:
 
 
 def _stages(summaries: Mapping[str, JsonObject], axis: str) -> list[JsonObject]:
-    """Shaded bands, from the strategy with most stages: they lie at the same places, if not at the same times."""
+    """Shaded bands, from the strategy with most stages: the positions are the same for all, the times are not."""
     spans: list[JsonObject] = max((summary["stages"] for summary in summaries.values()), key=len, default=[])
     return [
         {

@@ -1,4 +1,4 @@
-"""Time histories of stored runs: pinned by a link, or made again by the core version that computed the run."""
+"""Time histories of stored runs: pinned by a link, or simulated again by the core version that computed the run."""
 
 from collections.abc import Mapping
 
@@ -18,7 +18,7 @@ FIGURE_POINTS = 2000
 
 
 class Histories:
-    """Finds or makes time histories; its methods belong to the event loop."""
+    """Reads or simulates time histories; its methods belong to the event loop."""
 
     def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads) -> None:
         self._store = store
@@ -28,7 +28,7 @@ class Histories:
         self._roads = roads
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
-        """Result keys of those strategies whose time histories are there just as they were, or can be made so.
+        """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
 
         Of a run over several roads they are the first road's.
 
@@ -99,13 +99,13 @@ class Histories:
             raise RoadGoneError from None
 
     async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
-        """By strategy its pinned time histories, by result key given; None unless every one of them is pinned."""
+        """By strategy its pinned time histories, from result keys; None unless every one is pinned."""
         pinned = await self._store.read(self._store.links.load_pins, keys.values())
         return {name: pinned[key] for name, key in keys.items()} if set(keys.values()) <= set(pinned) else None
 
 
 def _stages(stored: StoredRun) -> dict[str, Stages]:
-    """By strategy its driving stages: decimation keeps each one's extremes."""
+    """By strategy its driving stages: decimation preserves the extremes of each."""
     return {
         item.strategy: Stages.of(
             (span["stage"], span["start_time"], span["end_time"]) for span in item.summary["stages"]

@@ -1,4 +1,4 @@
-"""Results, with the time histories they were asked for, cached in memory while there is room."""
+"""A cache in memory of results with their time histories, bounded in bytes."""
 
 from cachetools import LRUCache
 
@@ -6,18 +6,18 @@ from backend.runs.work import ComputedResult
 
 
 class Memory:
-    """Least recently used goes first; bounded in bytes."""
+    """A cache that drops the least recently used result first; bounded in bytes."""
 
     def __init__(self, limit: int) -> None:
         self._items: LRUCache[str, ComputedResult] = LRUCache(limit, getsizeof=lambda outcome: outcome.size)
 
     def get(self, key: str, points: int | None) -> ComputedResult | None:
-        """The result of that key if it has series of so many points (None: any do), now the most recently used."""
+        """The result of that key if it has series of so many points (None: with any), marked as just used."""
         outcome = self._items.get(key)
         return outcome if outcome is not None and points in (None, outcome.points) else None
 
     def put(self, key: str, outcome: ComputedResult) -> None:
-        """Cache a result in place of another of that key, unless that has series and this has none.
+        """Cache a result, replacing one of the same key, unless only the old one has series.
 
         One larger than all that is allowed is not cached.
         """

@@ -1,4 +1,4 @@
-"""Pinned time histories: one strategy's, full resolution, float32, as a Parquet file that explains itself.
+"""Pinned time histories: one strategy's, full resolution, float32, as a self-describing Parquet file.
 
 Columns are named after their signals, their units and the core's version are metadata: a later catalogue of signals
 takes from an old file what it still knows, and any Parquet reader the rest. Runs in worker processes; why this format:
@@ -48,7 +48,7 @@ def write(series: SeriesArray, strategy: str, core_version: str = CORE_VERSION) 
 
 
 def read(content: bytes) -> dict[str, SeriesArray]:
-    """By signal its samples: those today's catalogue has, in its order and in the same unit."""
+    """By signal its samples: the signals of the current catalogue with the same unit, in its order."""
     table = parquet.read_table(pa.BufferReader(content))
     units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in table.schema}
     return {key: table[key].to_numpy() for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}

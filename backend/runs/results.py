@@ -1,4 +1,4 @@
-"""Where one strategy's result comes from: memory, the store, an equal computation under way, or a worker."""
+"""Gets each strategy's result from memory, the store, an equal computation in progress, or a worker."""
 
 import asyncio
 from collections.abc import Mapping, Sequence
@@ -19,7 +19,7 @@ from sim_core.scenario import Scenario
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Result:
-    """A strategy's result and whether it was there (or on its way) before it was asked for."""
+    """A strategy's result, and whether it was stored (or being computed) before this request."""
 
     outcome: ComputedResult
     cached: bool

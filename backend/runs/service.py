@@ -1,4 +1,4 @@
-"""Runs: what is stored is answered, what is missing is computed once, what is computed is committed, then answered."""
+"""Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
 import logging
 from collections.abc import Iterable, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""What runs inside a worker process: simulations and their decimated time histories.
+"""The part of a run that a worker process computes: simulations and their decimated time histories.
 
 Nothing of the web is imported here, so that a worker starts quickly and stays small.
 """

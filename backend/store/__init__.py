@@ -1,4 +1,4 @@
-"""What is kept: one `Store` over one database, a file for each kind of thing it holds.
+"""The stores: one `Store` over one database, a file for each kind of row.
 
 Methods are synchronous and short; services run them through `Store.read` and `Store.write`.
 """
@@ -18,7 +18,7 @@ __all__ = ["Store", "StoredJob", "StoredLink", "StoredResult", "StoredRun"]
 
 
 class Store(Database):
-    """The database with everything in it."""
+    """The database with every store's methods."""
 
     def __init__(self, url: str) -> None:
         super().__init__(url)

@@ -1,4 +1,4 @@
-"""What happened to jobs, numbered. An event is added in the transaction that makes it happen (`tell`)."""
+"""The numbered events of jobs. An event is added in the transaction that changes the job (`add_event`)."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ PAGE = 500  # events read at once
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JobEvent:
-    """Something that happened to a job; `data` is JSON text."""
+    """A change of a job; `data` is JSON text."""
 
     number: int
     kind: str
@@ -29,19 +29,19 @@ class JobEventStore:
         self._database = database
 
     def of(self, job_id: str, after: int, limit: int = PAGE) -> list[JobEvent]:
-        """What happened behind event `after`."""
+        """The events behind event `after`."""
         with self._database.reading() as connection:
             return _events(connection, job_id, after, limit)
 
     def news(self, job_id: str, after: int) -> tuple[list[JobEvent], bool]:
-        """What happened behind event `after`, and whether nothing more will."""
+        """The events behind event `after`, and whether the job has ended."""
         with self._database.reading() as connection:
             state = connection.execute(select(jobs.c.state).where(jobs.c.id == job_id)).scalar_one_or_none()
             events = _events(connection, job_id, after, PAGE)  # behind the state: an end that is seen has its event
         return events, state not in UNFINISHED and len(events) < PAGE
 
     def history(self, job_id: str) -> list[JsonObject]:
-        """The data of its progress events since it last began anew."""
+        """The data of its progress events since its last restart."""
         events = self.of(job_id, 0, limit=1_000_000)
         begun = max((event.number for event in events if event.kind == "restart"), default=0)
         return [orjson.loads(event.data) for event in events if event.kind == "progress" and event.number > begun]

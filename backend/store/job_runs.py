@@ -1,4 +1,4 @@
-"""The runs of a sweep: a run points at its result by key, and the result is stored once, whoever computed it."""
+"""The runs of a sweep: a run refers to its result by key, and each result is stored once."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from backend.store.runs import EXPIRED, insert_results
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class JobRow:
-    """A run of a sweep with what is stored of its result (`summary` is JSON text)."""
+    """A run of a sweep with its stored result (`summary` is JSON text)."""
 
     position: int
     changes: str
@@ -63,7 +63,7 @@ class JobRunStore:
         core_version: str,
         failures: Mapping[int, str] | None = None,
     ) -> None:
-        """Commit results of a job, and runs (by position) that got none with the reason why."""
+        """Commit results of a job, and for runs (by position) without one the reason."""
         now = datetime.now(UTC)
         names = ("key", "strategy", "status", "summary", "compute_ms")
         rows = [
@@ -90,7 +90,7 @@ class JobRunStore:
         self._database.changed()
 
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
-        """The next runs behind position `after`, each with its result once it is settled."""
+        """The next runs behind position `after`, each with its result if it has one."""
         settled = (job_runs.c.result_key == results.c.key) & job_runs.c.status.in_(("ok", "failed"))
         run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.status, job_runs.c.reason)
         query = (
@@ -117,7 +117,7 @@ def _update_waiting(job_id: str) -> Update:
 
 
 def _settle(connection: Connection, job_id: str, keys: Sequence[str]) -> None:
-    """Waiting runs take the status of their result, which is stored."""
+    """Set waiting runs to the status of their stored result."""
     counts = {}
     for status in ("ok", "failed"):
         of_status = select(results.c.key).where(results.c.key.in_(keys), results.c.status == status)
@@ -127,7 +127,7 @@ def _settle(connection: Connection, job_id: str, keys: Sequence[str]) -> None:
 
 
 def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> None:
-    """Waiting runs (by position) fail with the reason why."""
+    """Set waiting runs (by position) to failed, with the reason."""
     failed = 0
     for position, reason in reasons.items():
         at = _update_waiting(job_id).where(job_runs.c.position == position)
@@ -136,7 +136,7 @@ def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> No
 
 
 def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> None:
-    """So many more runs have come to an end; an event tells."""
+    """Add to the job's counts of ended runs, with an event."""
     if not done and not failed:
         return
     changed = {"done": jobs.c.done + done, "failed": jobs.c.failed + failed}

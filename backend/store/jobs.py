@@ -1,4 +1,4 @@
-"""Jobs of every kind: what was accepted, and how far each is.
+"""Jobs of every kind: their requests, states and progress.
 
 A job that has not ended is driven until it has, whatever crashes: what is still to be done is a query.
 """
@@ -38,7 +38,7 @@ class JobStore:
     def create(
         self, job: StoredJob, runs: Sequence[PlannedRun] = (), idempotency_key: str | None = None
     ) -> tuple[StoredJob, bool]:
-        """Commit a job with all its runs; an idempotency key already there gives its job, and False.
+        """Commit a job with all its runs; if its idempotency key exists, return that key's job and False.
 
         A cancelled job gives its key away.
 
@@ -91,7 +91,7 @@ class JobStore:
         state: State | None = None,
         label: str | None = None,
     ) -> list[StoredJob]:
-        """What users submitted, the newest first, without sweeps.
+        """The jobs that users submitted, the newest first, without sweeps.
 
         Args:
             kind: Of these jobs.
@@ -120,7 +120,7 @@ class JobStore:
         return [_job(row) for row in rows]
 
     def counts(self) -> dict[tuple[Kind, State], tuple[int, int]]:
-        """Jobs and their open runs, by kind and state."""
+        """The numbers of jobs and of their open runs, by kind and state."""
         open_runs = func.sum(jobs.c.total - jobs.c.done - jobs.c.failed)
         query = select(jobs.c.kind, jobs.c.state, func.count(), open_runs).group_by(jobs.c.kind, jobs.c.state)
         with self._database.reading() as connection:
@@ -129,11 +129,11 @@ class JobStore:
             }
 
     def start(self, job_id: str) -> None:
-        """Queued becomes running."""
+        """Set a queued job to running."""
         self._change_state(job_id, ("queued",), "running", started_at=datetime.now(UTC))
 
     def finish(self, job_id: str) -> bool:
-        """Done, unless one of its runs still waits (False)."""
+        """Set a job to done; False, and no change, while one of its runs waits."""
         waiting = select(job_runs.c.position).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
         with self._database.writing() as connection:
             lock(connection, job_id)
@@ -144,11 +144,11 @@ class JobStore:
         return True
 
     def fail(self, job: StoredJob, reason: str) -> None:
-        """It cannot go on; nothing happens where it has ended or is further than `job` says."""
+        """Set a job to failed, unless it has ended or has advanced beyond `job`."""
         self.advance(job, event="state", state="failed", reason=reason, finished_at=datetime.now(UTC))
 
     def give_up(self, job_id: str, reason: str) -> None:
-        """It fails as a whole: what waits of it will never be stored."""
+        """Set a sweep to failed, with its waiting runs, whose results can never be stored."""
         with self._database.writing() as connection:
             now = datetime.now(UTC)
             if change_state(connection, job_id, UNFINISHED, "failed", reason=reason, finished_at=now):
@@ -157,7 +157,7 @@ class JobStore:
         self._database.changed()
 
     def cancel(self, job_id: str) -> None:
-        """It and the jobs it submitted become cancelled; what has ended stays as it is."""
+        """Cancel a job and the jobs it submitted; those that have ended stay unchanged."""
         with self._database.writing() as connection:
             children = select(jobs.c.id).where(jobs.c.parent_id == job_id, jobs.c.state.in_(UNFINISHED))
             for each in (job_id, *connection.execute(children).scalars()):
@@ -167,7 +167,7 @@ class JobStore:
         self._database.changed()
 
     def resume(self, job_id: str, **values: Any) -> None:
-        """One that has ended goes on, with these values changed: cancelled runs wait again."""
+        """Continue a job that has ended, with these values changed: its cancelled runs wait again."""
         with self._database.writing() as connection:
             lock(connection, job_id)
             if change_state(connection, job_id, FINAL, "queued", reason=None, finished_at=None, **values):
@@ -185,7 +185,7 @@ class JobStore:
         drop_trials: bool = False,
         **values: Any,
     ) -> bool:
-        """Commit a step of a job that is not a sweep; False where it has ended or is further than `job` says.
+        """Commit a step of a job that is not a sweep; False where it has ended or has advanced beyond `job`.
 
         Args:
             job: As it was when the step began.
@@ -211,18 +211,18 @@ class JobStore:
         return True
 
     def note_progress(self, job_id: str, **progress: Any) -> None:
-        """Change what it keeps of how far it is, where it has not ended, without an event."""
+        """Change the stored progress of a job that has not ended, without an event."""
         with self._database.writing() as connection:
             running = (jobs.c.id == job_id) & jobs.c.state.in_(UNFINISHED)
             connection.execute(update(jobs).where(running).values(progress=progress))
 
     def set_label(self, job_id: str, label: str | None) -> None:
-        """Name it, or take its name away."""
+        """Set its label, or (None) remove it."""
         with self._database.writing() as connection:
             connection.execute(update(jobs).where(jobs.c.id == job_id).values(label=label))
 
     def delete(self, job_id: str) -> bool:
-        """Remove it with its runs, trials, events and the jobs it submitted.
+        """Delete a job with its runs, trials, events and the jobs it submitted.
 
         False where one of them runs or a link shows it, or where it belongs to a job.
         """
@@ -255,12 +255,12 @@ class JobStore:
 
 
 def lock(connection: Connection, job_id: str) -> None:
-    """Writers of one job wait for each other, so that counts and event numbers are in order (SQLite: all wait)."""
+    """Lock a job's row, so that its writers keep counts and event numbers in order (SQLite locks everything)."""
     connection.execute(select(jobs.c.id).where(jobs.c.id == job_id).with_for_update())
 
 
 def change_state(connection: Connection, job_id: str, before: Sequence[str], state: State, **values: Any) -> bool:
-    """Move it, and tell; False where it was in none of the states `before`."""
+    """Change a job's state and add an event; False where it was in none of the states `before`."""
     matching = update(jobs).where(jobs.c.id == job_id, jobs.c.state.in_(before))
     if not connection.execute(matching.values(state=state, **values)).rowcount:
         return False
@@ -273,5 +273,5 @@ def _job(row: Row[Any]) -> StoredJob:
 
 
 def _step(job: StoredJob) -> tuple[Any, Any]:
-    """Where its driver is: two that drive it by mistake commit each step once."""
+    """A job's attempt and generation: when two services drive it by mistake, each step is committed once."""
     return job.progress.get("attempt"), job.progress.get("generation")

@@ -1,4 +1,4 @@
-"""What is removed when it is old: jobs that nobody named or linked, results that nothing shows, roads nobody names.
+"""Removal of what is old: jobs without a label or a link, results that nothing shows, roads that nothing names.
 
 A run stays with its scenario and its strategies, so that it can be computed again; of its results the summaries go.
 """
@@ -28,13 +28,13 @@ PAGE = 500  # jobs, results or roads in one transaction
 
 
 class RetentionStore:
-    """Removes what is old; every method is one short transaction."""
+    """Removes old rows; every method is one short transaction."""
 
     def __init__(self, database: Database) -> None:
         self._database = database
 
     def size(self) -> int:
-        """Results, pinned time histories and rows of jobs [bytes]; what the database needs beside them comes on top."""
+        """Size of results, pinned time histories and rows of jobs [bytes]; the database's own overhead is extra."""
         columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep, roads.c.content)
         with self._database.reading() as connection:
             sizes = [
@@ -44,7 +44,7 @@ class RetentionStore:
         return int(sum(sizes))
 
     def oldest(self) -> datetime | None:
-        """When the last of the oldest page of what may be removed was stored; None where nothing may."""
+        """When the last row of the oldest removable page was stored; None where nothing is removable."""
         with self._database.reading() as connection:
             pages = [
                 connection.execute(select(func.max(page.c.created))).scalar_one()
@@ -53,7 +53,7 @@ class RetentionStore:
         return min((created for created in pages if created is not None), default=None)
 
     def remove_jobs(self, before: datetime) -> int:
-        """Remove a page of jobs that ended before then, with what they submitted; how many."""
+        """Remove a page of jobs that ended before then, with the jobs they submitted; returns how many."""
         with self._database.writing() as connection:
             ids = list(connection.execute(select(_removable_jobs(before).subquery().c.id)).scalars())
             family = select(jobs.c.id).where(or_(jobs.c.id.in_(ids), jobs.c.parent_id.in_(ids)))
@@ -65,7 +65,7 @@ class RetentionStore:
         return len(ids)
 
     def remove_results(self, before: datetime) -> int:
-        """Remove a page of results made before then that no job and no link needs; how many.
+        """Remove a page of results stored before then that no job and no link needs; returns how many.
 
         Of a result that runs have, the summary alone is removed.
         """
@@ -80,7 +80,7 @@ class RetentionStore:
         return len(keys)
 
     def remove_roads(self, before: datetime) -> int:
-        """Remove a page of roads stored before then that no run and no job names; how many."""
+        """Remove a page of roads stored before then that no run and no job names; returns how many."""
         with self._database.writing() as connection:
             ids = list(connection.execute(select(_removable_roads(before).subquery().c.id)).scalars())
             connection.execute(delete(roads).where(roads.c.id.in_(ids)))

@@ -1,4 +1,4 @@
-"""Measured roads, by content."""
+"""Measured roads, stored by content."""
 
 from collections.abc import Iterable
 from datetime import UTC, datetime
@@ -21,7 +21,7 @@ def measured_roads(scenario: JsonObject) -> set[str]:
 
 
 def swept_roads(sweep: JsonObject) -> set[str]:
-    """Ids of those that a sweep names, as it was sent."""
+    """Ids of the measured roads that a sweep names, in the form of the request."""
     name = f"road.{PROFILE}"
     named = [*(sweep.get("grid") or {}).get(name, ()), *(point.get(name) for point in sweep.get("list") or ())]
     return {each for each in named if isinstance(each, str)}
@@ -34,14 +34,14 @@ class RoadStore:
         self._database = database
 
     def save(self, road: MeasuredRoad) -> None:
-        """Commit a road; one that is there is as new: retention counts from now."""
+        """Commit a road; for one already stored, restart its retention."""
         row = {"id": road.id, "samples": road.samples, "content": road.content, "created_at": datetime.now(UTC)}
         with self._database.writing() as connection:
             insert_new(connection, roads, [row])
             connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=row["created_at"]))
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
-        """Those of the roads that are stored, by id."""
+        """The stored ones of these roads, by id."""
         query = select(roads.c.id, roads.c.samples, roads.c.content).where(roads.c.id.in_(list(ids)))
         with self._database.reading() as connection:
             rows = connection.execute(query).all()

@@ -1,4 +1,4 @@
-"""Runs and each strategy's result once, by its content's key."""
+"""Runs, and each strategy's result stored once under its content's key."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field
@@ -49,7 +49,7 @@ class StoredRun:
 
     @property
     def expired(self) -> bool:
-        """Whether a result's summary is gone, and has to be computed again."""
+        """Whether a result's summary was removed, so that it has to be computed again."""
         return any(item.status == EXPIRED for item in self.results)
 
     @property
@@ -59,7 +59,7 @@ class StoredRun:
 
     @property
     def shown(self) -> tuple[StoredResult, ...]:
-        """Those whose time histories are shown: the first road's, of strategies that succeeded on every road."""
+        """The results whose time histories are shown: on the first road, of strategies that succeeded on every road."""
         road_by_road = self.by_strategy
         return tuple(
             item for item in self.first_road if all(each.status == "ok" for each in road_by_road[item.strategy])
@@ -67,7 +67,7 @@ class StoredRun:
 
     @property
     def by_strategy(self) -> dict[str, tuple[StoredResult, ...]]:
-        """Each strategy's results, road after road."""
+        """Each strategy's results in the order of the roads."""
         count = len(self.first_road)
         return {item.strategy: self.results[index::count] for index, item in enumerate(self.first_road)}
 
@@ -84,14 +84,14 @@ class RunStore:
             return _load_run(connection, run_id)
 
     def load_results(self, keys: Iterable[str]) -> dict[str, StoredResult]:
-        """Those of the results that are stored, by key."""
+        """The stored ones of these results, by key."""
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
         return {row.key: _result(row) for row in rows}
 
     def save(self, run: StoredRun) -> StoredRun:
-        """Commit a run and what is not yet stored of its results; returns it as it stands in the database.
+        """Commit a run and those of its results that are not stored; returns the run in the database.
 
         Where another process stored the same run first, that one stays: content-addressed results never change.
         """
@@ -107,7 +107,7 @@ class RunStore:
         return stored
 
     def recompute(self, run_id: str, core_version: str, outcomes: Sequence[StoredResult]) -> None:
-        """Give a run whose results have expired these, which that core version computed."""
+        """Replace the expired results of a run by these, which that core version computed."""
         with self._database.writing() as connection:
             insert_results(connection, [_result_row(item, core_version) for item in outcomes])
             connection.execute(delete(run_results).where(run_results.c.run_id == run_id))
@@ -116,7 +116,7 @@ class RunStore:
 
 
 def insert_results(connection: Connection, rows: Sequence[dict[str, object]]) -> None:
-    """Insert the results that are not there, or have expired; in the key's order, as `insert_new`."""
+    """Insert the results that are missing or have expired; in the key's order, as `insert_new`."""
     if not rows:
         return
     new = postgresql.insert(results) if connection.dialect.name == "postgresql" else sqlite.insert(results)

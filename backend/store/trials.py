@@ -1,4 +1,4 @@
-"""Trials of tunings. They are added with their generation's step (`JobStore.advance`), so that none is there twice."""
+"""Trials of tunings. The step of their generation adds them (`JobStore.advance`), so each is stored once."""
 
 from dataclasses import asdict, dataclass
 from typing import Literal
@@ -12,7 +12,7 @@ from backend.json_types import JsonObject
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StoredTrial:
-    """A set of weights; `values` and `limits` are None where it failed."""
+    """A set of weights and its results; `values` and `limits` are None where it failed."""
 
     number: int
     generation: int
@@ -24,7 +24,7 @@ class StoredTrial:
     limits: list[float] | None = None
 
     def row(self, job_id: str) -> dict[str, object]:
-        """As its table has it."""
+        """Its row in the table of trials."""
         row = asdict(self)
         return {"job_id": job_id, **row, "objectives": row.pop("values")}
 

@@ -1,1 +1,1 @@
-"""The paper, checked: its tables against ours, what each part contributes, its figures."""
+"""The reproduction: the paper's tables against ours, what each part contributes, its figures."""

@@ -1,4 +1,4 @@
-"""Values of many runs as the paper page's answers."""
+"""Builds the paper page's answers from the values of many runs."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
@@ -28,7 +28,7 @@ def reproduction(
     named: Mapping[str, paper.Values],
     rows: Rows,
 ) -> models.PaperAnswer:
-    """The whole page.
+    """The answer with every cell.
 
     Args:
         choices: Reading -> choice, all of them.
@@ -79,7 +79,7 @@ def _table(table: PaperTable) -> models.TableAnswer:
 
 
 def unavailable(reason: str | None) -> models.Unavailable | None:
-    """The cells of hardware in the loop, where there is a reason."""
+    """The cells of hardware in the loop, with the reason why it is not available."""
     if reason is None:
         return None
     return models.Unavailable(cells=sum(cell.strategy == paper.IN_ECU for cell in cells()), reason=reason)

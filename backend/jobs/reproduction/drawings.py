@@ -29,7 +29,7 @@ Peaks = Sequence[Mapping[str, Sequence[Sequence[float]]]]
 
 
 def all_figures(peaks: Peaks, outcomes: Mapping[str, ComputedResult]) -> list[PaperFigure]:
-    """Every one.
+    """Every figure, in the paper's order.
 
     Args:
         peaks: For each road the passive car's peaks over speed (`backend.jobs.reproduction.work.peaks_over_speed`).

@@ -1,4 +1,4 @@
-"""What may be asked of the paper page: roads, and how the paper is read."""
+"""The query parameters of the paper page: roads, and how the paper is read."""
 
 from typing import Annotated, Any, Literal
 

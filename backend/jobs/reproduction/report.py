@@ -15,7 +15,7 @@ FACTORS = {"speed": "Lower speed", "preview": "Preview", "switching": "Switching
 def report(
     reproduction: PaperAnswer, attribution: AttributionAnswer, figures: Sequence[PaperFigure], *, compressed: bool
 ) -> Report:
-    """The paper, checked, as one file.
+    """The reproduction as one HTML file.
 
     Args:
         reproduction: Its tables and what is read how.

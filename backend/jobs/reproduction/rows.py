@@ -1,4 +1,4 @@
-"""The paper page's rows: those that are stored, and a job that computes the others for as long as somebody waits."""
+"""The paper page's rows: those that are stored, and a job that computes the others while somebody waits."""
 
 import asyncio
 import contextlib
@@ -31,7 +31,7 @@ ROW_COST = 0.02  # [s of one core]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rows:
-    """What is there of the rows that were asked for.
+    """The rows of a request that are available.
 
     Attributes:
         by_key: Those that are.
@@ -47,14 +47,14 @@ class Rows:
 
 
 class PaperRows:
-    """Finds rows, or has them computed; its methods belong to the event loop."""
+    """Reads rows, or submits a job that computes them; its methods belong to the event loop."""
 
     def __init__(self, store: Store) -> None:
         self._store = store
         self._waits: Flights[str, str | None] = Flights()
 
     async def get(self, requests: Sequence[RowRequest], patience: float | None) -> Rows:
-        """These rows; those that come first are computed first.
+        """These rows; the first ones are computed first.
 
         Args:
             requests: What is needed; each row may be there several times.
@@ -78,14 +78,14 @@ class PaperRows:
         return Rows(by_key=rows, total=len(unique), reason=reason, complete=complete)
 
     async def _stored(self, requests: Sequence[RowRequest]) -> tuple[JsonObject, str | None]:
-        """By key the rows that are stored, and why one is none and never will be."""
+        """By key the rows that are stored, and why one has failed for good."""
         results = await self._store.read(self._store.runs.load_results, [request.key for request in requests])
         rows = {key: result.summary["row"] for key, result in results.items() if result.status == "ok"}
         reasons = [result.summary["reason"] for result in results.values() if result.status == "failed"]
         return rows, next(iter(reasons), None)
 
     async def _job(self, requests: Sequence[RowRequest], *, patient: bool) -> StoredJob:
-        """The job that computes these rows: one under way, or (not for the patient) one that failed lately."""
+        """The job that computes these rows: an unfinished one, or (unless `patient`) one that failed lately."""
         key = f"paper {request_hash([request.key for request in requests])}"
         existing = await self._store.read(self._store.jobs.by_idempotency_key, "reproduction", key)
         if existing is not None:
@@ -113,7 +113,7 @@ class PaperRows:
         return stored
 
     async def _wait(self, job: StoredJob) -> str | None:
-        """Until it has ended, letting the scheduler know that somebody waits; why one of its runs failed."""
+        """Wait for the job's end while telling the scheduler that somebody waits; why one of its runs failed."""
         noted = time.monotonic()
         while True:
             commits = self._store.commits.count

@@ -1,4 +1,4 @@
-"""The paper page's answers, made of stored rows; what is missing is a job."""
+"""The paper page's answers from stored rows; a job computes missing ones."""
 
 import asyncio
 from collections.abc import Mapping
@@ -59,7 +59,7 @@ class Paper:
         return answers.reproduction(choices, roads, values[""], values["blind"], named, rows)
 
     async def readings(self, roads: range, client: str) -> ReadingsAnswer:
-        """What each switch does by itself; as many rows as there are after a while.
+        """The effect of each reading by itself, from the rows that are available after a while.
 
         Raises:
             TemporaryError: Too much is being computed.
@@ -94,7 +94,7 @@ class Paper:
         return answers.attribution(roads, await self._study(work.ATTRIBUTION, roads, client))
 
     async def figures(self, roads: range, client: str) -> PaperFigures:
-        """The paper's figures made by us.
+        """The paper's figures, drawn from our runs.
 
         Raises:
             TemporaryError: Too much is being computed.
@@ -105,7 +105,7 @@ class Paper:
         return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, outcomes))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
-        """All of it as one HTML file; what each part contributes and the figures are by the default readings.
+        """The whole page as one HTML file; attribution and figures are by the default readings.
 
         Raises:
             TemporaryError: Too much is being computed.
@@ -123,7 +123,7 @@ class Paper:
         return [rows.by_key[request.key] for request in row_requests]
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
-        """These rows; one road's worth of runs has to be within what a request may cost."""
+        """These rows; one road's runs must be within the cost limit of a request."""
         self._admission.check(Scenario(), paper.STRATEGIES)
         with self._admission.reading(client):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]

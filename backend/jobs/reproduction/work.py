@@ -1,4 +1,4 @@
-"""What the paper page is made of: rows, each stored by what it depends on, computed by workers. No web here.
+"""The rows behind the paper page, each stored under what it depends on, computed by workers. No web here.
 
 A row is what one strategy gave on one road under some readings, or what a whole study gave on one road. It is a run of
 a job, named by a strategy that begins with `PREFIX`.
@@ -30,7 +30,7 @@ SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws ov
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RowRequest:
-    """A row that is needed: its key, and the run of a job that computes it (`changes` is JSON text)."""
+    """A row to get: its key, and the run of a job that computes it (`changes` is JSON text)."""
 
     key: str
     strategy: str

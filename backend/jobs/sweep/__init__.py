@@ -1,1 +1,1 @@
-"""Sweeps, which the API calls batches: every point under every strategy. A robustness study is one, read as a whole."""
+"""Sweeps, which the API calls batches: every point under every strategy. A robustness study is a sweep too."""

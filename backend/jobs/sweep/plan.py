@@ -1,4 +1,4 @@
-"""What a batch will run: each point's scenario, each run's key and cost. Runs in a worker: no web here."""
+"""The plan of a batch: each point's scenario, each run's key and cost. Runs in a worker: no web here."""
 
 import statistics
 import time
@@ -109,7 +109,7 @@ def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> SweepPlan
 
 
 def contradiction(error: ValidationError) -> str:
-    """What is wrong with a point, for its row."""
+    """Why the fields of a point contradict each other, as its row's reason."""
     first = error.errors(include_input=False, include_url=False)[0]
     field = first.get("ctx", {}).get("field") or ".".join(map(str, first["loc"]))
     return f"{field}: {first['msg']}" if field else str(first["msg"])
@@ -118,7 +118,7 @@ def contradiction(error: ValidationError) -> str:
 def pilot(
     base: JsonObject, strategies: Sequence[str], sweep: Sweep, roads: Mapping[str, MeasuredRoad] = NO_ROADS
 ) -> float | None:
-    """Time of one point under all strategies [s], the median of some tried ones; None where trying takes too long."""
+    """Time of one point under all strategies [s], the median of a few; None where a run would take too long."""
     _, every_point = points(sweep, base)
     times = []
     step = max(1, len(every_point) // PILOTS)

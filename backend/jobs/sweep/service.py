@@ -62,7 +62,7 @@ class Sweeps:
         self._summaries = Summaries(rows=self.rows, call=self._call, admission=admission, roads=roads)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
-        """What that batch would be.
+        """The size and the estimated time of that batch.
 
         Raises:
             ServiceError: As `create`.
@@ -150,7 +150,7 @@ class Sweeps:
         return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
 
     async def resume(self, job_id: str) -> StoredJob:
-        """Let a cancelled batch go on where it stopped; one that has not ended is answered as it is.
+        """Continue a cancelled batch; one that has not ended is returned unchanged.
 
         Raises:
             NotFoundError: There is none.
@@ -180,7 +180,7 @@ class Sweeps:
         return {"batch": job.id, "state": job.state, "units": units, "columns": whole}
 
     async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
-        """What its finished rows say as a whole.
+        """The summary of its finished rows.
 
         Raises:
             NotFoundError: There is no such batch.
@@ -237,7 +237,7 @@ class Sweeps:
         return planned
 
     async def _call(self, cost: float, function: Callable[..., T], *args: Any) -> T:
-        """Run a function in a process; one that takes long in the background, where it ends with whoever asked."""
+        """Run a function in a process; a long one in the background, where it ends when the client goes away."""
         if cost < QUICK:
             return await self._workers.call(function, *args)
         return await self._background.call(function, *args, ends_with_caller=True)
@@ -248,7 +248,7 @@ class Sweeps:
             raise _too_big(f"{total:.6g} runs are over the limit of {limit} runs a batch")
 
     async def _queued_cost(self, own: float) -> float:
-        """What is computed of other jobs before a new one of that cost ends, all taking turns [s of one core]."""
+        """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
         unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
         return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
 

@@ -1,4 +1,4 @@
-"""Summaries of batches: equal ones at once are made once, and one that was made is answered again."""
+"""Summaries of batches: equal requests share one computation, and its result is cached."""
 
 import asyncio
 import time
@@ -26,7 +26,7 @@ COST = 0.002  # of one run, its loop's stability included [s of one core]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CachedSummary:
-    """A summary that was made.
+    """A summary, and what it was computed from.
 
     Attributes:
         answer: What was answered.
@@ -40,7 +40,7 @@ class CachedSummary:
 
 
 class Summaries:
-    """Makes and keeps summaries; its methods belong to the event loop.
+    """Computes and caches summaries; its methods belong to the event loop.
 
     Args:
         rows: A batch's rows, page by page, by its id.
@@ -65,7 +65,7 @@ class Summaries:
         self._flights: Flights[tuple[str | int, ...], BatchSummary] = Flights()
 
     async def get(self, job: StoredJob, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
-        """What the batch's finished rows say as a whole.
+        """The summary of the batch's finished rows.
 
         Raises:
             InvalidError: It does not have that baseline.

@@ -83,12 +83,12 @@ class SweepError(Exception):
         self.errors = errors
 
     def problems(self) -> list[dict[str, str]]:
-        """The same as they are answered: where in the request, and what is wrong."""
+        """The errors of an answer: the pointer into the request, and the message."""
         return [{"pointer": pointer(["sweep", *shown_path(path)]), "message": message} for path, message in self.errors]
 
 
 def size(sweep: Sweep) -> int:
-    """How many points it has."""
+    """The number of points."""
     if sweep.grid is not None:
         return math.prod(len(values) for values in sweep.grid.values())
     if sweep.latin_hypercube is not None:

@@ -1,4 +1,4 @@
-"""Batches as tables: one row a run, with units in the header, made page by page so that memory stays flat."""
+"""Batches as tables: a row for each run, units in the header, built page by page so that memory stays flat."""
 
 import io
 from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
@@ -62,7 +62,7 @@ async def as_json(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
 
 
 async def as_csv(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
-    """A header with units, then a line a run, as spreadsheets read it."""
+    """A header with units, then a line for each run, as spreadsheets read it."""
     schema = _schema(batch)
     options = csv.WriteOptions(include_header=True, quoting_header="none")
     yield _csv(schema.empty_table(), options)
@@ -71,7 +71,7 @@ async def as_csv(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
 
 
 async def as_parquet(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
-    """The same table as Parquet, a row group a page; units are field metadata, the provenance is the file's."""
+    """The table as Parquet, a row group for each page; units are field metadata, the provenance is the file's."""
     schema, sink = _schema(batch), _Drain()
     writer = parquet.ParquetWriter(sink, schema, compression="zstd")
     async for rows in pages:
@@ -89,7 +89,7 @@ RENDERERS: Mapping[Format, Callable[[StoredJob, Pages], AsyncIterator[bytes]]] =
 
 
 class _Drain(io.RawIOBase):
-    """A file that is written once from front to back and taken away as it grows."""
+    """A file that is written once from front to back and read out while it grows."""
 
     def __init__(self) -> None:
         self._buffer = bytearray()

@@ -1,1 +1,1 @@
-"""Tunings: search a strategy's weights, a generation of trials after the other, each generation a sweep."""
+"""Tunings: search a strategy's weights, generation by generation, each generation a sweep."""

@@ -1,4 +1,4 @@
-"""Which values to try next, asked of Optuna. Slow to import: only where a tuning is driven, and in a thread.
+"""Proposes the next values, with Optuna. Slow to import: only where a tuning is driven, and in a thread.
 
 A study is made anew from the stored trials for each generation, its sampler seeded by the tuning's seed and the
 generation's number: the same trials lead to the same next ones, whoever asks and however often.
@@ -21,7 +21,7 @@ from sim_core.scenario import dotted
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Search:
-    """What is searched for.
+    """The space and the aims of a search.
 
     Attributes:
         ranges: Field -> lowest and highest value, or the choices.
@@ -39,7 +39,7 @@ class Search:
 
 
 def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count: int) -> list[Point]:
-    """The generation's points, by the trials of those before it."""
+    """The generation's points, from the trials of earlier generations."""
     optuna = _optuna()
     space = {name: _distribution(optuna.distributions, name, ends) for name, ends in search.ranges.items()}
     state = np.random.SeedSequence([search.seed, generation]).generate_state(1)
@@ -53,7 +53,7 @@ def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count
 
 
 def _distribution(distributions: Any, name: str, ends: Sequence[Any]) -> object:
-    """By ratio, whole numbers one by one, choices without an order."""
+    """The range of a searched value: logarithmic, in whole numbers, or choices without an order."""
     if isinstance(ends[0], str):
         return distributions.CategoricalDistribution(ends)
     if dotted.field(name).kind == "integer":
@@ -64,7 +64,7 @@ def _distribution(distributions: Any, name: str, ends: Sequence[Any]) -> object:
 def _frozen_trial(
     optuna: Any, trial: StoredTrial, point: Point, space: Mapping[str, object], limits: Sequence[float]
 ) -> Any:
-    """A trial as Optuna knows it; it may do what its constraints' values, at most 0, allow."""
+    """A trial in Optuna's form; it is feasible where its constraints' values are at most 0."""
     placed = {"params": point, "distributions": space}
     if trial.values is None or trial.limits is None:
         return optuna.trial.create_trial(state=optuna.trial.TrialState.FAIL, **placed)

@@ -1,4 +1,4 @@
-"""Tunings: accepted whole or refused, then resumed and read while the scheduler goes on with them."""
+"""Tunings: accepted whole or refused, then read and resumed while the scheduler drives them."""
 
 import asyncio
 import math
@@ -33,7 +33,7 @@ class TuningService:
         self._settings = settings
 
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
-        """What that tuning would be.
+        """The size and the estimated time of that tuning.
 
         Raises:
             ServiceError: As `create`.
@@ -82,7 +82,7 @@ class TuningService:
         return await self.jobs.accept(job, [], key)
 
     async def answer(self, job: StoredJob) -> Tuning:
-        """The tuning as it is answered: all its trials make the front, the events of its generations the history."""
+        """The answer about a tuning: all its trials give the front, the events of its generations the history."""
         trials = await self._store.read(self._store.trials.of, job.id)
         history = await self._store.read(self._store.job_events.history, job.id)
         return await asyncio.to_thread(Tuning.whole, job, trials, history)
@@ -103,7 +103,7 @@ class TuningService:
         return Trials(tuning=job.id, trials=trials)
 
     async def resume(self, job_id: str, trials: int | None) -> StoredJob:
-        """Go on where it stopped, up to so many trials; one that has not ended is answered as it is.
+        """Continue a tuning, up to so many trials; one that has not ended is returned unchanged.
 
         Raises:
             NotFoundError: There is none.
@@ -130,7 +130,7 @@ class TuningService:
         return resumed
 
     def _workload(self, request: JsonObject, trials: int) -> tuple[int, float]:
-        """Runs at most, and their estimated cost [s of one core].
+        """The most runs it can take, and their estimated cost [s of one core].
 
         Raises:
             CostLimitError: It is over the limits of a batch.

@@ -1,4 +1,4 @@
-"""What can be tuned: a strategy's weights, what it knows of the road ahead, how often it decides; and where."""
+"""The values that can be tuned: a strategy's weights, preview, horizon and sample time; with their ranges."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ SAMPLE_TIME = TIMING[-1]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tunable:
-    """Dotted names of what can be tuned of a strategy.
+    """Dotted names of what can be tuned in a strategy.
 
     Attributes:
         triples: Its triples of weights (q1, q2, q3).
@@ -50,18 +50,18 @@ Point = dict[str, Any]  # of the searched space: field -> value
 
 
 def weights_in(strategy: str) -> list[str]:
-    """Each single weight of the strategy by its dotted name, but the travel's."""
+    """Each single weight of the strategy by its dotted name, without the travel weight."""
     return [f"{name}.{index}" for name in STRATEGIES[strategy].triples for index in range(3)]
 
 
 def searchable(strategy: str) -> list[str]:
-    """Each number that can be searched by its dotted name: the weights first."""
+    """Each number that can be searched by its dotted name, the weights first."""
     tunable = STRATEGIES[strategy]
     return [*weights_in(strategy), tunable.travel, tunable.horizon, *TIMING]
 
 
 def default_search(strategy: str) -> dict[str, tuple[float, float]]:
-    """Every weight but the travel's.
+    """Every weight but the travel weight.
 
     None of a triple is held: q4 and R stay, so that a triple's scale is a choice as well as its ratios.
     """
@@ -69,13 +69,13 @@ def default_search(strategy: str) -> dict[str, tuple[float, float]]:
 
 
 def ranges_of(request: JsonObject) -> Ranges:
-    """What a tuning's stored request searches, the kinds of preview among it."""
+    """The ranges that a tuning's stored request searches, and its kinds of preview."""
     previews = request.get("previews")
     return {**request["search"], **({STRATEGIES[request["strategy"]].preview: previews} if previews else {})}
 
 
 def road(request: JsonObject, seed: int) -> JsonObject:
-    """The changes that make a road of a tuning's request: its seed, and the uncertain car's that it draws."""
+    """The changes for one road of a tuning's request: its seed, and with an uncertain car also the car's values."""
     return {"road.seed": seed} | (robustness.drawn(seed) if request.get("uncertain") else {})
 
 
@@ -88,25 +88,25 @@ def longest_run(request: JsonObject) -> JsonObject:
 
 
 def weights_at(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> Weights:
-    """The strategy's weights in a plain scenario; the travel weight and what is no weight only where searched."""
+    """The strategy's weights in a plain scenario; the travel weight and other values only where searched."""
     triples = STRATEGIES[strategy].triples
     others = [name for name in searched if name.rpartition(".")[0] not in triples]
     return {name: dotted.value(scenario, name) for name in [*triples, *others]}
 
 
 def paper_weights(strategy: str, searched: Iterable[str]) -> Weights:
-    """The paper's own (Tables 3 and 6, section 4.2.2); what it has not, the travel weight, at its default."""
+    """The paper's weights (Tables 3 and 6, section 4.2.2); the travel weight, which it lacks, at its default."""
     return weights_at(_paper(), strategy, searched)
 
 
 def first_weights(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> list[Weights]:
-    """What every search begins with: the paper's weights, and the scenario's own where they are others."""
+    """The first points of every search: the paper's weights, and the scenario's where they differ."""
     papers, own = paper_weights(strategy, searched), weights_at(scenario, strategy, searched)
     return [papers] if own == papers else [papers, own]
 
 
 def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> Point | None:
-    """Those weights as a point of the searched space; None where they do not lie in it."""
+    """Those weights as a point of the searched space; None where they lie outside it."""
     flat = _flat(weights)
     for name, value in flat.items():
         if name not in search:
@@ -121,7 +121,7 @@ def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> Point | 
 
 
 def weights_of(point: Point, search: Ranges, own: Weights) -> Weights:
-    """The strategy's weights at a point of the searched space, rounded; what is not searched is the scenario's own."""
+    """The strategy's weights at a point of the searched space, rounded; others are the scenario's."""
     weights: Weights = {name: list(value) if isinstance(value, list) else value for name, value in own.items()}
     for name, value in point.items():
         rounded = value if isinstance(value, str | int) else _rounded(value, search[name])

@@ -1,4 +1,4 @@
-"""The steps of a tuning: a generation is asked for, computed and committed; in the end the comparison.
+"""The steps of a tuning: a generation is proposed, computed and committed; the last step is the comparison.
 
 The database is the truth. The next step follows from what is committed: the trials of complete generations, and sweeps
 that are found again by their keys. So whoever takes a step, and however often it is begun, it is the same step, and
@@ -43,7 +43,7 @@ Step = Literal["search", "comparison"]
 
 
 class TuningSteps:
-    """Takes steps; its methods belong to the event loop, Optuna to a thread of its own."""
+    """Takes the steps; its methods belong to the event loop, Optuna to a thread of its own."""
 
     def __init__(self, store: Store, sweeps: Sweeps) -> None:
         self._store = store
@@ -51,11 +51,11 @@ class TuningSteps:
         self._asking = ThreadPoolExecutor(1, thread_name_prefix="tuner")
 
     def close(self) -> None:
-        """Nothing more is asked."""
+        """Stop proposing."""
         self._asking.shutdown(wait=False, cancel_futures=True)
 
     async def step(self, job: StoredJob) -> None:
-        """The next step, to its end.
+        """Take the next step to its end.
 
         Raises:
             JobFailedError: It cannot go on.
@@ -81,7 +81,7 @@ class TuningSteps:
             raise JobFailedError(error.message) from error
 
     async def _begin_anew(self, job: StoredJob) -> None:
-        """Another core version's numbers are not mixed with this one's: from the beginning, which is repeatable."""
+        """Restart from the beginning, so that numbers of two core versions are not mixed; the search is repeatable."""
         logger.warning("Tuning %s begins again with core %s", job.id, CORE_VERSION)
         try:
             scenario = restored(job.request["scenario"], job.schema_version).model_dump(mode="json")
@@ -172,7 +172,7 @@ class TuningSteps:
     async def _measured(
         self, job: StoredJob, step: Step, sweep: StoredJob, aims: Aims, seeds: Sequence[int]
     ) -> list[Roads] | None:
-        """What each set of weights of the sweep gave on each road; None where the tuning has ended meanwhile."""
+        """The metrics of each set of weights on each road; None where the tuning has ended meanwhile."""
         progress = _waiting_for(job, step, sweep)
         event = "state" if job.state != "running" or job.progress["step"] != step else None
         started = job.started_at or datetime.now(UTC)
@@ -222,7 +222,7 @@ class TuningSteps:
         )
 
     async def _wait_for(self, sweep: StoredJob) -> None:
-        """Until it is done.
+        """Wait until the sweep has ended.
 
         Raises:
             JobFailedError: It was cancelled, or failed as a whole.
@@ -243,7 +243,7 @@ class TuningSteps:
 
 
 def first_progress(attempt: int) -> JsonObject:
-    """Of a tuning that has no trial: how often it was begun, the step, complete generations, trials within limits."""
+    """The progress of a tuning without trials: attempt, step, complete generations, feasible trials."""
     return {"step": "search", "attempt": attempt, "generation": 0, "feasible": 0, "batch": None}
 
 
@@ -252,17 +252,17 @@ def _waiting_for(job: StoredJob, step: Step, sweep: StoredJob) -> JsonObject:
 
 
 def _key(job: StoredJob, name: str) -> str:
-    """The sweep's idempotency key; with spaces, which no request can send, so that nobody else's key is ever this."""
+    """The sweep's idempotency key; its spaces keep it apart from every key that a request can send."""
     return f"tuning {job.id} {job.progress['attempt']} {name}"
 
 
 def _roads(job: StoredJob) -> list[int]:
-    """Every road of the tuning: those trained on, then the validation roads."""
+    """Every road of the tuning: the training roads, then the validation roads."""
     return [*job.request["seeds"], *job.request["fresh_seeds"]]
 
 
 def _sets_of(job: StoredJob, sweep: StoredJob) -> list[Weights]:
-    """The sets of weights that a generation's sweep was submitted with."""
+    """The sets of weights in a generation's sweep."""
     seeds = job.request["seeds"]
     of_road = road(job.request, seeds[0])
     points = (sweep.sweep or {})["list"][:: len(seeds)]
@@ -276,7 +276,7 @@ def _measure(
 
 
 def _quality(trials: Sequence[StoredTrial], objectives: int) -> JsonObject:
-    """What a generation's event tells beside the counts: how good the best are by now."""
+    """The values of the best trials so far, for a generation's event."""
     best = [front.best(trials, index) for index in range(objectives)]
     return {
         "best": [None if trial is None or trial.values is None else trial.values[i] for i, trial in enumerate(best)],

@@ -1,1 +1,1 @@
-"""Share links: what they open, and how a chat program shows them."""
+"""Share links: what they show, and their preview in a chat program."""

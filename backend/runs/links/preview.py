@@ -1,4 +1,4 @@
-"""What a chat program shows of a link: a title and a description with the numbers that matter, in the page's head."""
+"""The preview of a link in a chat program: a title and a description with the main numbers, in the page's head."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ class Preview:
 
 
 def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
-    """Of a link to a run.
+    """The preview of a link to a run.
 
     Args:
         run: As `Run` or `RoadsRun`, its scenario today's.
@@ -58,7 +58,7 @@ def of_run(run: JsonObject, view: JsonObject, computed_at: datetime) -> Preview:
 
 
 def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
-    """Of a link to a batch.
+    """The preview of a link to a batch.
 
     Args:
         batch: As `Batch`.
@@ -79,7 +79,7 @@ def of_batch(batch: JsonObject, computed_at: datetime) -> Preview:
 
 
 def page(index: str, preview: Preview, *, shared: bool = True) -> str:
-    """The dashboard's page with that head; its own title and description go.
+    """The dashboard's page with that head instead of its own title and description.
 
     Args:
         index: The built `index.html`.
@@ -103,7 +103,7 @@ def page(index: str, preview: Preview, *, shared: bool = True) -> str:
 
 
 def _compared(names: Sequence[str], view: JsonObject) -> tuple[str | None, str | None]:
-    """The strategy that the title names and the one it is compared with, of those that succeeded."""
+    """The strategy that the title names and the one it is compared with, among those that succeeded."""
     baseline = view.get("baseline") or "passive"
     shown = [name for name in view.get("strategies") or names if name in names]
     visible = [name for name in shown if name not in (view.get("hidden") or [])] or shown or list(names)
@@ -128,7 +128,7 @@ def _phrase(entry: JsonObject, against: JsonObject | None, window: str, signal: 
 
 
 def _peak(entry: JsonObject, window: str, signal: str) -> float | None:
-    """From a summary that an older core may have written with other names."""
+    """The peak in a summary, which an older core may have written with other names."""
     value = METRICS[metric_key(window, signal, PEAK)].of(entry)
     if isinstance(value, Mapping):
         value = value["mean"]
@@ -136,7 +136,7 @@ def _peak(entry: JsonObject, window: str, signal: str) -> float | None:
 
 
 def _field(field: Mapping[str, str]) -> str:
-    """A swept field's title with its part where the title alone says too little: `bump height`, `target speed`."""
+    """A swept field's title, with its part where the title alone is ambiguous: `bump height`, `target speed`."""
     part, title = ("", *field["name"].split("."))[-2].replace("_", " "), field["title"].lower()
     return title if part in title else f"{part} {title}"
 
@@ -153,7 +153,7 @@ def _drive(scenario: JsonObject) -> list[str]:
 
 
 def _length(value: float) -> str:
-    """Two decimals, three where they are needed."""
+    """A length with two decimals, or three where they are needed."""
     text = f"{value:.3f}"
     return text.removesuffix("0")
 

@@ -72,7 +72,7 @@ class Links:
         return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
     async def get(self, slug: str) -> Link:
-        """What a link opens.
+        """The answer about a link.
 
         Raises:
             NotFoundError: There is none.
@@ -91,7 +91,7 @@ class Links:
         )
 
     async def preview(self, slug: str) -> Preview | None:
-        """What a chat program shows of the link; None where there is none."""
+        """The link's preview in a chat program; None where there is no such link."""
         link = await self._load(slug)
         if link is None:
             return None
@@ -102,7 +102,7 @@ class Links:
         return preview.of_run(run_answer(run).model_dump(mode="json"), link.view, run.created_at)
 
     async def _pin(self, stored: StoredRun, missing: Mapping[str, str], client: str) -> dict[str, bytes]:
-        """By result key the time histories; nothing where another core version would make others."""
+        """By result key the time histories to pin; empty where another core version computed them."""
         if not missing or stored.core_version != CORE_VERSION:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))

@@ -34,7 +34,7 @@ def framed(figure: JsonObject) -> JsonObject:
 
 
 def caption(name: str, figure: JsonObject) -> JsonObject:
-    """A figure's title, unit, key of lines, and what is shaded, dashed, or too far away to be seen."""
+    """A figure's title, unit, key of lines, and what is shaded, dashed, or outside the axis."""
     layout = figure["layout"]
     low, high = layout["yaxis"].get("range", (0.0, 0.0))
     shapes = layout.get("shapes", ())

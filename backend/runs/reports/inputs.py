@@ -1,4 +1,4 @@
-"""A scenario as tables: every part, each field with its unit, what differs from the paper marked."""
+"""A scenario as tables: every part, each field with its unit, differences from the paper marked."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -12,7 +12,7 @@ from sim_core.scenario import Scenario, dotted
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Field:
-    """One field: its value as text, and the paper's where that is another."""
+    """One field: its value as text, and the paper's where they differ."""
 
     name: str
     title: str
@@ -31,7 +31,7 @@ class ScenarioPart:
 
     @property
     def differs(self) -> int:
-        """How many of its fields are other than the paper's."""
+        """The number of fields that differ from the paper's."""
         return sum(field.paper is not None for field in self.fields)
 
 
@@ -52,7 +52,7 @@ def parts(scenario: JsonObject) -> list[ScenarioPart]:
 
 
 def command(scenario: JsonObject, strategies: list[str], roads: int = 1, baseline: str | None = None) -> str:
-    """The command line that runs it again, over several roads with that baseline."""
+    """The command line that repeats the run, over several roads with that baseline."""
     changes = [
         f"--set {field.name}={_typed(dotted.value(scenario, field.name))}"
         for part in parts(scenario)
@@ -83,14 +83,14 @@ def _shown(value: Any, unit: str) -> str:
 
 
 def _typed(value: Any) -> str:
-    """As `--set` takes it."""
+    """A value in the form that `--set` takes."""
     if isinstance(value, list):
         return ",".join(_typed(item) for item in value)
     return f"{value:.10g}" if isinstance(value, float) else "null" if value is None else str(value)
 
 
 def _title(name: str) -> str:
-    """A part's title behind that of the part it is in; a model's own name, for one without, is no title."""
+    """A part's title after that of the part around it; a model's class name is no title."""
     above, _, key = name.rpartition(".")
     title = _described(name)[0]
     if not above:

@@ -1,4 +1,4 @@
-"""What a strategy is called, and its line in a figure's key."""
+"""A strategy's label, and its line in a figure's key."""
 
 from backend.json_types import JsonObject
 from backend.runs import figures
@@ -16,17 +16,17 @@ _DASHES = {
 
 
 def label(strategy: str) -> str:
-    """What a strategy is called; its id where today's catalogue no longer has it."""
+    """A strategy's label; its id where the current catalogue no longer has it."""
     return STRATEGIES[strategy].label if strategy in STRATEGIES else strategy
 
 
 def inside(text: str) -> str:
-    """A label inside a sentence: `passive`, but `LQR`."""
+    """A label within a sentence: `passive`, but `LQR`."""
     return text if text[:2].isupper() else text[:1].lower() + text[1:]
 
 
 def key_of(strategy: str) -> dict[str, str]:
-    """A strategy's name and how it is drawn."""
+    """A strategy's label and line style."""
     style = figures.STYLES.get(strategy, figures.Style(colour=figures.NEUTRAL, dash="solid"))
     return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
 

@@ -1,4 +1,4 @@
-"""Numbers and units as a person reads them; frontend/src/units/format.ts says the same for the browser."""
+"""Numbers and units in reports; frontend/src/units/format.ts has the same rules for the browser."""
 
 from math import floor, isfinite, log10
 from typing import Any
@@ -11,7 +11,7 @@ _THIN, _NARROW = "\u2009", "\u202f"
 
 
 def pretty_unit(unit: str) -> str:
-    """`kg·m^2` → `kg·m²`; the unit of a plain number, `1`, is nothing."""
+    """`kg·m^2` → `kg·m²`; the unit of a plain number, `1`, is empty."""
     if unit == "1":
         return ""
     head, *powers = unit.split("^")
@@ -22,7 +22,7 @@ def pretty_unit(unit: str) -> str:
 
 
 def significant(value: float, digits: int = 3) -> str:
-    """That many significant digits, without an exponent while that stays readable."""
+    """So many significant digits, without an exponent while that stays readable."""
     if not isfinite(value):
         return NO_VALUE
     if abs(value) < NOTHING:
@@ -77,7 +77,7 @@ def plus_minus(shown: str, half: float) -> str:
 
 
 def in_words(value: Any) -> str:
-    """A figure of a result: yes, no, a count with every digit, or three digits of a measure."""
+    """A metric as text: yes, no, a count with every digit, or three digits of a measure."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if not isinstance(value, int | float):
@@ -89,7 +89,7 @@ def in_words(value: Any) -> str:
 
 
 def amount(value: float, unit: str) -> str:
-    """For a sentence: two digits below ten, whole from there on."""
+    """An amount within a sentence: two digits below ten, whole from there on."""
     return with_unit(exact(float(f"{value:.2g}")) if value < 10 else exact(float(round(value))), unit)
 
 

@@ -1,4 +1,4 @@
-"""One HTML file: a template filled, its style and scripts inside, and the policy under which it is shown.
+"""One HTML file: a filled template with its style, its scripts and its security policy.
 
 Every script is in the file and named in the policy by its hash; nothing else runs, and nothing is loaded from anywhere.
 The policy is in the file too, for whoever opens a saved copy.
@@ -41,7 +41,7 @@ class Report:
 
     @property
     def headers(self) -> dict[str, str]:
-        """What goes with it."""
+        """The response headers of the report."""
         encoded = {} if self.encoding is None else {"Content-Encoding": self.encoding}
         # A document that may be shown in no frame says so in a header; in a document's own head it would be ignored.
         return {
@@ -52,7 +52,7 @@ class Report:
 
 
 async def in_thread(make: Callable[[], Report]) -> Report:
-    """The report that `make` gives, beside the event loop, one at a time."""
+    """The report from `make`, in a thread beside the event loop, one at a time."""
     return await asyncio.get_running_loop().run_in_executor(_thread, make)
 
 
@@ -84,13 +84,13 @@ def render(template: str, values: Mapping[str, Any], figures: Mapping[str, Any],
 
 @cache
 def scripts() -> tuple[str, str]:
-    """Plotly, and what draws with it, as they stand between their tags."""
+    """Plotly and the drawing script, as text between script tags."""
     return get_plotlyjs().replace("\r\n", "\n"), _file("report.js")
 
 
 @cache
 def policy(drawing: bool) -> str:
-    """The content security policy of a report with figures, or of one without any script.
+    """The content security policy of a report, with figures or without any script.
 
     Styles are inline in what plotly draws, as on every page of the service.
     """
@@ -109,7 +109,7 @@ def policy(drawing: bool) -> str:
 
 
 def marked(text: str) -> Markup:
-    """Text in which `backticks` stand around code, as HTML."""
+    """Text with `backticks` around code, as HTML."""
     pieces = text.split("`")
     return Markup("").join(
         Markup("<code>{}</code>").format(piece) if index % 2 else piece for index, piece in enumerate(pieces)
@@ -142,5 +142,5 @@ def _file(name: str) -> str:
 
 
 def _data(figures: Mapping[str, Any]) -> Markup:
-    """JSON that can stand in a script element: nothing in it ends one."""
+    """JSON for a script element: nothing in it ends the element."""
     return Markup(orjson.dumps(figures).decode().replace("<", "\\u003c"))  # noqa: S704  # JSON without any "<"

@@ -51,7 +51,7 @@ TABLES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunFacts:
-    """What a report is made of.
+    """The contents of a report.
 
     Attributes:
         answer: The run as it is answered; over several roads with changes against `baseline`.
@@ -112,7 +112,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
 
 
 def drive(scenario: JsonObject) -> list[str]:
-    """What is driven over, and how fast, in a few words."""
+    """The road and the speed of the scenario, in a few words."""
     road, speed = scenario["road"], scenario["speed"]
     bump = road["bump"]
     obstacle = "no bump"
@@ -133,7 +133,7 @@ def drive(scenario: JsonObject) -> list[str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Numbers:
-    """The strategies' numbers beside the baseline's.
+    """The strategies' metrics and their changes against the baseline.
 
     Attributes:
         ran: By strategy its entry.
@@ -146,7 +146,7 @@ class Numbers:
     baseline: str
 
     def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
-        """One value, and its change where there is something to compare it with.
+        """One value, and its change where there is a baseline.
 
         Args:
             key: Of the metric.
@@ -184,6 +184,6 @@ def _estimate(value: Any) -> tuple[Any, float]:
 
 
 def _shown_unit(signal: str) -> tuple[str, float]:
-    """The unit a signal is shown in and the factor to it: the figures say it, the tables follow."""
+    """The unit a signal is shown in, in figures and tables alike, and the factor to it."""
     panels = (panel.shown for panel in figures.PANELS.values() if panel.signal == signal)
     return next(panels, (pretty_unit(SIGNALS[signal].unit), 1.0))

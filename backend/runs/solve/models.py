@@ -1,4 +1,4 @@
-"""The shapes of what `POST /solve` takes and answers; beside `backend.models`."""
+"""The request and the answer of `POST /solve`; beside `backend.models`."""
 
 from typing import Annotated
 

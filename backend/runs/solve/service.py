@@ -1,4 +1,4 @@
-"""Runs at the values that the search for a limit asks for, each stored as every run is."""
+"""Computes runs at the values that the search for a limit proposes; each is stored as every run is."""
 
 from pydantic import ValidationError
 

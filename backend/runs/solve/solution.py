@@ -1,4 +1,4 @@
-"""What the values tried say: the largest that keeps the limit, and in plain words what it does not tell."""
+"""The answer from the values tried: the largest that keeps the limit, and warnings in plain words."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
