@@ -32,8 +32,8 @@ def sweep(samples: int, seed: int) -> dict[str, Any]:
 def core_rate(seed: int) -> float:
     """LV runs a second of one process that does nothing else, over such a sweep."""
     base = Scenario().model_dump(mode="json")
-    _, found = points(Sweep.model_validate(sweep(SAMPLE, seed)), base)
-    scenarios = [scenario_at(base, changes) for changes in found]
+    _, sweep_points = points(Sweep.model_validate(sweep(SAMPLE, seed)), base)
+    scenarios = [scenario_at(base, changes) for changes in sweep_points]
     simulate(scenarios[0], "lv")
     begin = time.perf_counter()
     for scenario in scenarios:

@@ -74,10 +74,10 @@ class CortexM3:
         return bytes(self._machine.mem_read(self._image.symbols[name], length))
 
     def _block(self, machine: Any, address: int, size: int, _: Any) -> None:
-        found = self._blocks.get(address)
-        if found is None:
-            found = self._blocks[address] = measured(bytes(machine.mem_read(address, size)))
-        count, cycles = found
+        cost = self._blocks.get(address)
+        if cost is None:
+            cost = self._blocks[address] = measured(bytes(machine.mem_read(address, size)))
+        count, cycles = cost
         self._instructions += count
         self._cycles += cycles
         if address != self._expected:

@@ -41,20 +41,21 @@ class PlainRun:
 class OsqpStage:
     """One stage's QP, set up once and updated in every step."""
 
-    def __init__(self, chosen: MpcDesign) -> None:
-        self.design, shape = chosen, chosen.shape
+    def __init__(self, design: MpcDesign) -> None:
+        self.design, shape = design, design.shape
         rows = csc_matrix(np.vstack([np.eye(len(shape.H)), shape.A]))
         self.lower = np.concatenate([shape.low, np.full(len(shape.A), -np.inf)])
         self.q = np.zeros(len(shape.H))
         self.q[-2:] = SLACK_LINEAR / CM_PER_M
         self.solver = osqp.OSQP()
-        upper = np.concatenate([shape.high, chosen.row_limits])
+        upper = np.concatenate([shape.high, design.row_limits])
         self.solver.setup(P=csc_matrix(triu(shape.H)), q=self.q, A=rows, l=self.lower, u=upper, **SETTINGS)
 
-    def force(self, given: Array) -> tuple[Array, bool]:
+    def force(self, parameters: Array) -> tuple[Array, bool]:
         """First force [N] for [state; previous command; preview], and whether OSQP calls it solved."""
-        self.q[:-2] = self.design.linear @ given
-        upper = np.concatenate([self.design.shape.high, self.design.row_limits - self.design.rows_parameters @ given])
+        design = self.design
+        self.q[:-2] = design.linear @ parameters
+        upper = np.concatenate([design.shape.high, design.row_limits - design.rows_parameters @ parameters])
         self.solver.update(q=self.q, l=self.lower, u=upper)
         result = self.solver.solve()
         return result.x[:2] * NEWTON_PER_KILO, result.info.status_val == osqp.SolverStatus.OSQP_SOLVED

@@ -57,23 +57,24 @@ def search(pool: Executor, sampler: optuna.samplers.BaseSampler, aims: Sequence[
         name: optuna.distributions.FloatDistribution(*ends, log=True) for name, ends in ranges.items()
     }
     study = optuna.create_study(directions=["minimize"] * len(aims), sampler=sampler)
-    known = values(pool, [own], aims)
+    tried_values = values(pool, [own], aims)
     point = space.point_of(own, ranges, BASE)
-    study.add_trial(optuna.trial.create_trial(values=known[0], params=point, distributions=distributions))
+    study.add_trial(optuna.trial.create_trial(values=tried_values[0], params=point, distributions=distributions))
     shares, asking = [], 0.0
     for _ in range(TRIALS // GENERATION):
         begin = time.thread_time()
         asked = [study.ask(distributions) for _ in range(GENERATION)]
         asking += time.thread_time() - begin
         sets = [space.weights_of(trial.params, ranges, own) for trial in asked]
-        for trial, found in zip(asked, values(pool, sets, aims), strict=True):
-            study.tell(trial, found)
-            known.append(found)
-        shares.append(front.dominated_share(front.front([_trial(n, each) for n, each in enumerate(known)]), known[0]))
+        for trial, trial_values in zip(asked, values(pool, sets, aims), strict=True):
+            study.tell(trial, trial_values)
+            tried_values.append(trial_values)
+        trials = [_trial(number, each) for number, each in enumerate(tried_values)]
+        shares.append(front.dominated_share(front.front(trials), tried_values[0]))
     return [float(shares[len(shares) // 2 - 1] or 0), float(shares[-1] or 0), asking / len(shares)]
 
 
-def _trial(number: int, found: list[float]) -> StoredTrial:
+def _trial(number: int, objective_values: list[float]) -> StoredTrial:
     return StoredTrial(
         number=number,
         generation=0,
@@ -81,7 +82,7 @@ def _trial(number: int, found: list[float]) -> StoredTrial:
         status="ok",
         reason=None,
         feasible=True,
-        values=found,
+        values=objective_values,
         limits=[],
     )
 
@@ -93,9 +94,9 @@ def main() -> None:
     with ProcessPoolExecutor(os.cpu_count()) as pool:
         for aim, aims in AIMS.items():
             for name, make in SAMPLERS.items():
-                found = [search(pool, make(seed), aims) for seed in SEARCHES]
-                half, whole, asking = (sum(column) / len(found) for column in zip(*found, strict=True))
-                each = " ".join(f"{100 * one[1]:.1f}" for one in found)
+                results = [search(pool, make(seed), aims) for seed in SEARCHES]
+                half, whole, asking = (sum(column) / len(results) for column in zip(*results, strict=True))
+                each = " ".join(f"{100 * one[1]:.1f}" for one in results)
                 print(
                     f"{f'{aim}, {name}':40}{100 * half:7.1f}%{100 * whole:7.1f}%{asking:10.3f} s   {each}", flush=True
                 )

@@ -19,11 +19,11 @@ class Cli:
         self.error = ""
 
     def __call__(self, *arguments: str | Path, code: int = 0) -> str:
-        found = app.run([str(argument) for argument in arguments])
+        exit_code = app.run([str(argument) for argument in arguments])
         sys.stdout.flush()
         captured = self._captured.readouterr()
         self.error = captured.err.decode()
-        assert found == code, self.error
+        assert exit_code == code, self.error
         return captured.out.decode()
 
 

@@ -48,7 +48,7 @@ class Service:
         return asyncio.run_coroutine_threadsafe(work, self.loop).result(seconds)
 
 
-class Server(uvicorn.Server):
+class LoopServer(uvicorn.Server):
     """Tells which event loop it runs in."""
 
     loop: asyncio.AbstractEventLoop
@@ -61,7 +61,7 @@ class Server(uvicorn.Server):
 def serve(settings: Settings) -> Iterator[Service]:
     app = create_app(settings)
     app.state.store.migrate()
-    server = Server(server_config(app, settings))
+    server = LoopServer(server_config(app, settings))
     with listen("127.0.0.1", 0) as listener:
         address = f"http://127.0.0.1:{listener.getsockname()[1]}"
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})

@@ -6,16 +6,16 @@ from typing import Any
 import httpx
 
 
-def told(client: httpx.Client, path: str, **options: Any) -> list[dict[str, Any]]:
+def read_events(client: httpx.Client, path: str, **options: Any) -> list[dict[str, Any]]:
     """Each event: `id`, `event` and what its data holds."""
     return events_of(client.get(path, timeout=120, **options).text)
 
 
 def events_of(text: str) -> list[dict[str, Any]]:
     """The events of a whole stream."""
-    found = []
+    events = []
     for block in text.split("\n\n"):
         fields = dict(line.split(": ", 1) for line in block.splitlines() if not line.startswith(":"))
         if "data" in fields:
-            found.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
-    return found
+            events.append({"id": int(fields["id"]), "event": fields["event"], **json.loads(fields["data"])})
+    return events

@@ -16,7 +16,7 @@ from pydantic import ValidationError
 from backend.jobs.sweep import sweeps
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
-from tests.api.streams import told
+from tests.api.streams import read_events
 from tests.servers.batches import rows, wait_for
 from tests.servers.process import wait_until
 
@@ -116,7 +116,7 @@ def test_columns_are_the_same_numbers(client: httpx.Client, batch: dict[str, Any
 
 
 def events(client: httpx.Client, batch_id: str, **options: Any) -> list[dict[str, Any]]:
-    return told(client, f"/api/v1/batches/{batch_id}/events", **options)
+    return read_events(client, f"/api/v1/batches/{batch_id}/events", **options)
 
 
 def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Client, batch: dict[str, Any]) -> None:

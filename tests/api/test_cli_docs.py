@@ -40,7 +40,7 @@ CHANGING: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ..
     (re.compile(r'("state":"cancelled",.*?"done":)\d+'), r"\1DONE"),
     (re.compile(r"(event: progress\ndata: .*\n)id: \d+\n\n"), ""),
     (re.compile(r"^id: \d+$", re.MULTILINE), "id: NUMBER"),
-    (re.compile(r"\d+\.\d{7,}"), lambda found: f"{float(found[0]):.6g}"),
+    (re.compile(r"\d+\.\d{7,}"), lambda match: f"{float(match[0]):.6g}"),
 )
 
 
@@ -55,7 +55,7 @@ class Page:
 
     def again(self) -> str:
         """The page with what its commands print now."""
-        return BLOCK.sub(lambda found: self._block(*found.groups()), self.path.read_text(encoding="utf-8"))
+        return BLOCK.sub(lambda match: self._block(*match.groups()), self.path.read_text(encoding="utf-8"))
 
     def _block(self, kind: str, text: str, _: str | None) -> str:
         if kind == "python":
@@ -73,10 +73,10 @@ class Page:
     def _shown(self, printed: bytes) -> str:
         text = printed.decode()
         assert "Traceback" not in text, text
-        if found := re.match(r'\{"id":"([\w-]{22})","(state)?', text) or re.search(r"/r/([\w-]{22})()", text):
-            self._ids["BATCH" if found[2] else "RUN"] = found[1]
-        if found := re.match(r'\{"slug":"([\w-]{22})"', text):
-            self._ids["SLUG"] = found[1]
+        if match := re.match(r'\{"id":"([\w-]{22})","(state)?', text) or re.search(r"/r/([\w-]{22})()", text):
+            self._ids["BATCH" if match[2] else "RUN"] = match[1]
+        if match := re.match(r'\{"slug":"([\w-]{22})"', text):
+            self._ids["SLUG"] = match[1]
         lines = text.replace(self._address, ADDRESS).splitlines()
         cut = [line if len(line) <= WIDEST else f"{line[:WIDEST]}..." for line in lines[:LONGEST]]
         return "".join(f"{line.rstrip()}\n" for line in [*cut, *(["..."] if len(lines) > LONGEST else [])])
@@ -100,7 +100,7 @@ def printed(work: Callable[[], object]) -> bytes:
         return sink.buffer.getvalue()
 
 
-def lasting(text: str) -> str:
+def without_changing_values(text: str) -> str:
     """Without what changes from run to run."""
     for pattern, word in CHANGING:
         text = pattern.sub(word, text)
@@ -116,7 +116,7 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
     again = page.again()
     if UPDATE:
         page.path.write_text(again, encoding="utf-8")
-    assert lasting(page.path.read_text(encoding="utf-8")) == lasting(again)
+    assert without_changing_values(page.path.read_text(encoding="utf-8")) == without_changing_values(again)
 
 
 @pytest.mark.usefixtures("reproduced")

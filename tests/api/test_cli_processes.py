@@ -74,12 +74,12 @@ def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(alone: Cl
 def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:
     """Wait for the process to say it."""
 
-    def found() -> re.Match[str] | None:
+    def search() -> re.Match[str] | None:
         assert process.poll() is None, log.read_text()
         return re.search(pattern, log.read_text())
 
-    wait_until(found, f"it says {pattern}")
-    match = found()
+    wait_until(search, f"it says {pattern}")
+    match = search()
     assert match is not None
     return match
 

@@ -80,8 +80,8 @@ def head(answer: bytes) -> tuple[int, dict[str, str]]:
 
 def check_problem(answer: bytes, status: int) -> dict[str, Any]:
     """A problem with every security header, whoever answered it."""
-    found, headers = head(answer)
-    assert found == status, answer
+    answered_status, headers = head(answer)
+    assert answered_status == status, answer
     assert headers["content-type"] == "application/problem+json"
     assert {name.lower(): value for name, value in HEADERS.items()}.items() <= headers.items()
     content: dict[str, Any] = json.loads(answer.split(b"\r\n\r\n", 1)[1])

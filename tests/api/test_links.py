@@ -90,19 +90,19 @@ def histories(client: httpx.Client, run_id: str) -> dict[str, bytes]:
 def test_a_link_opens_the_run_in_the_view_it_was_shared_in(client: httpx.Client, fresh: dict[str, Any]) -> None:
     answer = client.post("/api/v1/links", json={"run_id": fresh["id"], "view": VIEW})
     assert answer.status_code == 201
-    made = answer.json()
-    CreatedLink.model_validate(made)
-    assert re.fullmatch("[A-Za-z0-9_-]{22}", made["slug"])
-    assert made["url"] == answer.headers["location"] == f"/s/{made['slug']}"
-    assert made["series_pinned"] is True
-    link = opened(client, made["slug"])
+    created_link = answer.json()
+    CreatedLink.model_validate(created_link)
+    assert re.fullmatch("[A-Za-z0-9_-]{22}", created_link["slug"])
+    assert created_link["url"] == answer.headers["location"] == f"/s/{created_link['slug']}"
+    assert created_link["series_pinned"] is True
+    link = opened(client, created_link["slug"])
     run = client.get(f"/api/v1/runs/{fresh['id']}").json()
     created, computed = (datetime.fromisoformat(link.pop(name)) for name in ("created_at", "computed_at"))
     assert computed <= created
     assert abs(datetime.now(UTC) - created) < timedelta(minutes=10)
     assert link == {
-        "slug": made["slug"],
-        "url": made["url"],
+        "slug": created_link["slug"],
+        "url": created_link["url"],
         "kind": "run",
         "core_version": __version__,
         "current_core_version": __version__,
@@ -204,10 +204,10 @@ def test_erased_pins_are_made_again_while_the_core_is_the_same(
     service: Any, client: httpx.Client, fresh: dict[str, Any]
 ) -> None:
     store: Store = service.app.state.store
-    link, made = share(client, fresh["id"]), histories(client, fresh["id"])
+    link, before = share(client, fresh["id"]), histories(client, fresh["id"])
     erase_pins(store, fresh["id"])
     assert opened(client, link["slug"])["series_pinned"] is False
-    assert histories(client, fresh["id"]) == made
+    assert histories(client, fresh["id"]) == before
     assert share(client, fresh["id"])["series_pinned"] is True
     assert opened(client, link["slug"])["series_pinned"] is True
     erase_pins(store, fresh["id"])

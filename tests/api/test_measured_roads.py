@@ -166,10 +166,10 @@ def test_how_long_a_road_may_be_counts_what_the_profile_does_not_have(
     client: httpx.Client, scenario: dict[str, Any]
 ) -> None:
     body = {"scenario": scenario, "strategy": "passive", "field": "road.length", "metric": "travel_time", "limit": 1000}
-    found = client.post("/api/v1/solve", json={**body, "range": [120, 145]}).json()
-    assert found["value"] == pytest.approx(139.9, abs=0.02)
-    assert found["bracket"][1] > 139.9
-    assert "The measured road is 139.9 m long" in found["warnings"][0]
+    solution = client.post("/api/v1/solve", json={**body, "range": [120, 145]}).json()
+    assert solution["value"] == pytest.approx(139.9, abs=0.02)
+    assert solution["bracket"][1] > 139.9
+    assert "The measured road is 139.9 m long" in solution["warnings"][0]
     (error,) = client.post("/api/v1/solve", json={**body, "range": [141, 145]}).json()["errors"]
     assert error["pointer"] == "/range"
     assert "The measured road is 139.9 m long" in error["message"]
@@ -198,7 +198,7 @@ def test_what_is_no_road_is_refused(
 
 
 def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: httpx.Client, tmp_path: Path) -> None:
-    gravel, made = ROADS / "gravel.csv", tmp_path / "gravel.json"
+    gravel, scenario_file = ROADS / "gravel.csv", tmp_path / "gravel.json"
     with Ridelab(str(client.base_url)) as ridelab:
         sent = ridelab.upload_road(gravel)
         assert ridelab.upload_road(gravel.read_bytes()) == sent
@@ -207,12 +207,12 @@ def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: h
     assert printed.startswith(f"road.profile={sent['id']}, 150 m")
     assert all(f"- {warning}" in printed for warning in sent["warnings"])
     assert cli("road", sent["id"]).startswith(f"road.profile={sent['id']}, 150 m")
-    cli("road", gravel, "--out", made)
-    run = json.loads(cli("run", made, "-s", "passive", "--json"))
+    cli("road", gravel, "--out", scenario_file)
+    run = json.loads(cli("run", scenario_file, "-s", "passive", "--json"))
     bump = sent["bumps"][0]
     assert (run["scenario"]["road"]["profile"], run["scenario"]["road"]["length"]) == (sent["id"], 150)
     assert (run["scenario"]["road"]["bump"]["start"], run["scenario"]["road"]["bump"]["height"]) == (bump["start"], 0)
-    again = json.loads(cli("run", made, "-s", "passive", "--set", f"road.profile={sent['id']}", "--json"))
+    again = json.loads(cli("run", scenario_file, "-s", "passive", "--set", f"road.profile={sent['id']}", "--json"))
     assert again["id"] == run["id"]
     (tmp_path / "bad.csv").write_text("distance [m],height [mm]\n0,0\n1,NaN\n")
     cli("road", tmp_path / "bad.csv", code=2)
@@ -234,11 +234,11 @@ def test_the_commands_scenario_can_be_driven(
     x = np.arange(0, length + 0.05, 0.1)
     inside = np.zeros(len(x), bool) if hump is None else (x > hump) & (x < hump + 3)
     height = 80 * np.where(inside, (1 - np.cos(2 * np.pi * (x - (hump or 0)) / 3)) / 2, 0)
-    file, made = tmp_path / "road.csv", tmp_path / "road.json"
+    file, scenario_file = tmp_path / "road.csv", tmp_path / "road.json"
     file.write_text(HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(x, height, strict=True)))
-    cli("road", file, "--out", made)
-    assert json.loads(made.read_text())["road"]["bump"] == bump
-    run = json.loads(cli("run", made, "-s", "passive", "--json"))
+    cli("road", file, "--out", scenario_file)
+    assert json.loads(scenario_file.read_text())["road"]["bump"] == bump
+    run = json.loads(cli("run", scenario_file, "-s", "passive", "--json"))
     assert run["strategies"]["passive"]["status"] == "ok"
 
 
@@ -251,7 +251,7 @@ def test_a_file_that_is_not_there_is_named(cli: Cli) -> None:
 def test_the_samples_are_what_their_command_prints_and_have_their_bumps(name: str) -> None:
     text = (ROADS / f"{name}.csv").read_text()
     assert text == SAMPLES[name]()
-    found = read(text.encode()).bumps[0]
+    detected = read(text.encode()).bumps[0]
     bump = {"street": HUMP_OF_STREET, "gravel": POTHOLE}[name]
-    assert found.start == pytest.approx(bump.start, abs=0.5)
-    assert found.height == pytest.approx(bump.height, rel=0.2)
+    assert detected.start == pytest.approx(bump.start, abs=0.5)
+    assert detected.height == pytest.approx(bump.height, rel=0.2)

@@ -15,9 +15,9 @@ def test_an_old_id_that_begins_with_a_sign_is_an_id(
 ) -> None:
     """New ones begin with a letter or a digit; those given out before stand in papers and scripts."""
     plain, long = "-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A"  # the letters of options, in a cluster and long
-    store, known = service.app.state.store, service.app.state.store.runs.load(run["id"])
+    store, stored_run = service.app.state.store, service.app.state.store.runs.load(run["id"])
     for old in (plain, long):
-        store.runs.save(replace(known, id=old))
+        store.runs.save(replace(stored_run, id=old))
     slug = "-" + "k" * 21
     created = datetime.now(UTC)
     store.links.save(StoredLink(slug=slug, kind="run", target=plain, view={}, created_at=created), {})

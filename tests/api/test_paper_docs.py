@@ -20,11 +20,14 @@ SIGNAL_NAMES = {key: item.label for key, item in SIGNALS.items()}
 
 
 def counts(answer: dict[str, Any]) -> Iterator[str]:
-    def told(reached: int, found: dict[str, int]) -> str:
-        return f"{reached} of {answer['total']} reached, {found['smaller']} smaller, {found['contradicts']} contradict"
+    def sentence(reached: int, verdicts: dict[str, int]) -> str:
+        rest = f"{verdicts['smaller']} smaller, {verdicts['contradicts']} contradict"
+        return f"{reached} of {answer['total']} reached, {rest}"
 
-    yield f"With the road ahead known to the MPC: **{told(answer['reached'], answer['counts'])}**. Without preview: "
-    yield f"**{told(answer['without_preview']['reached'], answer['without_preview']['counts'])}**."
+    blind = answer["without_preview"]
+    ours = sentence(answer["reached"], answer["counts"])
+    yield f"With the road ahead known to the MPC: **{ours}**. Without preview: "
+    yield f"**{sentence(blind['reached'], blind['counts'])}**."
 
 
 def sets(answer: dict[str, Any]) -> Iterator[str]:
@@ -60,13 +63,13 @@ def windows(client: httpx.Client) -> Iterator[str]:
     yield "|---|---:|---:|---:|"
     for name in INTERPRETATIONS:
         for without, label in (({}, name), ({"preview": "none"}, f"{name}, `preview=none`")):
-            found = []
+            cells = []
             for choice in READINGS[WINDOW].choices:
                 query = {"interpretation": name, "window": choice.id, **without}
                 answer = client.get("/api/v1/paper", params=query, timeout=120).json()
                 simulated, in_ecu = (answer[part]["reached"] for part in ("simulated", "ecu"))
-                found.append(f"{answer['reached']} ({simulated} + {in_ecu})")
-            yield f"| {label} | {' | '.join(found)} |"
+                cells.append(f"{answer['reached']} ({simulated} + {in_ecu})")
+            yield f"| {label} | {' | '.join(cells)} |"
 
 
 def verdicts(answer: dict[str, Any]) -> Iterator[str]:
@@ -100,8 +103,8 @@ def readings(answer: dict[str, Any], rows: list[dict[str, Any]]) -> Iterator[str
     for row in rows:
         item = names[row["reading"]]
         label = next(choice["label"] for choice in item["choices"] if choice["id"] == row["choice"])
-        found = row["counts"]
-        numbers = f"{found['reached']} | {found['smaller']} | {found['contradicts']} | {row['changed']}"
+        counts = row["counts"]
+        numbers = f"{counts['reached']} | {counts['smaller']} | {counts['contradicts']} | {row['changed']}"
         yield f"| {item['title']} | {label} | {numbers} |"
 
 
@@ -110,7 +113,7 @@ def with_blocks(page: str, blocks: dict[str, Iterator[str]]) -> str:
         written = "\n".join(line.rstrip() for line in lines)
         page, times = re.subn(
             rf"(<!-- {name} -->\n).*?(<!-- end -->)",
-            lambda found, text=written: f"{found[1]}{text}\n{found[2]}",
+            lambda match, text=written: f"{match[1]}{text}\n{match[2]}",
             page,
             flags=re.DOTALL,
         )
@@ -127,9 +130,9 @@ def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
     blocks["missed"] = missed(client.get("/api/v1/paper", params={"interpretation": "favourable"}, timeout=120).json())
     blocks["sentences"] = (f"- {line}" for line in client.get("/api/v1/paper/attribution").json()["sentences"])
     if os.environ.get("UPDATE_DOCS"):  # what each switch does takes a minute or two: not in every run
-        while not (found := client.get("/api/v1/paper/readings", timeout=120).json())["complete"]:
+        while not (effects := client.get("/api/v1/paper/readings", timeout=120).json())["complete"]:
             pass
-        blocks["readings"] = readings(answer, found["rows"])
+        blocks["readings"] = readings(answer, effects["rows"])
         fresh = client.get("/api/v1/paper", params={"first_seed": 21, "seeds": 40}, timeout=300).json()
         blocks["fresh"] = sets(fresh)
         blocks["windows"] = windows(client)

@@ -16,7 +16,7 @@ SEEDS = 22  # nobody else asks for so many
 
 
 @pytest.fixture(scope="module")
-def told(service: Any, reproduced: None) -> dict[str, Any]:
+def answers(service: Any, reproduced: None) -> dict[str, Any]:
     """The answers the report is made of: the reproduction on 20 roads, stored as if they were 22."""
     for row in requests(range(21, SEEDS + 1)):
         changes = {**json.loads(row.changes), "road.seed": json.loads(row.changes)["road.seed"] - 20}
@@ -24,17 +24,17 @@ def told(service: Any, reproduced: None) -> dict[str, Any]:
             each for each in requests() if each.strategy == row.strategy and json.loads(each.changes) == changes
         )
         store_as(service.app.state.store, [row], [rows()[like.key]])
-    found: dict[str, Any] = {}
+    answers: dict[str, Any] = {}
     for name in ("paper", "paper/attribution", "paper/figures"):
         response = service.client.get(f"/api/v1/{name}", params={"seeds": SEEDS})
         assert response.status_code == 200, response.text
-        found[name] = response.json()
-    assert found["paper"]["seeds"] == SEEDS
-    return found
+        answers[name] = response.json()
+    assert answers["paper"]["seeds"] == SEEDS
+    return answers
 
 
 @pytest.fixture(scope="module")
-def page(client: httpx.Client, told: dict[str, Any]) -> Element:
+def page(client: httpx.Client, answers: dict[str, Any]) -> Element:
     response = client.get("/api/v1/paper/report.html", params={"seeds": SEEDS})
     assert response.status_code == 200, response.text[:300]
     assert "script-src 'sha256-" in response.headers["content-security-policy"]
@@ -44,8 +44,8 @@ def page(client: httpx.Client, told: dict[str, Any]) -> Element:
     return root
 
 
-def test_its_count_is_that_of_its_cells(page: Element, told: dict[str, Any]) -> None:
-    answer = told["paper"]
+def test_its_count_is_that_of_its_cells(page: Element, answers: dict[str, Any]) -> None:
+    answer = answers["paper"]
     rows = {str(row.attributes["data-judged"]): row for row in page.all("tr") if "data-judged" in row.attributes}
     assert len(rows) == answer["total"]
     verdicts = [row.attributes["data-verdict"] for row in rows.values()]
@@ -68,28 +68,28 @@ def test_its_count_is_that_of_its_cells(page: Element, told: dict[str, Any]) -> 
         assert cell["verdict"] in row.text
         assert ("misprint" in row.text) == (cell["misprint"] is not None)
         blind = cell["without_preview"]
-        told_of = [cell, *([blind] if blind else [])]
-        assert row.text.count("not certain") == sum(not item["certain"] for item in told_of)
+        judgements = [cell, *([blind] if blind else [])]
+        assert row.text.count("not certain") == sum(not item["certain"] for item in judgements)
         assert ("looks ahead" in row.text) == (blind is None)
 
 
-def test_it_has_every_figure_erratum_rule_sentence_and_share(page: Element, told: dict[str, Any]) -> None:
+def test_it_has_every_figure_erratum_rule_sentence_and_share(page: Element, answers: dict[str, Any]) -> None:
     figures = json.loads(next(page.all("script", id="figures")).text)
-    assert list(figures) == [f"figure-{item['number']}" for item in told["paper/figures"]["figures"]]
+    assert list(figures) == [f"figure-{item['number']}" for item in answers["paper/figures"]["figures"]]
     headings = [heading.text for heading in page.all("h3")]
-    for item in told["paper/figures"]["figures"]:
+    for item in answers["paper/figures"]["figures"]:
         go.Figure(figures[f"figure-{item['number']}"])
         assert any(text.startswith(f"Fig. {item['number']}: {item['title']}") for text in headings)
-    for item in told["paper"]["errata"]:
+    for item in answers["paper"]["errata"]:
         assert item["here"].replace("`", "") in page.text
-    for text in told["paper"]["rules"].values():
+    for text in answers["paper"]["rules"].values():
         assert text in page.text
     plain = page.text.replace("−", "-")
-    for text in told["paper/attribution"]["sentences"]:
+    for text in answers["paper/attribution"]["sentences"]:
         assert text.replace("−", "-") in plain
     shown = [float(str(cell.attributes["data-value"])) for cell in page.all("td") if "data-share" in cell.attributes]
     assert shown == [
-        item[factor] for item in told["paper/attribution"]["shares"] for factor in ("speed", "preview", "switching")
+        item[factor] for item in answers["paper/attribution"]["shares"] for factor in ("speed", "preview", "switching")
     ]
 
 
@@ -114,13 +114,13 @@ def command(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes]) -> 
 
 
 def test_the_command_answers_machines_and_writes_the_report(
-    command: Any, told: dict[str, Any], page: Element, tmp_path: Path
+    command: Any, answers: dict[str, Any], page: Element, tmp_path: Path
 ) -> None:
     file = tmp_path / "paper.html"
     same = ("--seeds", f"1-{SEEDS}", "--interpretation", "default", "--reading", "preview=lookahead")
     code, printed, errors = command("--json", "--report", str(file), *same)
     assert code == 0
-    assert json.loads(printed) == told["paper"]
+    assert json.loads(printed) == answers["paper"]
     assert str(file) in errors
     assert read(file.read_text(encoding="utf-8")).text == page.text
 

@@ -32,7 +32,7 @@ def scenario(text: str) -> str:
 
 def test_every_route_of_the_api_is_strict(service: Any) -> None:
     """What is refused below is the same everywhere."""
-    routers = [found for each in service.app.routes if (found := getattr(each, "original_router", None)) is not None]
+    routers = [router for each in service.app.routes if (router := getattr(each, "original_router", None)) is not None]
     routes = [route for router in routers for route in router.routes if route.path.startswith("/api/")]
     assert len(routes) > 30
     assert all(isinstance(route, routing.StrictRoute) for route in routes)
@@ -53,10 +53,10 @@ def test_json_is_read_in_one_way_or_not_at_all(status: int, texts: list[str]) ->
     for text in texts:
         try:
             assert parse(text.encode()) == json.loads(text)
-            found = 200
+            answered_status = 200
         except StrictJSONError as error:
-            found = error.status
-        assert found == status, text[:40]
+            answered_status = error.status
+        assert answered_status == status, text[:40]
 
 
 @given(st.binary(max_size=200))

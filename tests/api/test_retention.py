@@ -91,25 +91,25 @@ def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> 
 
 def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     names = ("nobody's", "a run's", "a job's", "a sweep's")
-    made = {name: MeasuredRoad.of(np.full(600, index * 0.01)) for index, name in enumerate(names)}
-    for road in made.values():
+    measured = {name: MeasuredRoad.of(np.full(600, index * 0.01)) for index, name in enumerate(names)}
+    for road in measured.values():
         store.roads.save(road)
-    runs = replace(store.runs.load("linked"), id="on-it", scenario={"road": {"profile": made["a run's"].id}})
+    runs = replace(store.runs.load("linked"), id="on-it", scenario={"road": {"profile": measured["a run's"].id}})
     store.runs.save(runs)
-    store.jobs.create(replace(BATCH, id="job", request={"scenario": {"road": {"profile": made["a job's"].id}}}))
-    grid = {"grid": {"road.profile": [None, made["a sweep's"].id]}}
+    store.jobs.create(replace(BATCH, id="job", request={"scenario": {"road": {"profile": measured["a job's"].id}}}))
+    grid = {"grid": {"road.profile": [None, measured["a sweep's"].id]}}
     store.jobs.create(replace(BATCH, id="sweep", request={"scenario": {"road": {}}}, sweep=grid))
     with store.writing() as connection:
         connection.execute(update(roads).values(created_at=LONG_AGO))
 
     def there() -> list[str]:
-        return [name for name in names if made[name].id in store.roads.load([made[name].id])]
+        return [name for name in names if measured[name].id in store.roads.load([measured[name].id])]
 
     apply(store, retention_days=50)
     assert there() == list(names), "not so old"
     apply(store, retention_days=30)
     assert there() == ["a run's", "a job's", "a sweep's"]
-    assert store.roads.load([made["a run's"].id])[made["a run's"].id].heights().tolist() == [0.01] * 600
+    assert store.roads.load([measured["a run's"].id])[measured["a run's"].id].heights().tolist() == [0.01] * 600
     for name in ("job", "sweep"):
         store.jobs.cancel(name)
         assert store.jobs.delete(name)

@@ -190,12 +190,12 @@ def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
 
 
 def test_a_link_and_its_preview_open(service: Any, three: dict[str, Any]) -> None:
-    made = service.client.post("/api/v1/links", json={"run_id": three["id"]}).json()
-    link = service.client.get(f"/api/v1/links/{made['slug']}").json()
-    assert made["series_pinned"] is True
+    created = service.client.post("/api/v1/links", json={"run_id": three["id"]}).json()
+    link = service.client.get(f"/api/v1/links/{created['slug']}").json()
+    assert created["series_pinned"] is True
     assert link["run"]["changes"] == three["changes"]
     change = three["changes"]["lqr"]["bump"]["body_acceleration"]["peak"]["mean"]
-    head = service.client.get(f"/s/{made['slug']}").text
+    head = service.client.get(f"/s/{created['slug']}").text
     assert f"{abs(round(change))} % {'less' if change < 0 else 'more'} peak body acceleration" in head
     assert "mean of 3 roads" in head
 

@@ -86,12 +86,12 @@ def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.C
     strategies = read(client, batch)["strategies"]
     assert list(strategies["lv"]["figures"]) == list(FIGURES)
     for name in ("lv", "passive"):
-        for key, told in strategies[name]["figures"].items():
+        for key, figure in strategies[name]["figures"].items():
             value: Any = run["strategies"][name] if key.startswith("events") else run["strategies"][name]["metrics"]
             for step in key.split("."):
                 value = value[step]
             # Another process: the blocks a law is computed in may differ in their last bits.
-            assert told["nominal"] == pytest.approx(value, rel=1e-9, abs=1e-9), key
+            assert figure["nominal"] == pytest.approx(value, rel=1e-9, abs=1e-9), key
 
 
 def test_a_batch_under_way_is_read_as_far_as_it_is(client: httpx.Client) -> None:

@@ -43,14 +43,14 @@ def peaks(client: httpx.Client, scenario: Any, strategy: str, roads: int = 1) ->
 def test_a_linear_cars_peak_is_proportional_to_the_bump(client: httpx.Client) -> None:
     """On a smooth road the passive car's answer is limit over slope."""
     (at_one_cm,) = peaks(client, {"road": {**SMOOTH["road"], "bump": {"height": 0.01}}}, "passive")
-    found = solved(client, **HEIGHT, range=[0.01, 0.2], limit=4)
+    solution = solved(client, **HEIGHT, range=[0.01, 0.2], limit=4)
     expected = 4 / (at_one_cm / 0.01)
-    assert found.bracket[0] <= expected <= found.bracket[1]
-    assert found.bracket[1] - found.value == pytest.approx(1e-4), "a step is a thousandth of the range, rounded down"
-    assert found.metric_value == pytest.approx(found.value / 0.01 * at_one_cm, rel=1e-9)
-    assert (found.unit, found.metric_unit, found.warnings, found.interval) == ("m", "m/s^2", [], None)
-    assert found.runs == len(found.tried) <= 22
-    assert [each.value for each in found.tried] == sorted(each.value for each in found.tried)
+    assert solution.bracket[0] <= expected <= solution.bracket[1]
+    assert solution.bracket[1] - solution.value == pytest.approx(1e-4), "the step is range / 1000, rounded down"
+    assert solution.metric_value == pytest.approx(solution.value / 0.01 * at_one_cm, rel=1e-9)
+    assert (solution.unit, solution.metric_unit, solution.warnings, solution.interval) == ("m", "m/s^2", [], None)
+    assert solution.runs == len(solution.tried) <= 22
+    assert [each.value for each in solution.tried] == sorted(each.value for each in solution.tried)
 
 
 def test_its_run_opens_and_asked_again_all_is_stored(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -70,20 +70,20 @@ def test_its_run_opens_and_asked_again_all_is_stored(service: Any, monkeypatch: 
 def test_how_fast_over_a_hump_so_that_the_interval_keeps_the_limit(client: httpx.Client) -> None:
     scenario = {"road": {"length": 118, "bump": {"shape": "circular", "height": 0.075, "width": 3.7}}}
     speed = {"scenario": scenario, "strategy": "passive", "field": "speed.initial_speed_kmh", "metric": PEAK}
-    found = solved(client, **speed, range=[10, 40], limit=3.5, roads=3)
-    assert (found.unit, found.runs) == ("km/h", 3 * len(found.tried))
+    solution = solved(client, **speed, range=[10, 40], limit=3.5, roads=3)
+    assert (solution.unit, solution.runs) == ("km/h", 3 * len(solution.tried))
     values = {}
-    for value in found.bracket:
+    for value in solution.bracket:
         at = {**scenario, "speed": {"initial_speed_kmh": value}}
         values[value] = mean_with_interval(peaks(client, at, "passive", roads=3))
-    below, above = (values[value] for value in found.bracket)
+    below, above = (values[value] for value in solution.bracket)
     assert below.high <= 3.5 < above.high
-    assert found.metric_value == below.high
-    assert found.interval is not None
-    assert found.interval.model_dump() == {"mean": below.value, "low": below.low, "high": below.high}
-    assert client.get(f"/api/v1/runs/{found.run_id}").json()["roads"] == 3
+    assert solution.metric_value == below.high
+    assert solution.interval is not None
+    assert solution.interval.model_dump() == {"mean": below.value, "low": below.low, "high": below.high}
+    assert client.get(f"/api/v1/runs/{solution.run_id}").json()["roads"] == 3
     alone = solved(client, **speed, range=[10, 40], limit=3.5)
-    assert alone.value > found.value, "one road's value has no interval to keep"
+    assert alone.value > solution.value, "one road's value has no interval to keep"
 
 
 def test_a_metric_that_is_not_monotone_is_said(client: httpx.Client) -> None:
@@ -92,11 +92,11 @@ def test_a_metric_that_is_not_monotone_is_said(client: httpx.Client) -> None:
     widths = {each.value: each.metric_value for each in solved(client, **body, limit=20).tried}
     values = list(widths.values())
     assert any(a is not None and b is not None and a > b for a, b in itertools.pairwise(values))
-    found = solved(client, **body, limit=4)
-    assert found.value == 15
+    solution = solved(client, **body, limit=4)
+    assert solution.value == 15
     over = [value for value, peak in widths.items() if peak is not None and peak > 4]
     assert over
-    said = "\n".join(found.warnings)
+    said = "\n".join(solution.warnings)
     assert "not monotone: " in said
     assert "Not every smaller value keeps the limit: 0.5 to" in said
     assert f"to {over[-1]:g} m exceed it" in said
@@ -104,12 +104,12 @@ def test_a_metric_that_is_not_monotone_is_said(client: httpx.Client) -> None:
 
 def test_the_last_crossing_counts_where_there_are_several(client: httpx.Client) -> None:
     """Drop height of a pothole and height of a bump: |height| decides, so -0.2 does not keep what 0.05 keeps."""
-    found = solved(client, **HEIGHT, range=[-0.2, 0.2], limit=3)
-    assert found.value == pytest.approx(0.048, abs=0.002)
-    (low, high) = (each for each in found.tried if each.value in (-0.2, 0.2))
+    solution = solved(client, **HEIGHT, range=[-0.2, 0.2], limit=3)
+    assert solution.value == pytest.approx(0.048, abs=0.002)
+    (low, high) = (each for each in solution.tried if each.value in (-0.2, 0.2))
     assert low.metric_value == pytest.approx(high.metric_value)
-    assert "Not every smaller value keeps the limit: -0.2 to" in found.warnings[0]
-    assert "falls to 0 at 0, rises to" in found.warnings[1]
+    assert "Not every smaller value keeps the limit: -0.2 to" in solution.warnings[0]
+    assert "falls to 0 at 0, rises to" in solution.warnings[1]
 
 
 def test_all_of_a_range_or_none_of_it(client: httpx.Client) -> None:
@@ -138,8 +138,8 @@ def test_what_a_field_does_not_change_and_what_cannot_be_driven_is_said(client: 
 
 def test_whole_numbers(client: httpx.Client) -> None:
     body = {"scenario": SMOOTH, "strategy": "lqr", "metric": "travel_time", "field": "road.bump.count"}
-    found = ask(client, **body, range=[1, 2], limit=1000).json()
-    assert json.dumps(found["bracket"]) == "[2, 2]"
+    solution = ask(client, **body, range=[1, 2], limit=1000).json()
+    assert json.dumps(solution["bracket"]) == "[2, 2]"
 
 
 @pytest.mark.parametrize(
@@ -205,11 +205,12 @@ def test_nothing_more_is_driven_once_the_client_is_gone(service: Any, monkeypatc
 
 def test_the_client_and_the_command(client: httpx.Client, cli: Cli) -> None:
     with Ridelab(str(client.base_url)) as ridelab:
-        found = ridelab.solve(SMOOTH, "passive", "road.bump.height", (0.01, 0.2), PEAK, 4)
+        solution = ridelab.solve(SMOOTH, "passive", "road.bump.height", (0.01, 0.2), PEAK, 4)
         answer = ask(client, **HEIGHT, range=[0.01, 0.2], limit=4).json()
-        assert found.answer == answer
-        assert (found.value, found.bracket, found.run_id) == (answer["value"], (0.064, 0.0641), answer["run_id"])
-        assert ridelab.get_run(found.run_id)["passive"].figures()[PEAK] == found.metric_value
+        assert solution.answer == answer
+        assert (solution.value, solution.run_id) == (answer["value"], answer["run_id"])
+        assert solution.bracket == (0.064, 0.0641)
+        assert ridelab.get_run(solution.run_id)["passive"].figures()[PEAK] == solution.metric_value
         with pytest.raises(RidelabAPIError) as refused:
             ridelab.solve(SMOOTH, "passive", "road.bump.height", (0.1, 0.2), PEAK, 4)
         assert refused.value.kind == "no-solution"
@@ -221,7 +222,7 @@ def test_the_client_and_the_command(client: httpx.Client, cli: Cli) -> None:
     assert json.loads(cli(*asked, *field, *limit, "--json")) == answer
     shown = cli(*asked, *field, *limit)
     assert "road.bump.height at most 0.064 m" in shown
-    assert f"/r/{found.run_id}" in shown
+    assert f"/r/{solution.run_id}" in shown
     cli(*asked, "--field", "road.bump.height=0.1:0.2", *limit, code=1)
     assert "the least, 6.2" in cli.error
     cli(*asked, "--field", "road.bump.hight=0.1:0.2", *limit, code=2)

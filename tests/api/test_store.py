@@ -122,8 +122,8 @@ def test_a_database_of_release_0_2_0_keeps_every_row(open_store: OpenStore) -> N
     for table, rows in old.items():
         there = now[MOVED.get(table, table)]
         for row in rows:
-            kept = {MOVED.get(name, name): value for name, value in row.items()}
-            same = {name: value for name, value in kept.items() if name in there[0]}
+            renamed = {MOVED.get(name, name): value for name, value in row.items()}
+            same = {name: value for name, value in renamed.items() if name in there[0]}
             assert any(same.items() <= each.items() for each in there), (table, row)
     jobs = {job.id: job for row in now["jobs"] if (job := store.jobs.load(row["id"]))}
     for row in old["batches"]:

@@ -170,11 +170,11 @@ def lines(text: io.StringIO) -> list[dict[str, Any]]:
 def accesses(text: io.StringIO, name: str) -> list[dict[str, Any]]:
     """Lines of requests of that name. One is written after its answer went out, so the first may still be to come."""
 
-    def found() -> list[dict[str, Any]]:
+    def entries() -> list[dict[str, Any]]:
         return [line for line in lines(text) if line["logger"] == "backend.access" and line["request_id"] == name]
 
-    wait_until(found, "a request's line in the log", 10)
-    return found()
+    wait_until(entries, "a request's line in the log", 10)
+    return entries()
 
 
 def test_each_request_is_one_line_with_its_name_and_template(client: httpx.Client, logged: Any) -> None:

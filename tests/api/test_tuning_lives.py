@@ -28,9 +28,9 @@ HARD = {
 @pytest.fixture(scope="module")
 def tuning(client: httpx.Client) -> dict[str, Any]:
     """A finished one of two objectives."""
-    found = wait_for(client, begin(client, "the-first")["id"])
-    assert found["state"] == "done", found["reason"]
-    return found
+    finished = wait_for(client, begin(client, "the-first")["id"])
+    assert finished["state"] == "done", finished["reason"]
+    return finished
 
 
 def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None:
@@ -87,12 +87,12 @@ def test_of_two_that_resume_it_with_other_trials_one_is_refused(client: httpx.Cl
 
 def test_a_batch_cancelled_from_outside_is_a_reason_and_resume_goes_on(client: httpx.Client) -> None:
     tuning_id = begin(client, trials=1000, population=128, limits=[], objectives=[{"kind": "peaks"}])["id"]
-    while (found := get(client, tuning_id))["state"] != "failed":
-        assert found["state"] in ("queued", "running")
-        if found["batch"] is not None:
-            client.post(f"/api/v1/batches/{found['batch']}/cancel")
-    assert found["reason"] == "One of its batches was cancelled"
-    client.post(f"/api/v1/tunings/{tuning_id}/resume", params={"trials": 16 + found["trials"]["done"]})
+    while (tuning := get(client, tuning_id))["state"] != "failed":
+        assert tuning["state"] in ("queued", "running")
+        if tuning["batch"] is not None:
+            client.post(f"/api/v1/batches/{tuning['batch']}/cancel")
+    assert tuning["reason"] == "One of its batches was cancelled"
+    client.post(f"/api/v1/tunings/{tuning_id}/resume", params={"trials": 16 + tuning["trials"]["done"]})
     assert wait_for(client, tuning_id)["state"] == "done"
 
 

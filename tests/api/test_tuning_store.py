@@ -22,7 +22,7 @@ TUNING = StoredJob(
     request_hash="hash",
     created_at=datetime(2026, 11, 21, 12, tzinfo=UTC),
 )
-TOLD = {"best": [0.1], "hypervolume": None}
+QUALITY = {"best": [0.1], "hypervolume": None}
 
 
 def trial(number: int, generation: int, *, ok: bool = True) -> StoredTrial:
@@ -55,7 +55,7 @@ def now(store: Store) -> StoredJob:
     return loaded
 
 
-def told(store: Store) -> list[tuple[str, str, int]]:
+def stored_events(store: Store) -> list[tuple[str, str, int]]:
     events = store.job_events.of(TUNING.id, 0)
     assert [event.number for event in events] == list(range(1, len(events) + 1))
     pairs = [(event.kind, orjson.loads(event.data)) for event in events]
@@ -68,7 +68,7 @@ def add(store: Store, job: StoredJob, *trials: StoredTrial) -> bool:
     return store.jobs.advance(
         job,
         event="progress",
-        details=TOLD,
+        details=QUALITY,
         new_trials=trials,
         progress=job.progress | {"generation": generation},
         done=job.done + sum(each.status == "ok" for each in trials),
@@ -89,7 +89,7 @@ def test_a_generation_is_committed_whole_and_once(store: Store, tuning: StoredJo
     assert [trial.number for trial in store.trials.of(TUNING.id)] == [0, 1, 2, 3]
     assert [each["done"] for each in store.job_events.history(TUNING.id)] == [1, 3]
     assert store.job_events.history(TUNING.id)[0]["best"] == [0.1]
-    assert told(store) == [
+    assert stored_events(store) == [
         ("state", "queued", 0),
         ("progress", "queued", 1),
         ("state", "running", 1),
@@ -127,4 +127,4 @@ def test_a_restart_drops_trials_and_begins_a_new_history(store: Store, tuning: S
     assert store.trials.of(TUNING.id) == store.job_events.history(TUNING.id) == []
     add(store, now(store), trial(0, 0))
     assert len(store.job_events.history(TUNING.id)) == 1
-    assert [kind for kind, *_ in told(store)] == ["state", "progress", "restart", "progress"]
+    assert [kind for kind, *_ in stored_events(store)] == ["state", "progress", "restart", "progress"]

@@ -43,9 +43,9 @@ def tuning(client: httpx.Client) -> dict[str, Any]:
     """A finished one of two objectives."""
     answer = begin(client, "the-one-read")
     assert (answer["state"], answer["trials"]["done"], answer["paper"]) == ("queued", 0, None)
-    found = wait_for(client, answer["id"])
-    assert found["state"] == "done", found["reason"]
-    return found
+    finished = wait_for(client, answer["id"])
+    assert finished["state"] == "done", finished["reason"]
+    return finished
 
 
 def test_every_generation_is_there_and_told(client: httpx.Client, tuning: dict[str, Any]) -> None:

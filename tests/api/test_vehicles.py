@@ -22,8 +22,8 @@ def test_every_vehicle_has_sources_and_is_one_of_a_scenario(client: httpx.Client
 
 
 def test_a_data_sheet_is_a_half_car_and_a_bad_one_names_its_field(client: httpx.Client) -> None:
-    made = client.post("/api/v1/vehicles/from-data-sheet", json=SHEET)
-    assert made.json() == {"vehicle": DataSheet.model_validate(SHEET).half_car().model_dump()}
+    answer = client.post("/api/v1/vehicles/from-data-sheet", json=SHEET)
+    assert answer.json() == {"vehicle": DataSheet.model_validate(SHEET).half_car().model_dump()}
     for change, pointer in (
         ({"front_axle_load": 60}, "/front_axle_load"),
         ({"rear_frequency": 9}, "/rear_frequency"),

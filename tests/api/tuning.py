@@ -4,7 +4,7 @@ from typing import Any
 
 import httpx
 
-from tests.api.streams import told
+from tests.api.streams import read_events
 from tests.servers.process import wait_until
 
 # Nobody else's road, and a short one.
@@ -56,4 +56,4 @@ def trials(client: httpx.Client, tuning_id: str) -> Any:
 
 
 def events(client: httpx.Client, tuning_id: str, **options: Any) -> list[dict[str, Any]]:
-    return told(client, f"/api/v1/tunings/{tuning_id}/events", **options)
+    return read_events(client, f"/api/v1/tunings/{tuning_id}/events", **options)

@@ -41,9 +41,9 @@ def test_locks_hold_what_the_project_asks_for(name: str, wanted: list[str]) -> N
     versions = locked(name)
     assert len(versions) >= len(wanted)
     for requirement in map(Requirement, wanted):
-        found = versions.get(canonicalize_name(requirement.name), [])
-        assert found, f"{requirement} is not locked: make lock"
-        assert all(requirement.specifier.contains(version, prereleases=True) for version in found), requirement
+        pinned = versions.get(canonicalize_name(requirement.name), [])
+        assert pinned, f"{requirement} is not locked: make lock"
+        assert all(requirement.specifier.contains(version, prereleases=True) for version in pinned), requirement
 
 
 def test_all_locks_agree() -> None:

@@ -74,17 +74,17 @@ def kill_worker(program: Program, chance: random.Random) -> Victim:
     """One of the processes that compute for it."""
 
     def kill() -> str | None:
-        found = []
+        workers = []
         for child in program.children():
             try:
                 if "spawn_main" in " ".join(child.cmdline()):
-                    found.append(child)
+                    workers.append(child)
             except psutil.NoSuchProcess:
                 continue
-        if not found:
+        if not workers:
             return None
         try:
-            chance.choice(found).kill()
+            chance.choice(workers).kill()
         except psutil.NoSuchProcess:
             return None
         return f"a process of {program.name}"

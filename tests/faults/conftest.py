@@ -25,12 +25,12 @@ class Process(Api):
 
     def workers(self, nice: int = 0) -> list[psutil.Process]:
         """Its processes for interactive runs, or (`NICE`) those for batches."""
-        found = []
+        workers = []
         for child in self.children():
             with contextlib.suppress(psutil.Error):  # it may end meanwhile
                 if "spawn_main" in " ".join(child.cmdline()) and child.nice() == nice:
-                    found.append(child)
-        return found
+                    workers.append(child)
+        return workers
 
     def cpu_times(self, nice: int = 0) -> dict[psutil.Process, float]:
         """Processor time of each worker so far [s]."""
@@ -61,8 +61,8 @@ class Process(Api):
 
         def look() -> bool:
             now = self.cpu_times(nice)
-            chosen = now if among is None else now.keys() & {among}
-            busy.extend(worker for worker in chosen if now[worker] - before.get(worker, now[worker]) > 0.15)
+            candidates = now if among is None else now.keys() & {among}
+            busy.extend(worker for worker in candidates if now[worker] - before.get(worker, now[worker]) > 0.15)
             return bool(busy)
 
         wait_until(look, "a worker computes", pause=0.01)

@@ -66,8 +66,8 @@ def halted(service: Process, batch_id: str) -> psutil.Process:
 
 
 def test_what_cannot_be_kept_is_refused_and_what_is_kept_stays(service: Process, database: Path) -> None:
-    kept = post(service, 1)
-    assert kept.status_code == 200
+    first_answer = post(service, 1)
+    assert first_answer.status_code == 200
     batches = service.client.get("/api/v1/batches").json()["batches"]
     errors = store_errors(service)
     with full(service, database):
@@ -75,9 +75,9 @@ def test_what_cannot_be_kept_is_refused_and_what_is_kept_stays(service: Process,
             check_refused(post(service, seed))
         refused_batch(service, "when-full")
         assert service.client.get("/healthz").status_code == 200
-        stored = service.client.get(f"/api/v1/runs/{kept.json()['id']}")
+        stored = service.client.get(f"/api/v1/runs/{first_answer.json()['id']}")
         assert stored.status_code == 200
-        assert post(service, 1).json()["id"] == kept.json()["id"], "it is stored already"
+        assert post(service, 1).json()["id"] == first_answer.json()["id"], "it is stored already"
         live = service.client.post("/api/v1/live", json={"scenario": SHORT, "strategies": ["lqr"], "points": 50})
         assert live.status_code == 200, "dragging keeps nothing"
         assert store_errors(service) == errors + 4
@@ -85,7 +85,7 @@ def test_what_cannot_be_kept_is_refused_and_what_is_kept_stays(service: Process,
         assert post(service, seed).status_code == 200
     assert service.client.get("/api/v1/batches").json()["batches"] == batches, "what was refused is not there"
     submit(service, SHORT, 3, **{"Idempotency-Key": "when-full"})  # its key was not used up
-    assert service.client.get(f"/api/v1/runs/{kept.json()['id']}").json() == stored.json()
+    assert service.client.get(f"/api/v1/runs/{first_answer.json()['id']}").json() == stored.json()
     assert intact(database)
 
 

@@ -14,7 +14,7 @@ from sim_core import __version__
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
-from tests.api.streams import events_of, told
+from tests.api.streams import events_of, read_events
 from tests.data import release
 from tests.faults.conftest import Process
 
@@ -48,7 +48,7 @@ def differences(before: Any, now: Any, path: str = "") -> list[str]:
 @pytest.mark.parametrize("path", ANSWERS)
 def test_everything_is_answered_as_before(client: httpx.Client, path: str) -> None:
     if path.endswith("/events"):
-        before, now = events_of(ANSWERS[path]), told(client, f"/api/v1{path}")
+        before, now = events_of(ANSWERS[path]), read_events(client, f"/api/v1{path}")
     else:
         before, now = ANSWERS[path], client.get(f"/api/v1{path}").raise_for_status().json()
     assert not differences(before, now)
@@ -112,7 +112,7 @@ def test_a_links_page_tells_what_it_opens(client: httpx.Client) -> None:
 
 def test_an_unfinished_batch_is_finished(client: httpx.Client) -> None:
     job = unfinished("batches")
-    events = told(client, f"/api/v1/batches/{job['id']}/events")
+    events = read_events(client, f"/api/v1/batches/{job['id']}/events")
     assert [event["id"] for event in events] == list(range(1, len(events) + 1))
     assert (events[-1]["state"], events[-1]["done"], events[-1]["failed"]) == ("done", job["total"], 0)
     rows = client.get(f"/api/v1/batches/{job['id']}/results").json()["rows"]
@@ -133,7 +133,7 @@ def test_an_unfinished_batch_is_finished(client: httpx.Client) -> None:
 def test_an_unfinished_tuning_goes_on_to_its_end(client: httpx.Client) -> None:
     """Its numbers are not mixed with those of today's core: it begins again."""
     job = unfinished("tunings")
-    events = told(client, f"/api/v1/tunings/{job['id']}/events")
+    events = read_events(client, f"/api/v1/tunings/{job['id']}/events")
     before = [row for row in TABLES["tuning_events"] if row["tuning_id"] == job["id"]]
     assert [event["event"] for event in events[: len(before) + 1]] == [*(row["kind"] for row in before), "restart"]
     tuning = client.get(f"/api/v1/tunings/{job['id']}").json()

@@ -327,14 +327,14 @@ def test_new_keys_for_one_job_hold_up_no_other(tmp_path: Path) -> None:
     store.migrate()
     old = submitted(store, core_version="0.0.9", first_seed=1000)
 
-    class Slow(Here):
+    class SlowWorkers(Here):
         async def call(self, function: Callable[..., Any], *args: Any) -> Any:
             while (other := store.jobs.page("sweep", 1)[0]).state != "done":
                 assert other.id != old.id
                 await asyncio.sleep(0.02)
             return function(*args)
 
-    assert {row.status for row in drive(tmp_path, answered, background=Slow())} == {"ok"}
+    assert {row.status for row in drive(tmp_path, answered, background=SlowWorkers())} == {"ok"}
     assert store.job_runs.waiting(old.id, -1, 1)[1], "it is still to come"
     store.close()
 

@@ -17,7 +17,7 @@ from sim_core.scenario import Scenario
 from tests.servers import loops
 
 LIMIT = 2.0  # a task may take [s]; the others here take far less
-CARS_KNOWN = "__import__('sim_core.car.half_car').car.half_car.half_car.cache_info().currsize"
+CACHED_CARS = "__import__('sim_core.car.half_car').car.half_car.half_car.cache_info().currsize"
 Do = Callable[[Callable[[Workers], Coroutine[Any, Any, Any]]], Any]
 
 
@@ -28,8 +28,8 @@ def do() -> Iterator[Do]:
     thread = threading.Thread(target=loop.run_forever)
     thread.start()
 
-    def wait(made: Coroutine[Any, Any, Any]) -> Any:
-        return asyncio.run_coroutine_threadsafe(made, loop).result(120)
+    def wait(coroutine: Coroutine[Any, Any, Any]) -> Any:
+        return asyncio.run_coroutine_threadsafe(coroutine, loop).result(120)
 
     async def start() -> None:
         workers.start()
@@ -71,7 +71,7 @@ def test_a_worker_computes_on_one_thread_and_is_warm(do: Do) -> None:
         pid = await workers.call(os.getpid)
         # Its main thread, and the one that ends it with the service: none of BLAS.
         assert psutil.Process(pid).num_threads() == 2
-        assert await workers.call(eval, CARS_KNOWN) > 0, "it has driven before anybody asked"
+        assert await workers.call(eval, CACHED_CARS) > 0, "it has driven before anybody asked"
         outcomes = await workers.call(run, Scenario(), ["lv", "passive"], 100)
         assert {name: outcome.status for name, outcome in outcomes.items()} == {"lv": "ok", "passive": "ok"}
 

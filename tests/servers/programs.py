@@ -26,8 +26,8 @@ def find(name: str, *, package: str, folders: str = "") -> str:
             break
         found_folders = sorted(map(str, Path("/").glob(folders)), reverse=True) if folders else []
         path = os.pathsep.join([*found_folders, os.environ.get("PATH", ""), "/usr/sbin"])
-        if found := shutil.which(name, path=path):
-            return found
+        if program_path := shutil.which(name, path=path):
+            return program_path
     pytest.fail(f"These tests need the program {name}. Install it: apt-get install {package}")
 
 

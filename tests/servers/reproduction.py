@@ -122,10 +122,10 @@ def store_in_database(url: str, *, ecu: bool = True) -> None:
 def digest() -> str:
     """Of all the numbers depend on: sources, installed packages, Python and machine."""
     packages = sorted({path.name for place in sys.path for path in Path(place).glob("*.dist-info")})
-    found = hashlib.sha256(repr([sys.version, platform.machine(), packages]).encode())
+    content_hash = hashlib.sha256(repr([sys.version, platform.machine(), packages]).encode())
     for name in SOURCES:
         assert (ROOT / name).exists(), name
         for path in sorted([ROOT / name, *(ROOT / name).rglob("*")]):
             if path.is_file() and "__pycache__" not in path.parts:
-                found.update(f"{path.relative_to(ROOT)}\0".encode() + path.read_bytes())
-    return found.hexdigest()[:24]
+                content_hash.update(f"{path.relative_to(ROOT)}\0".encode() + path.read_bytes())
+    return content_hash.hexdigest()[:24]

@@ -26,7 +26,7 @@ from ridelab.streams import json_rows, server_sent
 FULL = {"type": "about:blank", "title": "Full", "status": 503, "detail": "Full.", "errors": []}
 
 
-class Service:
+class Answering:
     """Answers one after the other; an exception among them is raised. Remembers what it was asked."""
 
     def __init__(self, *answers: httpx.Response | type[httpx.TransportError]) -> None:
@@ -51,7 +51,7 @@ def full(after: str | None = None) -> httpx.Response:
 
 
 def test_a_full_service_is_asked_again_when_it_says() -> None:
-    service = Service(full("7"), httpx.Response(429, json={**FULL, "status": 429}, headers={"Retry-After": "2"}))
+    service = Answering(full("7"), httpx.Response(429, json={**FULL, "status": 429}, headers={"Retry-After": "2"}))
     service.answers.append(httpx.Response(200, json={"well": True}))
     assert service.http().json("POST", "/x", body={}, repeatable=False) == {"well": True}
     assert service.slept == [7, 2]
@@ -67,7 +67,7 @@ def test_a_full_service_is_asked_again_when_it_says() -> None:
     ],
 )
 def test_it_gives_up(answers: list[httpx.Response]) -> None:
-    service = Service(*answers)
+    service = Answering(*answers)
     with pytest.raises(RidelabAPIError) as caught:
         service.http(retries=2).json("GET", "/x")
     assert (caught.value.status, str(caught.value)) == (503, "Full.")
@@ -86,7 +86,7 @@ def test_it_gives_up(answers: list[httpx.Response]) -> None:
     ],
 )
 def test_lost_connections(error: type[httpx.TransportError], repeatable: bool, asked: int) -> None:
-    service = Service(*[error] * 3)
+    service = Answering(*[error] * 3)
     with pytest.raises(RidelabConnectionError, match=r"ridelab\.test"):
         service.http(retries=2).json("POST", "/x", body={}, repeatable=repeatable)
     assert len(service.requests) == asked
@@ -256,8 +256,8 @@ def test_a_wait_ends_in_time_and_only_well_where_the_job_is_done() -> None:
         with pytest.raises(JobTimeoutError, match=f"The batch {'b' * 22} is running after 0 s") as caught:
             batch().wait(timeout=0)
         assert isinstance(caught.value, TimeoutError)
-        for told in ("was cancelled", "failed: a full disk"):
-            with pytest.raises(JobEndedError, match=f"The batch {'b' * 22} {told}"):
+        for ending in ("was cancelled", "failed: a full disk"):
+            with pytest.raises(JobEndedError, match=f"The batch {'b' * 22} {ending}"):
                 batch().wait(timeout=19)
         assert batch().wait(timeout=19).state == "done"
 

@@ -182,9 +182,9 @@ def test_comparing_files_needs_no_service(
     assert "it has no lqr, only passive, lv" in said
     assert "--tolerance: travel_time=much is neither a number from 0 on nor PATTERN=NUMBER" in said
     assert app.run(["compare", a, b, "--json"]) == 1
-    told = json.loads(capsys.readouterr().out)
-    assert told["equal"] is False
-    assert [(item["strategy"], item["figure"], item["unit"]) for item in told["differences"]] == [
+    comparison = json.loads(capsys.readouterr().out)
+    assert comparison["equal"] is False
+    assert [(item["strategy"], item["figure"], item["unit"]) for item in comparison["differences"]] == [
         ("passive", "travel_time", "s")
     ]
     other["strategies"] = {**answer["strategies"], "lqr": answer["strategies"]["lv"]}

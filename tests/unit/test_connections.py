@@ -17,10 +17,10 @@ class Fake:
 
 
 def several(connections: Connections, address: str, count: int, *, idle: bool = True) -> list[Fake]:
-    made = [Fake(idle=idle) for _ in range(count)]
-    for each in made:
+    connected = [Fake(idle=idle) for _ in range(count)]
+    for each in connected:
         assert connections.add(each, address) is Decision.SERVE
-    return made
+    return connected
 
 
 def test_a_clients_longest_unused_connection_goes_for_its_next() -> None:

@@ -55,10 +55,10 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
         archive.extractall(tmp_path)
     folder = tmp_path / export.FOLDER
     compiler = " ".join(build.compilers()[0])
-    made = subprocess.run(
+    make = subprocess.run(
         ["make", f"CC={compiler}", "CFLAGS=-std=c99 -O1 -Wall -Wextra -Werror"], cwd=folder, check=False
     )
-    assert made.returncode == 0
+    assert make.returncode == 0
     assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == SMALL
     exported = simulate(SMALL, "lv_hil", partial(connected, program=folder / "ridelab_ecu"), calibration)
     loaded = simulate(SMALL, "lv_hil", connected, calibration)
@@ -148,7 +148,7 @@ def test_a_variant_is_never_more_than_the_scenarios_own() -> None:
 
 @pytest.mark.parametrize("overslept", [False, True])
 def test_late_answers_are_misses_and_never_taken_for_a_later_step(overslept: bool) -> None:
-    class Slow:
+    class SlowLink:
         """Answers each frame 1.5 periods later, and perhaps lies there when this side wakes up too late."""
 
         def __init__(self) -> None:
@@ -166,7 +166,7 @@ def test_late_answers_are_misses_and_never_taken_for_a_later_step(overslept: boo
             return None
 
     timing = Timing()
-    ecu = PacedEcu(Slow(), 0.02, timing)  # type: ignore[arg-type]  # a stand-in
+    ecu = PacedEcu(SlowLink(), 0.02, timing)  # type: ignore[arg-type]  # a stand-in
     blank = np.zeros(1, dtype=np.int32)
     assert [ecu.exchange(Frame(step=k, stage=0, codes=blank)) for k in range(4)] == [None] * 4
     assert timing.misses == 4

@@ -214,9 +214,9 @@ def test_load_transfer_bounds_the_front_tyre_under_every_controller() -> None:
 
 
 def test_the_paper_s_strategies_are_among_the_combinations() -> None:
-    known = {variant.known_as: variant for variant in VARIANTS if variant.known_as}
-    assert set(known) == {"passive", "speed_only", "lqr", "lv"}
-    assert known["lv"].scenario(3) == scenario_for({}, 3)
+    named = {variant.known_as: variant for variant in VARIANTS if variant.known_as}
+    assert set(named) == {"passive", "speed_only", "lqr", "lv"}
+    assert named["lv"].scenario(3) == scenario_for({}, 3)
     assert len({variant.id for variant in VARIANTS}) == len(VARIANTS) == 26
 
 

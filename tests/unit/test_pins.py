@@ -79,13 +79,13 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, Stages], points
         {"brake_pressure": "bar"},
     )
     (array,) = pins.opened({"lv": old}, stages, points).values()
-    known = [key for key in SIGNALS if key in signals]
-    rows = [ROWS[key] for key in known]
+    shared = [key for key in SIGNALS if key in signals]
+    rows = [ROWS[key] for key in shared]
     expected = decimate(pack(simulate(SCENARIO, "lv"))[rows], points, stages["lv"])
     np.testing.assert_array_equal(array[rows], expected)
     assert np.isnan(array[[ROWS["rear_force"], ROWS["brake_pressure"]]]).all()
 
     answer = orjson.loads(exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="json")))
-    assert list(answer["series"]) == list(answer["units"]) == known
+    assert list(answer["series"]) == list(answer["units"]) == shared
     text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv")).decode()
-    assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in known]
+    assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in shared]

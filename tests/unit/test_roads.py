@@ -39,8 +39,8 @@ def test_roads_follow_the_scenarios_seed_and_every_strategy_drives_them() -> Non
     roads = seeded(scenario, 3)
     assert [road.road.seed for road in roads] == [5, 6, 7]
     assert roads[0] == scenario
-    found = drive(scenario, ("lqr", "passive"), 3)
-    for name, driven in found.items():
+    results_by_strategy = drive(scenario, ("lqr", "passive"), 3)
+    for name, driven in results_by_strategy.items():
         results = [simulate(road, name) for road in roads]
         assert driven == [{**result.metrics, "comfort": result.comfort} for result in results]
         assert len({result.travel_time for result in results}) == 1, "no road changes how long it takes"

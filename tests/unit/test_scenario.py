@@ -38,7 +38,7 @@ def test_bad_values_are_refused_at_their_field(path: str, value: Any, location: 
 
 
 @pytest.mark.parametrize(
-    ("given", "field"),
+    ("fields", "field"),
     [
         ({"mpc": {"prediction_horizon": 10}}, "mpc.control_horizon"),
         ({"road": {"length": 103}}, "road.bump.start"),
@@ -47,9 +47,9 @@ def test_bad_values_are_refused_at_their_field(path: str, value: Any, location: 
         ({"road": {"bump": {"shape": "circular", "height": 0.6, "width": 1}}}, "road.bump.height"),
     ],
 )
-def test_fields_that_do_not_fit_together_name_the_field(given: dict[str, Any], field: str) -> None:
+def test_fields_that_do_not_fit_together_name_the_field(fields: dict[str, Any], field: str) -> None:
     with pytest.raises(ValidationError) as caught:
-        Scenario.model_validate(given)
+        Scenario.model_validate(fields)
     assert [error["ctx"]["field"] for error in caught.value.errors()] == [field]
 
 

@@ -36,8 +36,8 @@ def summarise(rows: Study, baseline: str) -> dict[str, Any]:
     return {name: each.model_dump() for name, each in summary.summarise(rows, baseline).items()}
 
 
-def figure(found: dict[str, Any], strategy: str) -> Any:
-    return found[strategy]["figures"][FIGURE]
+def figure(summaries: dict[str, Any], strategy: str) -> Any:
+    return summaries[strategy]["figures"][FIGURE]
 
 
 def test_quantiles_extremes_and_mean_are_those_of_the_values() -> None:

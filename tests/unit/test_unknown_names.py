@@ -27,7 +27,7 @@ class Drawing(BaseModel):
 
 
 @pytest.mark.parametrize(
-    ("path", "shown", "known"),
+    ("path", "shown", "names"),
     [
         ([], [], ["first", "others", "pair", "named"]),
         (["first", "square"], ["first"], ["kind", "sides"]),
@@ -37,9 +37,9 @@ class Drawing(BaseModel):
     ],
 )
 def test_the_place_is_the_bodys_own_and_names_are_those_in_json(
-    path: list[str | int], shown: list[str | int], known: list[str]
+    path: list[str | int], shown: list[str | int], names: list[str]
 ) -> None:
-    assert locate_in_body(Drawing, path) == (shown, known)
+    assert locate_in_body(Drawing, path) == (shown, names)
 
 
 def test_a_json_pointer_is_escaped() -> None:

@@ -45,11 +45,11 @@ def difference(scenario: Scenario, strategy: str, *, always: bool = False) -> tu
     law, weighting = LAWS[strategy]
     result = simulate(scenario, strategy)
     trace = drive(scenario, result, weighting(scenario), law=law, always=always)
-    kept = trace.fine_time > -1e-9
-    count = min(kept.sum(), len(result.series["time"]))
+    recorded = trace.fine_time > -1e-9
+    count = min(recorded.sum(), len(result.series["time"]))
     theirs = np.array([result.series[name] for name in (*OUTPUTS, "front_force", "rear_force")])[:, :count]
     fine = len(trace.fine_time) // len(trace.time)
-    mine = np.vstack([trace.output.T, np.repeat(trace.command, fine, axis=0).T])[:, kept][:, :count]
+    mine = np.vstack([trace.output.T, np.repeat(trace.command, fine, axis=0).T])[:, recorded][:, :count]
     rows = slice(None) if scenario.actuator.bandwidth is None else slice(len(OUTPUTS))  # commands are not on record
     gap = np.abs(mine - theirs).max(axis=1) / np.abs(theirs).max(axis=1)
     assert count > 0.95 * len(result.series["time"])

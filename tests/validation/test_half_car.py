@@ -70,9 +70,9 @@ def test_steady_braking_shifts_the_load_by_the_moment_over_the_wheelbase(car: Ve
     y = model.C @ state + model.F @ w
     transfer = car.body_mass * 3.0 * car.cg_height / (car.cg_to_front + car.cg_to_rear)
     np.testing.assert_allclose(y[:4], [0, 0, transfer, -transfer], atol=1e-7 * transfer)
-    carried = car.front_brake_share * car.anti_dive, (1 - car.front_brake_share) * car.anti_lift
-    assert (y[4] < 0) == (carried[0] < 1)  # dives, unless links carry more than all
-    assert (y[5] > 0) == (carried[1] < 1)
+    load_shares = car.front_brake_share * car.anti_dive, (1 - car.front_brake_share) * car.anti_lift
+    assert (y[4] < 0) == (load_shares[0] < 1)  # dives, unless links carry more than all
+    assert (y[5] > 0) == (load_shares[1] < 1)
 
 
 def test_links_may_carry_all_of_the_load_transfer() -> None:

@@ -24,17 +24,17 @@ def measured_on(road: Road, spacing: float = 0.05, length: float = 200) -> Measu
 def test_a_line_is_taken_off_and_a_wave_keeps_its_share() -> None:
     """Of a wave sampled finely the mean of 11 heights leaves sin(11 πs/λ)/(11 sin(πs/λ)): 0.946 of one of 0.6 m."""
     x = np.arange(0, 60.001, 0.01)
-    made = surveyed(x, 5 - 0.02 * x + 0.03 * np.sin(2 * np.pi * x / 0.6))
+    wave = surveyed(x, 5 - 0.02 * x + 0.03 * np.sin(2 * np.pi * x / 0.6))
     share = np.sin(11 * np.pi * 0.01 / 0.6) / (11 * np.sin(np.pi * 0.01 / 0.6))
     assert share == pytest.approx(0.946, abs=1e-3)
-    assert (made.offset, made.slope) == pytest.approx((5, -0.02), abs=1e-3)
+    assert (wave.offset, wave.slope) == pytest.approx((5, -0.02), abs=1e-3)
     inner = slice(100, -100)
-    np.testing.assert_allclose(made.heights[inner], 0.03 * share * np.sin(2 * np.pi * x / 0.6)[inner], atol=1e-3)
+    np.testing.assert_allclose(wave.heights[inner], 0.03 * share * np.sin(2 * np.pi * x / 0.6)[inner], atol=1e-3)
 
 
 def test_heights_are_straight_between_those_given() -> None:
-    made = surveyed(np.array([3.0, 5.0, 8.5]), np.array([0.0, 0.0, 0.0]))
-    assert len(made.heights) == 551
+    level = surveyed(np.array([3.0, 5.0, 8.5]), np.array([0.0, 0.0, 0.0]))
+    assert len(level.heights) == 551
     tent = surveyed(np.array([0.0, 5.0, 10.0]), np.array([0.0, 0.1, 0.0]))
     line = tent.offset + tent.slope * 2.5
     assert tent.heights[250] + line == pytest.approx(0.05, abs=1e-12)
@@ -59,11 +59,11 @@ def test_a_measured_road_drives_as_the_road_it_was_measured_on(strategy: str) ->
 
     Level before its first height, where the made road has its run-in: the windows are those of the bump.
     """
-    made = Scenario(road=Road(roughness=16e-6, length=150))
+    original = Scenario(road=Road(roughness=16e-6, length=150))
     flat = Bump(height=0)
-    on_it = Scenario(road=made.road.model_copy(update={"bump": flat, "profile": "A" * 22}), speed=made.speed)
-    ours = simulate(on_it.on(measured_on(made.road)), strategy).metrics["bump"]
-    theirs = simulate(made, strategy).metrics["bump"]
+    on_it = Scenario(road=original.road.model_copy(update={"bump": flat, "profile": "A" * 22}), speed=original.speed)
+    ours = simulate(on_it.on(measured_on(original.road)), strategy).metrics["bump"]
+    theirs = simulate(original, strategy).metrics["bump"]
     for signal, limit in (("front_deflection", 0.02), ("rear_deflection", 0.02), ("body_acceleration", 0.08)):
         assert ours[signal]["rms"] == pytest.approx(theirs[signal]["rms"], rel=limit), signal
 

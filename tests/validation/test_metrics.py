@@ -88,8 +88,8 @@ def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretche
     """
     scenario = Scenario()
     result, motion = simulate(scenario, strategy), drive(scenario, STRATEGIES[strategy].speed)
-    found = rms_between(result.series, motion, stretches)
-    assert list(found) == list(METRIC_SIGNALS)
+    rms = rms_between(result.series, motion, stretches)
+    assert list(rms) == list(METRIC_SIGNALS)
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
     position = motion.at(time)[0]
     time = time[np.any([(first <= position) & (position <= last) for first, last in stretches], axis=0)]
@@ -97,7 +97,7 @@ def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretche
     step = time / result.series["time"][1]
     sample = step.astype(int)
     command, row = np.divmod(sample, fine)
-    for signal, value in found.items():
+    for signal, value in rms.items():
         power = 1 if signal.endswith("acceleration") else 2
         values = result.series.columns(signal) ** power
         history = values[row, command] + (step - sample) * (values[row + 1, command] - values[row, command])

@@ -26,7 +26,7 @@ NAMES = (*OUTPUTS, "front_force", "rear_force")
 
 
 @dataclass(frozen=True)
-class Run:
+class AdaptiveRun:
     """A strategy's run: the core's result, and its states and commands at the control instants."""
 
     scenario: Scenario
@@ -39,7 +39,7 @@ class Run:
         return self.trajectory.commands
 
 
-def run(scenario: Scenario, name: str) -> Run:
+def run(scenario: Scenario, name: str) -> AdaptiveRun:
     """Drive it by the core."""
     caught: list[Trajectory] = []
     drive_loop = ClosedLoop.run
@@ -49,15 +49,15 @@ def run(scenario: Scenario, name: str) -> Run:
         return caught[-1]
 
     with patch.object(ClosedLoop, "run", caught_run):
-        return Run(scenario, simulate(scenario, name), caught[0])
+        return AdaptiveRun(scenario, simulate(scenario, name), caught[0])
 
 
-def errors(runs: list[Run]) -> list[dict[str, float]]:
+def errors(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
     """How far each RMS value and peak of the core is from the solver's, relative.
 
     All runs at one constant speed, of one length and with control steps of `CONTROL_STEP`.
     """
-    found = []
+    relative_errors = []
     for run, theirs in zip(runs, _solved(runs), strict=True):
         ours = {
             f"{window}.{signal}.{statistic}": value
@@ -65,8 +65,8 @@ def errors(runs: list[Run]) -> list[dict[str, float]]:
             for signal, statistics in signals.items()
             for statistic, value in statistics.items()
         }
-        found.append({key: ours[key] / theirs[key] - 1 for key in ours if abs(theirs[key]) > 1e-9})
-    return found
+        relative_errors.append({key: ours[key] / theirs[key] - 1 for key in ours if abs(theirs[key]) > 1e-9})
+    return relative_errors
 
 
 class Cars:
@@ -118,7 +118,7 @@ class Cars:
         return np.concatenate([x[4:8], body[None], pitch[None], wheels, self.corner * (command - x[8:])])
 
 
-def _solved(runs: list[Run]) -> list[dict[str, float]]:
+def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
     motion = drive(runs[0].scenario, SpeedPolicy.CONSTANT)
     steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
     time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
@@ -159,10 +159,10 @@ def _solved(runs: list[Run]) -> list[dict[str, float]]:
         values[k] = np.concatenate([rates[4:6], load, travel, states[8:], speed])
         x = states[:, -1].copy()
     seen = time[:, 0] >= -1e-9
-    found = []
+    metrics_by_run = []
     for i, run in enumerate(runs):
         signals = {name: values[seen, row, :, i] for row, name in enumerate(NAMES)}
         held = Held(time=time[seen], signals=signals, speed=(values[seen, -2, :, i], values[seen, -1, :, i]))
         metrics = held.metrics(run.scenario, motion)
-        found.append({key: value for key, value in metrics.items() if not key.startswith("comfort")})
-    return found
+        metrics_by_run.append({key: value for key, value in metrics.items() if not key.startswith("comfort")})
+    return metrics_by_run

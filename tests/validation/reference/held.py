@@ -49,7 +49,7 @@ class Held:
             bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
         )
         end = motion.time_at(scenario.road.length)
-        found: dict[str, float] = {}
+        metrics: dict[str, float] = {}
         for window, first, last in (
             ("rough_road", 0.0, arrival),
             ("bump", arrival, min(leaving, end)),
@@ -62,50 +62,50 @@ class Held:
             for name, values in self.signals.items():
                 square = values**2
                 mean = ((square[:, :-1] + square[:, 1:]) / 2)[share].mean()
-                found[f"{window}.{name}.rms"] = float(np.sqrt(mean))
-                found[f"{window}.{name}.peak"] = float(np.abs(values[seen]).max())
-        return found | self._comfort(scenario, end)
+                metrics[f"{window}.{name}.rms"] = float(np.sqrt(mean))
+                metrics[f"{window}.{name}.peak"] = float(np.abs(values[seen]).max())
+        return metrics | self._comfort(scenario, end)
 
     def _comfort(self, scenario: Scenario, end: float) -> dict[str, float]:
         rows = self.time[:, 0] <= end + 1e-9
-        kept = self.time[rows] <= end + 1e-9
+        inside = self.time[rows] <= end + 1e-9
         power = sum(
             np.abs(self.signals[f"{axle}_force"] * speed)
             for axle, speed in zip(("front", "rear"), self.speed, strict=True)
         )[rows]
-        both = kept[:, :-1] & kept[:, 1:]
+        both = inside[:, :-1] & inside[:, 1:]
         flat = self.signals["body_acceleration"][rows].copy()
         flat[1:, 0] = (flat[1:, 0] + flat[:-1, -1]) / 2  # the area on both sides of a jump is its trapezoids'
-        filtered = weighted(flat[:, :-1][kept[:, :-1]], float(self.time[0, 1] - self.time[0, 0]))
+        filtered = weighted(flat[:, :-1][inside[:, :-1]], float(self.time[0, 1] - self.time[0, 0]))
         return {
             "comfort.weighted_rms": float(np.sqrt(np.mean(filtered**2))),
             "comfort.vibration_dose": float((np.sum(filtered**4) * (self.time[0, 1] - self.time[0, 0])) ** 0.25),
             "comfort.actuator_mean_power": float(((power[:, :-1] + power[:, 1:]) / 2)[both].mean()),
-            "comfort.actuator_peak_power": float(power[kept].max()),
+            "comfort.actuator_peak_power": float(power[inside].max()),
         }
 
 
 def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, float], Held]:
     """One strategy's metrics by the reference, and the samples they come from."""
-    chosen = strategy_named(name)
-    motion = drive_plan(scenario, chosen.speed)
-    actuated = chosen.suspension is not SuspensionPolicy.PASSIVE
+    strategy = strategy_named(name)
+    motion = drive_plan(scenario, strategy.speed)
+    actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     Ts = scenario.mpc.sample_time if actuated else CONTROL_STEP
     wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
-    if chosen.suspension is SuspensionPolicy.ECU:
+    if strategy.suspension is SuspensionPolicy.ECU:
         commands, Ts = _ecu_commands(scenario)
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
         return held.metrics(scenario, motion), held
 
-    road_input = sample_road(scenario.road, wheelbase, motion, Ts, fine_step(scenario, chosen))
-    controller = make_controller(scenario, chosen, motion, road_input)
+    road_input = sample_road(scenario.road, wheelbase, motion, Ts, fine_step(scenario, strategy))
+    controller = make_controller(scenario, strategy, motion, road_input)
     actuator = scenario.actuator if actuated else Actuator()
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
     strongest = np.inf if actuator.saturation is None else actuator.saturation
     previous = np.zeros(2)
     stages: list[str] = []
     feeds: list[Array] = []
-    for stage, first, last in segments(spans(scenario, chosen, motion), road_input.position):
+    for stage, first, last in segments(spans(scenario, strategy, motion), road_input.position):
         stages += [stage] * (last - first)
         feeds += list(controller.feed(stage, first, last))
 
@@ -142,9 +142,9 @@ def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
     drive_loop = HilLoop.run
 
     def caught_run(self: HilLoop, ecu: Any) -> Any:
-        course = drive_loop(self, ecu)
-        caught.append((course.commands, self._inputs.step))
-        return course
+        trajectory = drive_loop(self, ecu)
+        caught.append((trajectory.commands, self._inputs.step))
+        return trajectory
 
     with patch.object(HilLoop, "run", caught_run):
         simulate(scenario, "lv_hil")  # its ECU by the model in NumPy
@@ -205,12 +205,12 @@ def _drive(
         forces[:, :, i], speeds[:, :, i] = u.T, (now[:, :8] @ stretch.T).T
         if i < n:
             now = now @ A.T + commands @ B.T + forced[:, i] @ E.T
-    kept = time[:, 0] >= -1e-9
+    recorded = time[:, 0] >= -1e-9
     signals = dict(zip((*OUTPUTS, "front_force", "rear_force"), [*outputs, *forces], strict=True))
     return Held(
-        time=time[kept],
-        signals={key: values[kept] for key, values in signals.items()},
-        speed=(speeds[0][kept], speeds[1][kept]),
+        time=time[recorded],
+        signals={key: values[recorded] for key, values in signals.items()},
+        speed=(speeds[0][recorded], speeds[1][recorded]),
     )
 
 

@@ -69,7 +69,7 @@ class Predictor:
         self.forced = slice(U, Z)
 
 
-class Mpc:
+class ReferenceMpc:
     """One stage's problem, set up as a dense QP in forces [kN] and slacks [cm] and solved from nothing each time."""
 
     def __init__(self, scenario: Scenario, predictor: Predictor, q: tuple[float, float, float]) -> None:
@@ -110,10 +110,10 @@ class Mpc:
 
         heights: (Np + 1, 2), braking: (Np,).
         """
-        given = np.concatenate([x, heights.ravel(), braking])
+        inputs = np.concatenate([x, heights.ravel(), braking])
         n = 2 * self.predictor.moves
-        g = np.concatenate([self.g_free @ given + self.g_previous @ previous, np.full(2, 1e5 / 100)])
-        offset, limit = self.travel_free @ given, self.mpc.deflection_limit * 100
+        g = np.concatenate([self.g_free @ inputs + self.g_previous @ previous, np.full(2, 1e5 / 100)])
+        offset, limit = self.travel_free @ inputs, self.mpc.deflection_limit * 100
         force = np.full(n, self.mpc.force_limit / KILO)
         b = np.concatenate([limit - offset, limit + offset, force, force, np.zeros(2)])
         y = np.concatenate([np.linalg.solve(self.H[:n, :n], -g[:n]), np.zeros(2)])
@@ -160,15 +160,15 @@ def drive(
         return np.stack([surface.height(x), surface.height(x - wheelbase)], axis=-1)
 
     def seen(t: float) -> tuple[Array, Array]:
-        ahead = t + Ts * np.arange(mpc.prediction_horizon + 1)
+        horizon = t + Ts * np.arange(mpc.prediction_horizon + 1)
         if mpc.preview == "lookahead":
-            return heights(ahead), plan.braking(ahead[:-1] + Ts / 2)
-        level = np.tile(heights(np.array([t])), (len(ahead), 1))
+            return heights(horizon), plan.braking(horizon[:-1] + Ts / 2)
+        level = np.tile(heights(np.array([t])), (len(horizon), 1))
         if mpc.preview == "wheelbase":
             x = plan.position(np.array([t]))[0] - wheelbase
-            reach = plan.speed(np.array([t]))[0] * (ahead - t)
-            known = reach[reach <= wheelbase]
-            rear = surface.height(x + known)
+            distances = plan.speed(np.array([t]))[0] * (horizon - t)
+            covered = distances[distances <= wheelbase]
+            rear = surface.height(x + covered)
             level[:, 1] = rear[-1]
             level[: len(rear), 1] = rear
         return level, np.full(mpc.prediction_horizon, plan.braking(np.array([t]))[0])
@@ -184,7 +184,7 @@ def drive(
         K = regulator(model, mean_cost(model, weight, Ts, mpc.force_weight, *gauss()), Ts).K
         lever = np.array([[1, -car.cg_to_front], [1, car.cg_to_rear]])
     predictor = Predictor(model, Ts, mpc.prediction_horizon, mpc.control_horizon) if law == "mpc" else None
-    problems: dict[tuple[float, float, float], Mpc] = {}
+    problems: dict[tuple[float, float, float], ReferenceMpc] = {}
 
     begin = -ceil(RUN_IN / (result.series["speed"][0] * Ts))
     finish = int(np.floor(result.series["time"][-1] / Ts))
@@ -197,7 +197,7 @@ def drive(
         if law == "mpc":
             q = stage_weights(float(plan.position(np.array([t]))[0]))
             if q not in problems:
-                problems[q] = Mpc(scenario, predictor, q)
+                problems[q] = ReferenceMpc(scenario, predictor, q)
             wanted = problems[q].solve(x, u, *seen(t), always=always)
         else:
             z = heights(np.array([t]))[0]
@@ -208,8 +208,8 @@ def drive(
         z = heights(moments)
         a = plan.braking(moments[:-1] + h / 2)
         for j in range(fine):
-            given = (force, u) if corner else (u, u[:0])
-            w = np.concatenate([x, given[0], z[j], z[j + 1], a[j : j + 1], given[1]])
+            actuation = (force, u) if corner else (u, u[:0])
+            w = np.concatenate([x, actuation[0], z[j], z[j + 1], a[j : j + 1], actuation[1]])
             outputs.append(read @ w)
             x, force = small.state @ w, small.force @ w
         times.append(t)

@@ -10,7 +10,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Solution:
+class QpSolution:
     """Minimiser, multipliers of A x ≤ b, and the four KKT residuals, each relative to its own scale."""
 
     x: Array
@@ -18,7 +18,7 @@ class Solution:
     residual: float
 
 
-def solve(H: Array, g: Array, A: Array, b: Array, iterations: int = 60) -> Solution:
+def solve(H: Array, g: Array, A: Array, b: Array, iterations: int = 60) -> QpSolution:
     """min ½ x'Hx + g'x subject to A x ≤ b with H > 0 (Nocedal & Wright, Algorithm 16.4)."""
     x = np.linalg.solve(H, -g)
     slack = np.maximum(np.abs(b - A @ x), 1.0)
@@ -43,17 +43,17 @@ def solve(H: Array, g: Array, A: Array, b: Array, iterations: int = 60) -> Solut
             return dx, ds, -(target + multiplier * ds) / slack
 
         _, ds, dm = step(slack * multiplier)
-        ahead = _longest(slack, ds, multiplier, dm, 1.0)
-        centring = ((slack + ahead * ds) @ (multiplier + ahead * dm) / len(b) / gap) ** 3
+        affine_step = _longest(slack, ds, multiplier, dm, 1.0)
+        centring = ((slack + affine_step * ds) @ (multiplier + affine_step * dm) / len(b) / gap) ** 3
         dx, ds, dm = step(slack * multiplier + ds * dm - centring * gap)
         length = _longest(slack, ds, multiplier, dm, 0.995)
         x, slack, multiplier = x + length * dx, slack + length * ds, multiplier + length * dm
     return _polished(H, g, A, b, x, multiplier, slack)
 
 
-def _polished(H: Array, g: Array, A: Array, b: Array, x: Array, multiplier: Array, slack: Array) -> Solution:
+def _polished(H: Array, g: Array, A: Array, b: Array, x: Array, multiplier: Array, slack: Array) -> QpSolution:
     """The exact optimum on the active set found, if it is at least as good a KKT point."""
-    rough = Solution(x=x, multipliers=multiplier, residual=residual(H, g, A, b, x, multiplier))
+    rough = QpSolution(x=x, multipliers=multiplier, residual=residual(H, g, A, b, x, multiplier))
     active = np.flatnonzero(multiplier > slack)
     n, m = len(g), len(active)
     kkt = np.block([[H, A[active].T], [A[active], np.zeros((m, m))]])
@@ -63,7 +63,7 @@ def _polished(H: Array, g: Array, A: Array, b: Array, x: Array, multiplier: Arra
     multipliers = np.zeros(len(b))
     multipliers[active] = exact[n:]
     sharp = residual(H, g, A, b, exact[:n], multipliers)
-    return Solution(x=exact[:n], multipliers=multipliers, residual=sharp) if sharp <= rough.residual else rough
+    return QpSolution(x=exact[:n], multipliers=multipliers, residual=sharp) if sharp <= rough.residual else rough
 
 
 def _longest(slack: Array, ds: Array, multiplier: Array, dm: Array, share: float) -> float:

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class Interval:
+class SampledInterval:
     """Linear maps over one interval from w = (x, u, z_start, z_end, a, command): state, force and OUTPUTS at time s.
 
     Command and deceleration are held, the road height is linear. x: 8, u: 2, z: 2 + 2, a: 1, command: 2; w: 17, or
@@ -25,7 +25,7 @@ class Interval:
     output: Array  # (6, 15 or 17)
 
 
-def interval(model: StateSpace, length: float, at: float, corner: float = 0.0) -> Interval:
+def interval(model: StateSpace, length: float, at: float, corner: float = 0.0) -> SampledInterval:
     """The maps at time `at` within an interval of `length` [s], by one matrix exponential of the augmented system.
 
     corner: of the actuator's lag u̇ = corner (command − u) [rad/s]; 0 for an ideal actuator.
@@ -43,7 +43,7 @@ def interval(model: StateSpace, length: float, at: float, corner: float = 0.0) -
     to_slope[12:14, 10:12], to_slope[12:14, 12:14] = -np.eye(2) / length, np.eye(2) / length
     evolved = expm(generator * at) @ to_slope
     read = np.hstack([model.C, model.F, model.G, np.zeros((6, 2)), model.H[:, None], np.zeros((6, n - 15))])
-    return Interval(state=evolved[:8], force=evolved[8:10], output=read @ evolved)
+    return SampledInterval(state=evolved[:8], force=evolved[8:10], output=read @ evolved)
 
 
 def weights(car: Vehicle, q: tuple[float, float, float], travel: float, limit: float, speed: float) -> Array:
@@ -81,21 +81,21 @@ def gauss(n: int = 10) -> tuple[Array, Array]:
 
 
 @dataclass(frozen=True)
-class Regulator:
+class SampledRegulator:
     """u = −K x and the cost-to-go x' P x, in absolute coordinates with the road at 0."""
 
     K: Array
     P: Array
 
 
-def regulator(model: StateSpace, cost: Array, length: float) -> Regulator:
+def regulator(model: StateSpace, cost: Array, length: float) -> SampledRegulator:
     """Infinite-horizon optimum of the sampled-data cost, cross term included."""
     maps = interval(model, length, length).state
     A, B = maps[:, :8], maps[:, 8:10]
     Q, S, R = cost[:8, :8], cost[:8, 8:10], cost[8:10, 8:10]
     P = riccati(A, B, Q, R, S)
     K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + S.T)
-    return Regulator(K=K, P=P)
+    return SampledRegulator(K=K, P=P)
 
 
 def riccati(A: Array, B: Array, Q: Array, R: Array, S: Array) -> Array:
@@ -105,14 +105,14 @@ def riccati(A: Array, B: Array, Q: Array, R: Array, S: Array) -> Array:
     """
     unit = 1 / np.sqrt(np.maximum(np.diag(Q), 1e-12 * np.diag(Q).max()))
     A, B, Q, S = A * unit / unit[:, None], B / unit[:, None], Q * np.outer(unit, unit), S * unit[:, None]
-    ahead = A - B @ np.linalg.solve(R, S.T)
+    F = A - B @ np.linalg.solve(R, S.T)
     G, H = B @ np.linalg.solve(R, B.T), Q - S @ np.linalg.solve(R, S.T)
     for _ in range(40):
         shrink = np.linalg.inv(np.eye(len(A)) + G @ H)
-        ahead, G, H = (
-            ahead @ shrink @ ahead,
-            G + ahead @ shrink @ G @ ahead.T,
-            H + ahead.T @ H @ shrink @ ahead,
+        F, G, H = (
+            F @ shrink @ F,
+            G + F @ shrink @ G @ F.T,
+            H + F.T @ H @ shrink @ F,
         )
         G, H = (G + G.T) / 2, (H + H.T) / 2
     return H / np.outer(unit, unit)
