@@ -7,7 +7,6 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { api } from "./api/client";
 import "./global.css";
-import { loadPlotly } from "./plots/plotly";
 import { createAppRouter } from "./router";
 import { DeskProvider } from "./state/context";
 import { createLab } from "./state/lab";
@@ -24,9 +23,7 @@ const queries = new QueryClient({
 const pages = createAppRouter();
 const router = createLabRouter(pages);
 const lab = createLab({ api, router, queries });
-// The first run, the plotting code and the form are fetched at the same time.
 router.onTravel(lab.travel);
-void loadPlotly();
 watchPrinting();
 
 const root = document.getElementById("root");

@@ -1,6 +1,6 @@
 """The page as a person uses it: names for what they look at and do."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Literal
 
@@ -18,6 +18,14 @@ REFUSE_COPYING = """
 Object.defineProperty(navigator, 'clipboard', {value: undefined});
 document.execCommand = () => false;
 """
+WATCH_DRAWINGS = """() => {
+  window.drawings = 0;
+  const observer = new MutationObserver(changes => window.drawings += changes.length);
+  for (const plot of document.querySelectorAll('[data-figure] .scatterlayer'))
+    observer.observe(plot, {subtree: true, childList: true, attributes: true});
+  const {stroke} = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.stroke = function () { window.drawings += 1; return stroke.call(this); };
+}"""
 WINDOWS = {"rough_road": "rms", "bump": "peak"}
 
 
@@ -131,6 +139,11 @@ class Dashboard:
             "lines => lines.map(line => line.getAttribute('d'))"
         )
         return paths
+
+    def drawings(self) -> Callable[[], int]:
+        """How often a curve is drawn from now on, by plotly or on a canvas."""
+        self.page.evaluate(WATCH_DRAWINGS)
+        return lambda: int(self.page.evaluate("window.drawings"))
 
     def address(self) -> str:
         """What the address bar shows now; `page.url` learns of a change a moment later."""

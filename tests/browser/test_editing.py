@@ -183,8 +183,12 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
     cell = "td[data-cell='bump.body_acceleration.peak']"
     lv = dashboard.row("lv").locator(cell)
     expect(lv).to_contain_text(re.compile(r"▼ −[\d.]+\s%, better"))
+    dashboard.row("lv").scroll_into_view_if_needed()
+    expect(dashboard.page.locator("section[data-figure=pitch_acceleration] .trace")).to_have_count(3)
+    drawn = dashboard.drawings()
     dashboard.row("lv").get_by_role("button").click()
     expect(dashboard.row("lv")).to_have_attribute("data-baseline", "true")
+    assert drawn() == 0  # no curve is drawn anew for it
     expect(lv).not_to_contain_text("%")
     values = dashboard.shown_values()
     worse = 100 * (values["passive bump.body_acceleration.peak"] / values["lv bump.body_acceleration.peak"] - 1)

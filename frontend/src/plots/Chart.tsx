@@ -5,6 +5,7 @@ import { useEffect, useEffectEvent, useRef } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
 import type { BarTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
+import { PlotlyFault } from "./PlotlyFault";
 import { usePlotly } from "./usePlotly";
 
 export interface ChartFigure {
@@ -57,6 +58,7 @@ export function Chart({ figure, height, width: fixedWidth, label, onPoint }: Pro
 
   return (
     <div ref={ref} className={classes.chart} style={{ height }}>
+      <PlotlyFault />
       <div ref={host} role="img" aria-label={label} />
     </div>
   );

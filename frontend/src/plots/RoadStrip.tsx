@@ -23,10 +23,10 @@ export function RoadStrip({ template, scene }: Props) {
   const palette = PALETTES[useComputedColorScheme("light")];
   const onZoom = useZoom();
   const { series, summaries, strategies, axis, whole, range, shown } = scene;
-  const figure = useMemo(() => {
-    const panel = buildFigure({ template, series, summaries, strategies, axis, range: whole, palette });
-    return { ...panel, layout: { ...panel.layout, yaxis: { ...panel.layout.yaxis, nticks: 3 } } };
-  }, [template, series, summaries, strategies, axis, whole, palette]);
+  const figure = useMemo(
+    () => buildFigure({ template, series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
+    [template, series, summaries, strategies, axis, whole, palette],
+  );
   const { meta } = template.layout;
   const part = (x: number) => (x - whole[0]) / (whole[1] - whole[0]);
   const [left, right] = [part(range[0]), 1 - part(range[1])];

@@ -1,4 +1,4 @@
-/** The drawn part of a panel: plotly's graph, and the canvas that follows a moving slider. */
+/** The drawn part of a panel: plotly's graph, and the canvas that stands in for it. */
 
 import { useElementSize } from "@mantine/hooks";
 import { useEffect, useRef } from "react";
@@ -19,17 +19,17 @@ export function Surface({ plotly, figure, live }: Props) {
   const painter = useRef<PanelPainter>(null);
 
   useEffect(() => {
-    if (!plotly || !host.current || !canvas.current) return undefined;
-    const panelPainter = new PanelPainter(plotly, host.current, canvas.current);
+    if (!host.current || !canvas.current) return undefined;
+    const panelPainter = new PanelPainter(host.current, canvas.current);
     painter.current = panelPainter;
     return () => {
       painter.current = null;
       panelPainter.dispose();
     };
-  }, [plotly]);
+  }, []);
 
   useEffect(() => {
-    if (figure && width > 0) painter.current?.paint(figure, { width, height }, live);
+    if (figure && width > 0) painter.current?.paint(figure, { width, height }, live, plotly);
   }, [plotly, figure, live, width, height]);
 
   return (

@@ -1,4 +1,4 @@
-/** Draws a panel's curves and shapes on a canvas over plotly's axes: fast enough to follow a slider. */
+/** Draws a whole panel on a canvas, as plotly draws the same figure: what follows a slider, and what is there before plotly. */
 
 import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
 import type { Shape } from "./shapes";
@@ -9,8 +9,6 @@ export interface Size {
   readonly height: number;
 }
 
-type Range = readonly [number, number];
-
 interface Frame {
   readonly toX: (x: number) => number;
   readonly toY: (y: number) => number;
@@ -19,6 +17,7 @@ interface Frame {
 }
 
 const AT_LEAST_PX = 3;
+const TICK_PX = 11;
 
 /** Dash lengths as plotly draws them. */
 function dashOf(style: unknown, lineWidth: number): number[] {
@@ -49,18 +48,23 @@ function drawShape(context: CanvasRenderingContext2D, shape: Shape, frame: Frame
   context.globalAlpha = asNumber(shape.opacity, 1);
   if (shape.type === "line") {
     const line = shape.line as Readonly<Record<string, unknown>>;
-    context.strokeStyle = asText(line.color, "#868e96");
-    context.lineWidth = asNumber(line.width, 1);
-    context.setLineDash(dashOf(line.dash, context.lineWidth));
-    context.beginPath();
-    context.moveTo(left, bottom);
-    context.lineTo(right, top);
-    context.stroke();
+    const width = asNumber(line.width, 1);
+    drawLine(context, [left, bottom, right, top], asText(line.color, "#868e96"), width, dashOf(line.dash, width));
   } else {
     context.fillStyle = asText(shape.fillcolor, "transparent");
     context.fillRect(left, top, right - left, bottom - top);
   }
   context.globalAlpha = 1;
+}
+
+function drawLine(context: CanvasRenderingContext2D, [x0, y0, x1, y1]: readonly [number, number, number, number], colour: string, width = 1, dash: number[] = []): void {
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.setLineDash(dash);
+  context.beginPath();
+  context.moveTo(x0, y0);
+  context.lineTo(x1, y1);
+  context.stroke();
 }
 
 function tracePath(context: CanvasRenderingContext2D, x: Numbers, y: Numbers, frame: Frame): void {
@@ -70,37 +74,59 @@ function tracePath(context: CanvasRenderingContext2D, x: Numbers, y: Numbers, fr
 }
 
 function drawTrace(context: CanvasRenderingContext2D, { x, y, line, opacity = 1 }: PlotTrace, frame: Frame): void {
-  context.globalAlpha = opacity;
   context.strokeStyle = asText(line.color, "#868e96");
   context.lineWidth = asNumber(line.width, 1.5);
   context.lineJoin = "round";
+  context.globalAlpha = opacity;
   context.setLineDash(dashOf(line.dash, context.lineWidth));
   tracePath(context, x, y, frame);
   context.globalAlpha = 1;
+}
+
+function drawGrid(context: CanvasRenderingContext2D, { layout: { xaxis, yaxis } }: PanelFigure, frame: Frame): void {
+  for (const x of xaxis.tickvals) drawLine(context, [crisp(frame.toX(x)), 0, crisp(frame.toX(x)), frame.height], xaxis.gridcolor);
+  for (const y of yaxis.tickvals) {
+    drawLine(context, [0, crisp(frame.toY(y)), frame.width, crisp(frame.toY(y))], y === 0 ? yaxis.zerolinecolor : yaxis.gridcolor);
+  }
+}
+
+/** A line of one pixel lies on one. */
+const crisp = (at: number) => Math.round(at - 0.5) + 0.5;
+
+function drawLabels(context: CanvasRenderingContext2D, { layout: { xaxis, yaxis } }: PanelFigure, frame: Frame, family: string): void {
+  context.font = `${TICK_PX}px ${family}`;
+  context.fillStyle = xaxis.color;
+  context.textBaseline = "alphabetic";
+  context.textAlign = "center";
+  xaxis.tickvals.forEach((x, index) => context.fillText(xaxis.ticktext[index] ?? "", frame.toX(x), frame.height + TICK_PX + 1));
+  context.textAlign = "right";
+  yaxis.tickvals.forEach((y, index) => context.fillText(yaxis.ticktext[index] ?? "", -2, frame.toY(y) + 0.36 * TICK_PX));
 }
 
 export function clearCanvas(canvas: HTMLCanvasElement): void {
   canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
 }
 
-/** Draws the figure into the plot area that plotly's axes leave, for an x and a y range. */
-export function drawOnCanvas(canvas: HTMLCanvasElement, { data, layout }: PanelFigure, size: Size, xRange: Range, yRange: Range): void {
+export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, size: Size): void {
   const ratio = window.devicePixelRatio;
   const [wide, high] = [Math.round(size.width * ratio), Math.round(size.height * ratio)];
   if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
   const context = canvas.getContext("2d");
   if (!context) return;
+  const { xaxis, yaxis, shapes } = figure.layout;
   const [width, height] = [size.width - MARGIN.l - MARGIN.r, size.height - MARGIN.t - MARGIN.b];
-  const [perX, perY] = [width / (xRange[1] - xRange[0]), height / (yRange[1] - yRange[0])];
-  const frame: Frame = { toX: (x) => (x - xRange[0]) * perX, toY: (y) => height - (y - yRange[0]) * perY, width, height };
+  const [perX, perY] = [width / (xaxis.range[1] - xaxis.range[0]), height / (yaxis.range[1] - yaxis.range[0])];
+  const frame: Frame = { toX: (x) => (x - xaxis.range[0]) * perX, toY: (y) => height - (y - yaxis.range[0]) * perY, width, height };
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, size.width, size.height);
   context.save();
   context.translate(MARGIN.l, MARGIN.t);
+  drawLabels(context, figure, frame, getComputedStyle(canvas).fontFamily);
   context.beginPath();
   context.rect(0, 0, width, height);
   context.clip();
-  for (const shape of layout.shapes) drawShape(context, shape, frame);
-  for (const trace of data) drawTrace(context, trace, frame);
+  for (const shape of shapes) drawShape(context, shape, frame);
+  drawGrid(context, figure, frame);
+  for (const trace of figure.data) drawTrace(context, trace, frame);
   context.restore();
 }

@@ -5,6 +5,7 @@ import type { Axis, Zoom } from "../state/address";
 import type { Layer } from "./layers";
 import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
 import { covering, extent } from "./samples";
+import { ticksFor } from "./ticks";
 import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
 
 export interface Palette {
@@ -25,6 +26,8 @@ export interface FigureInput {
   /** Range of the shared axis. */
   readonly range: Zoom;
   readonly palette: Palette;
+  /** At most about so many marks on the vertical axis. */
+  readonly yTicks?: number;
 }
 
 export const MARGIN = { l: 46, r: 10, t: 6, b: 22 } as const;
@@ -106,6 +109,18 @@ function rounded(low: number, high: number): readonly [number, number] {
   return [Math.floor(low / step) * step - EDGE * step, Math.ceil(high / step) * step + EDGE * step];
 }
 
+const [X_TICKS, Y_TICKS] = [8, 6];
+
+function marked(range: Zoom, most: number, suffix = "") {
+  const { values, texts } = ticksFor(range, most, suffix);
+  return { range, tickvals: values, ticktext: texts };
+}
+
+/** The same figure over another vertical range. */
+export function withVerticalRange(figure: PanelFigure, range: Zoom): PanelFigure {
+  return { ...figure, layout: { ...figure.layout, yaxis: { ...figure.layout.yaxis, ...marked(range, Y_TICKS) } } };
+}
+
 export function buildFigure(input: FigureInput): PanelFigure {
   const { template, summaries, strategies, axis, range, palette } = input;
   const { meta } = template.layout;
@@ -117,7 +132,8 @@ export function buildFigure(input: FigureInput): PanelFigure {
     ...airborneShapes(input),
     ...referenceShapes(meta, used),
   ];
-  const ticks = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, tickfont: { size: 11 } };
+  const vertical = verticalRange(data, referenceValues(meta, used), wholeSpan(input));
+  const axisStyle = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, tickfont: { size: 11 }, tickmode: "array" };
   return {
     data,
     layout: {
@@ -128,8 +144,8 @@ export function buildFigure(input: FigureInput): PanelFigure {
       showlegend: false,
       hovermode: false,
       dragmode: false,
-      xaxis: { ...ticks, range, ticksuffix: ` ${axisUnit(axis)}`, showticksuffix: "last", zeroline: false, nticks: 8 },
-      yaxis: { ...ticks, range: verticalRange(data, referenceValues(meta, used), wholeSpan(input)), zeroline: true, nticks: 6 },
+      xaxis: { ...axisStyle, ...marked(range, X_TICKS, ` ${axisUnit(axis)}`), zeroline: false },
+      yaxis: { ...axisStyle, ...marked(vertical, input.yTicks ?? Y_TICKS), zeroline: true },
       shapes,
     },
   };

@@ -1,9 +1,10 @@
 /**
- * Paints one panel. An exact result is plotly's alone. While a slider moves, plotly keeps the axes and a canvas over
- * them takes the curves: a full plotly redraw of every panel would allow four frames a second, this allows twenty.
+ * Paints one panel. An exact result is plotly's; while a slider moves, and until plotly is there, a canvas draws the same
+ * figure: a plotly redraw of every panel would allow four frames a second.
  */
 
 import { clearCanvas, drawOnCanvas, type Size } from "./canvas";
+import { withVerticalRange } from "./figure";
 import type { PanelFigure, Plotly } from "./plotly";
 
 type Range = readonly [number, number];
@@ -19,51 +20,35 @@ export function keepsRange(drawn: Range | null, needed: Range): boolean {
 }
 
 export class PanelPainter {
-  readonly #plotly: Plotly;
   readonly #host: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
+  #plotly: Plotly | null = null;
   #drawn: Range | null = null;
-  #axes = "";
 
-  constructor(plotly: Plotly, host: HTMLElement, canvas: HTMLCanvasElement) {
-    this.#plotly = plotly;
+  constructor(host: HTMLElement, canvas: HTMLCanvasElement) {
     this.#host = host;
     this.#canvas = canvas;
   }
 
-  paint(figure: PanelFigure, size: Size, live: boolean): void {
-    if (live) this.#paintLive(figure, size);
-    else this.#paintExact(figure, size);
+  paint(figure: PanelFigure, size: Size, live: boolean, plotly: Plotly | null): void {
+    this.#plotly = plotly;
+    const needed = figure.layout.yaxis.range;
+    const range = live && this.#drawn !== null && keepsRange(this.#drawn, needed) ? this.#drawn : needed;
+    this.#drawn = range;
+    if (plotly && !live) this.#paintWithPlotly(plotly, figure, size);
+    else {
+      drawOnCanvas(this.#canvas, range === needed ? figure : withVerticalRange(figure, range), size);
+      this.#host.dataset.drawn = "canvas";
+    }
   }
 
   dispose(): void {
-    this.#plotly.purge(this.#host);
+    this.#plotly?.purge(this.#host);
   }
 
-  #paintExact(figure: PanelFigure, size: Size): void {
-    this.#drawn = figure.layout.yaxis.range;
-    this.#axes = axesOf(figure, size, this.#drawn);
-    void this.#plotly.react(this.#host, figure.data, { ...figure.layout, ...size }, CONFIG);
-    delete this.#host.dataset.live;
+  #paintWithPlotly(plotly: Plotly, figure: PanelFigure, size: Size): void {
+    void plotly.react(this.#host, figure.data, { ...figure.layout, ...size }, CONFIG);
+    this.#host.dataset.drawn = "plotly";
     clearCanvas(this.#canvas);
   }
-
-  #paintLive(figure: PanelFigure, size: Size): void {
-    const needed = figure.layout.yaxis.range;
-    const range = this.#drawn !== null && keepsRange(this.#drawn, needed) ? this.#drawn : needed;
-    const axes = axesOf(figure, size, range);
-    if (axes !== this.#axes) {
-      const yaxis = { ...figure.layout.yaxis, range };
-      void this.#plotly.react(this.#host, [], { ...figure.layout, ...size, yaxis, shapes: [] }, CONFIG);
-      this.#axes = axes;
-      this.#drawn = range;
-    }
-    this.#host.dataset.live = "";
-    drawOnCanvas(this.#canvas, figure, size, figure.layout.xaxis.range, range);
-  }
-}
-
-/** All that plotly's axes depend on. */
-function axesOf({ layout }: PanelFigure, size: Size, range: Range): string {
-  return JSON.stringify([layout.xaxis, { ...layout.yaxis, range }, size]);
 }

@@ -1,6 +1,7 @@
 /** plotly.js, loaded once and late, and the few types of it this page uses. */
 
 import type { MadeTrace } from "../api/types";
+import { createStore } from "../state/store";
 
 export type Numbers = Float32Array;
 
@@ -65,8 +66,13 @@ export interface PlotLayout extends Options {
   readonly shapes: readonly Options[];
 }
 
-interface AxisOptions extends Options {
+export interface AxisOptions extends Options {
   readonly range: readonly [number, number];
+  readonly tickvals: readonly number[];
+  readonly ticktext: readonly string[];
+  readonly color: string;
+  readonly gridcolor: string;
+  readonly zerolinecolor: string;
 }
 
 /** One panel: exactly one pair of axes. */
@@ -102,9 +108,35 @@ export interface PlotElement extends HTMLElement {
   readonly removeAllListeners?: (event: "plotly_click" | "plotly_relayout") => void;
 }
 
+interface PlotlyState {
+  readonly plotly: Plotly | null;
+  /** The file could not be had; asking again may help. */
+  readonly failed: boolean;
+}
+
+const state = createStore<PlotlyState>({ plotly: null, failed: false });
+
+export const plotlyState = { get: state.get, subscribe: state.subscribe };
+
 let loading: Promise<Plotly> | null = null;
 
-export function loadPlotly(): Promise<Plotly> {
-  loading ??= import("./bundle").then((module) => module.default);
+/** Loads it once; after a failure the next call tries again. */
+export function loadPlotly(load: () => Promise<{ readonly default: Plotly }> = () => import("./bundle")): Promise<Plotly> {
+  loading ??= load().then(
+    ({ default: plotly }) => {
+      state.set({ plotly, failed: false });
+      return plotly;
+    },
+    (error: unknown) => {
+      loading = null;
+      state.set({ plotly: null, failed: true });
+      throw error;
+    },
+  );
   return loading;
+}
+
+/** Asks for it; `plotlyState` says what came of it. */
+export function requestPlotly(): void {
+  loadPlotly().catch(() => undefined);
 }

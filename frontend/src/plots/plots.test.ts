@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { FigureTemplate, Summary } from "../api/types";
 import { buildFigure, type FigureInput } from "./figure";
+import { loadPlotly, plotlyState, type Plotly } from "./plotly";
+import { ticksFor } from "./ticks";
 import { keepsRange } from "./painter";
 import { covering, extent, stretchesBelow, valueAt } from "./samples";
 
@@ -89,6 +91,22 @@ describe("an axis zoomed into stillness", () => {
     expect(high - low).toBeGreaterThan(0.1);
     expect(high - low).toBeLessThan(1);
   });
+});
+
+describe("ticks", () => {
+  it("stand at 1, 2 or 5 times a power of ten, the last with the unit", () => {
+    expect(ticksFor([95.8, 113.2], 8, " m")).toEqual({ values: [100, 105, 110], texts: ["100", "105", "110 m"] });
+    expect(ticksFor([-0.22, 0.31], 6).texts).toEqual(["−0.2", "−0.1", "0", "0.1", "0.2", "0.3"]);
+  });
+});
+
+it("plotly is asked for again after it could not be loaded, and only then", async () => {
+  const plotly = {} as Plotly;
+  await expect(loadPlotly(() => Promise.reject(new Error("offline")))).rejects.toThrow("offline");
+  expect(plotlyState.get()).toEqual({ plotly: null, failed: true });
+  expect(await loadPlotly(() => Promise.resolve({ default: plotly }))).toBe(plotly);
+  expect(plotlyState.get()).toEqual({ plotly, failed: false });
+  expect(await loadPlotly(() => Promise.reject(new Error("never called")))).toBe(plotly);
 });
 
 describe("the live y axis", () => {

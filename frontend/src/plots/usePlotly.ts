@@ -1,17 +1,15 @@
-import { useEffect, useState } from "react";
-import { loadPlotly, type Plotly } from "./plotly";
+import { useEffect } from "react";
+import { useStore } from "../state/store";
+import { plotlyState, requestPlotly, type Plotly } from "./plotly";
 
-/** plotly.js, once it is loaded. */
+/** plotly.js, once it is loaded; asked for when the browser has nothing else to do. */
 export function usePlotly(): Plotly | null {
-  const [plotly, setPlotly] = useState<{ readonly current: Plotly } | null>(null);
+  const state = useStore(plotlyState);
   useEffect(() => {
-    let mounted = true;
-    void loadPlotly().then((current) => {
-      if (mounted) setPlotly({ current });
-    });
-    return () => {
-      mounted = false;
-    };
+    const idle = requestIdleCallback(requestPlotly, { timeout: LATEST_MS });
+    return () => cancelIdleCallback(idle);
   }, []);
-  return plotly?.current ?? null;
+  return state.plotly;
 }
+
+const LATEST_MS = 1500;

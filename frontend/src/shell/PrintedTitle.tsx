@@ -1,5 +1,6 @@
-/** On paper only: what this is about and where it comes from. */
+/** The tab's title; on paper also where this comes from. */
 
+import { useDocumentTitle } from "@mantine/hooks";
 import { useLab, useScenario } from "../state/context";
 import { pageTitle } from "../title";
 import classes from "./shell.module.css";
@@ -7,6 +8,7 @@ import classes from "./shell.module.css";
 export function PrintedTitle() {
   const shown = useLab((state) => state.shown);
   const scenario = useScenario();
+  useDocumentTitle(pageTitle(scenario));
   if (!shown) return null;
   const source = `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`;
   return (

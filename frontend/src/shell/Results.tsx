@@ -1,8 +1,10 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
+import { memo, useDeferredValue } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../api/types";
 import { CarView } from "../car/CarView";
 import { PlotGrid } from "../plots/PlotGrid";
+import { PlotlyFault } from "../plots/PlotlyFault";
 import { RoadStrip } from "../plots/RoadStrip";
 import { useDesk, useLab } from "../state/context";
 import type { Scene } from "../state/scene";
@@ -52,6 +54,8 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   );
 }
 
+const MemoTables = memo(Tables);
+
 interface HistoriesProps {
   readonly scene: Scene;
   readonly catalogue: Catalogue;
@@ -61,14 +65,17 @@ interface HistoriesProps {
 function Histories({ scene, catalogue, figures }: HistoriesProps) {
   const { road, ...others } = figures;
   const meta = Object.values(figures)[0]?.layout.meta;
+  // Under a moving slider curves come first: the table follows when there is time for it.
+  const later = useDeferredValue(scene);
   const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
   return (
     <>
       <CarView scene={scene} />
       {road && <RoadStrip template={road} scene={scene} />}
       <PlotGrid templates={Object.values(others).filter(isRide)} scene={scene} />
+      <PlotlyFault />
       {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
-      <Tables scene={scene} catalogue={catalogue} figures={figures} />
+      <MemoTables scene={scene.shown.source === "live" ? later : scene} catalogue={catalogue} figures={figures} />
       <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} scene={scene} />
     </>
   );

@@ -1,22 +1,25 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
 import { Button, SegmentedControl, Tooltip } from "@mantine/core";
+import { memo } from "react";
 import type { Strategy } from "../api/types";
 import type { ViewZoom } from "../state/address";
 import { switchAxis } from "../state/axis";
 import { useDesk, useView } from "../state/context";
-import type { Scene } from "../state/scene";
+import { makeScene } from "../state/scene";
 import { RoadsSelect } from "./RoadsSelect";
 import { StrategyChoice } from "./StrategyChoice";
 import bar from "./toolbar.module.css";
 
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly scene: Scene | null;
+  /** What the plots show of the run; `null` while there is none. */
+  readonly part: "bump" | "whole" | "range" | null;
+  readonly hasBump: boolean;
 }
 
-export function Toolbar({ strategies, scene }: Props) {
-  const { router } = useDesk();
+export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Props) {
+  const { router, lab } = useDesk();
   const { axis } = useView();
   return (
     <div className={bar.toolbar}>
@@ -31,16 +34,19 @@ export function Toolbar({ strategies, scene }: Props) {
             { value: "distance", label: "Distance" },
             { value: "time", label: "Time" },
           ]}
-          onChange={(next) => switchAxis(router, scene, next)}
+          onChange={(next) => {
+            const { shown, strategies: selected } = lab.get();
+            switchAxis(router, shown && makeScene(shown, strategies, selected, router.get().view), next);
+          }}
         />
         <Button.Group>
-          <ZoomButton label="Bump" tip="Zoom to the bump" zoom={null} shown={scene !== null && scene.range === scene.bump} disabled={!scene?.bump} />
-          <ZoomButton label="Whole run" tip="Show the whole run (or double click a plot)" zoom="whole" shown={scene !== null && scene.range === scene.whole} disabled={!scene} />
+          <ZoomButton label="Bump" tip="Zoom to the bump" zoom={null} shown={part === "bump"} disabled={!hasBump} />
+          <ZoomButton label="Whole run" tip="Show the whole run (or double click a plot)" zoom="whole" shown={part === "whole"} disabled={part === null} />
         </Button.Group>
       </div>
     </div>
   );
-}
+});
 
 interface ZoomProps {
   readonly label: string;

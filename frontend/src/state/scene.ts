@@ -39,25 +39,33 @@ export function makeScene(
   view: View,
   compared: Compared = NOTHING_COMPARED,
 ): Scene {
+  return withBaseline(partShown(shown, catalogue, selected, view), view.baseline, compared);
+}
+
+/** What is drawn, whatever it is compared with. */
+export type PartShown = Omit<Scene, "baseline" | "before" | "pins" | "reference">;
+
+export function partShown(
+  shown: Shown,
+  catalogue: readonly Strategy[],
+  selected: readonly StrategyId[],
+  { axis, zoom }: Pick<View, "axis" | "zoom">,
+): PartShown {
   const strategies = catalogue.filter(({ id }) => selected.includes(id) && id in shown.summaries);
   const ids = strategies.map(({ id }) => id);
-  const whole = wholeRange(shown.series, ids, view.axis);
+  const whole = wholeRange(shown.series, ids, axis);
   const { summaries, series } = shown;
-  const bump = bumpRange(summaries, ids, view.axis, whole);
+  const bump = bumpRange(summaries, ids, axis, whole);
+  return { shown, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
+}
+
+export function withBaseline(part: PartShown, baseline: StrategyId, compared: Compared): Scene {
   return {
-    shown,
-    strategies,
-    ids,
-    summaries,
-    series,
-    baseline: view.baseline in summaries ? view.baseline : (ids.at(-1) ?? null),
+    ...part,
+    baseline: baseline in part.summaries ? baseline : (part.ids.at(-1) ?? null),
     before: compared.before,
     pins: compared.pins,
     reference: referenceOf(compared),
-    axis: view.axis,
-    whole,
-    bump,
-    range: rangeOf(view.zoom, bump, whole),
   };
 }
 

@@ -1,0 +1,49 @@
+/** What the lab shows of a run: the only part of the page that is rendered anew with each answer. */
+
+import { useMemo } from "react";
+import type { Catalogue, FigureTemplate, Strategy } from "../api/types";
+import { useCompared } from "../compare/useCompared";
+import { SharedBanner } from "../share/SharedBanner";
+import { useLab, useView } from "../state/context";
+import { partShown, withBaseline } from "../state/scene";
+import { CouldNotLoad } from "./Blank";
+import { Results } from "./Results";
+import classes from "./shell.module.css";
+import { StatusLine } from "./StatusLine";
+import { Toolbar } from "./Toolbar";
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue | undefined;
+  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
+  /** Why the page's own lists could not be read. */
+  readonly fault: string | undefined;
+}
+
+export function LabMain({ strategies, catalogue, figures, fault }: Props) {
+  const shown = useLab((state) => state.shown);
+  const selected = useLab((state) => state.strategies);
+  const { axis, zoom, baseline } = useView();
+  const compared = useCompared();
+  // Apart: another baseline leaves what is drawn as it is.
+  const part = useMemo(
+    () => (shown && strategies.length > 0 ? partShown(shown, strategies, selected, { axis, zoom }) : null),
+    [shown, strategies, selected, axis, zoom],
+  );
+  const scene = useMemo(() => part && withBaseline(part, baseline, compared), [part, baseline, compared]);
+  return (
+    <main className={classes.main}>
+      <h1 className={classes.purpose}>
+        What-if laboratory for active suspension. <span>LV control: longitudinal (fuzzy speed plan) and vertical (model predictive suspension).</span>
+      </h1>
+      <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
+      <Toolbar
+        strategies={strategies}
+        part={scene && (scene.range === scene.bump ? "bump" : scene.range === scene.whole ? "whole" : "range")}
+        hasBump={scene !== null && scene.bump !== null}
+      />
+      <StatusLine place="page" />
+      {fault === undefined ? <Results {...{ strategies, catalogue, figures, scene }} /> : <CouldNotLoad message={fault} />}
+    </main>
+  );
+}
