@@ -12,7 +12,7 @@ from sim_core.ecu.model import modelled
 from sim_core.metrics import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.strategies import Strategy, SuspensionPolicy, strategy_named
+from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
 from sim_core.workload import check_affordable
 
 
@@ -37,6 +37,7 @@ def simulate(
     """
     if isinstance(strategy, str):
         strategy = strategy_named(strategy)
+    strategy = driven(strategy, scenario.speed.policy)
     motion = drive(scenario, strategy.speed)
     check_affordable(scenario, strategy, motion.time_at(scenario.road.length))
     stages = spans(scenario, strategy, motion)

@@ -1,6 +1,6 @@
 """Strategy id -> what it does and which parts of the scenario it reads. Adding a strategy is adding a row here."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
@@ -35,7 +35,10 @@ class SuspensionPolicy(StrEnum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Strategy:
-    """One row of the table; `reads` are dotted names of scenario parts or fields, a result depends on nothing else."""
+    """One row of the table; `reads` are dotted names of scenario parts or fields, a result depends on nothing else.
+
+    Both `speed` and `reads` are those under its own speed; `driven` has them under the scenario's `speed.policy`.
+    """
 
     id: str
     label: str
@@ -45,10 +48,12 @@ class Strategy:
     reads: tuple[str, ...]
 
 
+_POLICY = "speed.policy"
 _ROAD = (
     "vehicle",
     "road",
     "speed.initial_speed_kmh",
+    _POLICY,
     "mpc.deflection_limit",
     "mismatch.body_mass",
     "mismatch.springs",
@@ -175,11 +180,23 @@ def strategy_named(name: str) -> Strategy:
         raise UnknownNameError(f"Unknown strategy; there are {', '.join(STRATEGIES)}") from None
 
 
+def driven(strategy: Strategy, policy: str) -> Strategy:
+    """The strategy at the speed that `speed.policy` asks for, with what it reads there."""
+    if policy in ("by_strategy", strategy.speed):
+        return strategy
+    suspension = tuple(name for name in strategy.reads if name not in _SPEED)
+    speed = SpeedPolicy(policy)
+    return replace(strategy, speed=speed, reads=suspension + (_SPEED if speed is SpeedPolicy.PLANNED else ()))
+
+
 def part_read(scenario: Scenario, name: str) -> dict[str, Any]:
-    """The part of the scenario that strategy reads (`Part.identity`): dotted name -> plain JSON value, by name."""
+    """The part of the scenario that strategy reads (`Part.identity`): dotted name -> plain JSON value, by name.
+
+    The speed policy is told by what is read under it: at the speed that is its own anyway it has the key it always had.
+    """
     identity = scenario.identity()
     values: dict[str, Any] = {}
-    for path in sorted(strategy_named(name).reads):
+    for path in sorted(set(driven(strategy_named(name), scenario.speed.policy).reads) - {_POLICY}):
         *parts, last = path.split(".")
         part = identity
         for key in parts:

@@ -16,7 +16,7 @@ from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Scenario
-from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, strategy_named
+from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, driven, strategy_named
 
 MAX_FINE_STEPS = 3e6  # of one run: about 800 MB
 MAX_STEP_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
@@ -46,7 +46,7 @@ def duration(scenario: Scenario, name: str) -> float:
     """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
     speed, road = scenario.speed, scenario.road
     initial = speed.initial_speed_kmh * KMH
-    if strategy_named(name).speed is SpeedPolicy.CONSTANT:
+    if driven(strategy_named(name), speed.policy).speed is SpeedPolicy.CONSTANT:
         return road.length / initial
     floor = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
     # The brake pressure that remains when braking ends reduces the speed by as much again.
@@ -63,7 +63,7 @@ def estimate(scenario: Scenario, name: str) -> float:
     Raises:
         UnknownNameError: No such strategy.
     """
-    strategy = strategy_named(name)
+    strategy = driven(strategy_named(name), scenario.speed.policy)
     time = expected_time(scenario, strategy)
     return _cost(work(scenario, strategy, time, expected_limits(scenario, strategy, time)))
 

@@ -10,6 +10,7 @@ from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
+from sim_core.strategies import driven
 
 SAMPLES = 200
 BASELINE = "lv"
@@ -70,7 +71,7 @@ def read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str
     """Those of the fields that can change the strategy's result; errors of the look ahead only where it looks ahead."""
     if strategy not in KNOWN:  # another version's
         return list(fields)
-    parts = KNOWN[strategy].reads
+    parts = driven(KNOWN[strategy], str(dotted.value(scenario, "speed.policy"))).reads
     named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
     whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
     preview = "lookahead" if whose in fields else dotted.value(scenario, whose)

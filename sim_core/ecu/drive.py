@@ -18,7 +18,7 @@ from sim_core.ecu.interface import Connect
 from sim_core.ecu.loop import HilLoop, Limits, LoopInputs, short_steps
 from sim_core.recording import Recording
 from sim_core.scenario import Scenario
-from sim_core.strategies import strategy_named
+from sim_core.strategies import driven, strategy_named
 
 
 def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
@@ -31,7 +31,7 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
     Raises:
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    strategy = strategy_named("lv_hil")
+    strategy = driven(strategy_named("lv_hil"), scenario.speed.policy)
     designs = mpc_designs(scenario, strategy, drive(scenario, strategy.speed))
     model = discrete(scenario.vehicle, scenario.mpc.sample_time)
     return calibrate(designs, model, scenario.hil, scenario.mpc.force_limit, checked)

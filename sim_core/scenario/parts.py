@@ -135,6 +135,8 @@ class Road(Part):
 class Speed(Part):
     """Speeds and when braking begins (section 3.1)."""
 
+    ADDED: ClassVar = frozenset({"policy"})
+
     initial_speed_kmh: float = quantity(
         50, "km/h", "Initial speed", "Held until the bump is detected.", soft=(20, 90), ge=5, le=200
     )
@@ -155,6 +157,12 @@ class Speed(Part):
         title="Speed controller",
         description="fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
         "changes nothing on the paper's scenario.",
+    )
+    policy: Literal["by_strategy", "planned", "constant"] = Field(
+        "by_strategy",
+        title="Who slows down",
+        description="by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a "
+        "gain is the suspension's: planned slows all of them down for the bump, constant none.",
     )
 
 

@@ -18,7 +18,7 @@ from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
 from sim_core.drive.stages import coordinated_weights
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario
-from sim_core.strategies import Strategy, SuspensionPolicy, strategy_named
+from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
 
 JUDGED = {
     SuspensionPolicy.PASSIVE,
@@ -48,7 +48,7 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    strategy = strategy_named(name) if isinstance(name, str) else name
+    strategy = driven(strategy_named(name) if isinstance(name, str) else name, scenario.speed.policy)
     if strategy.suspension not in JUDGED:
         return None
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE

@@ -38,8 +38,16 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
         cell = dashboard.row(strategy).locator("td[data-cell='bump.body_acceleration.peak']")
         expect(cell).to_contain_text(f"▲ +{100 * (values[peak] / before[peak] - 1):.1f}\u2009%, worse")
     expect(dashboard.row("passive")).to_contain_text("50.0\u00a0km/h")
-    dashboard.page.get_by_label("Change against").select_option("Passive")
+    comparison = dashboard.page.get_by_role("region", name="Comparison")
+    comparison.get_by_label("Change against").select_option("Passive")
     expect(dashboard.row("passive")).to_have_attribute("data-baseline", "true")
+
+    comparison.get_by_label("Who slows down").select_option("All")  # what of it is braking?
+    expect(dashboard.row("passive")).to_contain_text("22.5\u00a0km/h")
+    assert dashboard.stored_run()["scenario"]["speed"]["policy"] == "planned"
+    slowed = dashboard.shown_values()
+    assert slowed["lv bump.body_acceleration.peak"] == values["lv bump.body_acceleration.peak"]
+    assert slowed[key] < values[key]
 
 
 def test_address_table_and_curves_change_together(dashboard: Dashboard) -> None:

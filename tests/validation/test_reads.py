@@ -78,7 +78,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
     return Scenario.model_validate(document)
 
 
-LEAVES = leaves(json.loads(BASE.model_dump_json()))
+POLICY = ("speed", "policy")  # says what else is read: its own test
+LEAVES = [path for path in leaves(json.loads(BASE.model_dump_json())) if path != POLICY]
 
 
 def is_read(strategy: str, path: tuple[str, ...]) -> bool:
@@ -133,6 +134,20 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
     only_braking = {f"vehicle.{name}" for name in ("cg_height", "anti_dive", "anti_lift", "front_brake_share")}
     allowed = only_braking if STRATEGIES[strategy].speed != "planned" else set()
     assert set(silent) <= allowed
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(strategy: str) -> None:
+    base, own = simulate(BASE, strategy), STRATEGIES[strategy].speed
+    for policy in ("planned", "constant"):
+        changed = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})
+        result = simulate(changed, strategy)
+        assert same(result, base) == (policy == own)
+        assert (part_read(changed, strategy) == part_read(BASE, strategy)) == (policy == own)
+        # What is read follows the speed that is driven: a target matters where somebody slows down.
+        slower = changed.model_copy(update={"speed": changed.speed.model_copy(update={"target_speed_kmh": 19.0})})
+        assert (part_read(slower, strategy) == part_read(changed, strategy)) == (policy == "constant")
+        assert same(simulate(slower, strategy), result) == (policy == "constant")
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import assume, given, settings
 
 from sim_core.drive.brake import brake_chain
+from sim_core.result import StrategyResult
 from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from tests.validation.reference.driving import brake_to_bump
@@ -119,6 +120,36 @@ def test_without_speed_control_the_speed_is_held(strategy: str) -> None:
     assert result.travel_time == pytest.approx(150 / (50 / 3.6))
     assert result.arrival_speed_kmh == pytest.approx(50)
     assert result.events["target_reached"] is None
+
+
+def test_at_equal_speed_what_is_left_of_a_gain_is_the_suspensions() -> None:
+    """LV against passive = suspension at the speed plan × braking of a passive car: the two parts make the whole."""
+    own, equal = Scenario(), Scenario(speed=Speed(policy="planned"))
+    lv, passive, slowed = (simulate(*run) for run in ((equal, "lv"), (own, "passive"), (equal, "passive")))
+    speed_only = simulate(own, "speed_only")
+    for name, values in slowed.series.items():
+        np.testing.assert_array_equal(values, speed_only.series[name])
+    assert slowed.summary() == speed_only.summary()
+    np.testing.assert_array_equal(lv.series["body_acceleration"], simulate(own, "lv").series["body_acceleration"])
+
+    def peak(result: StrategyResult) -> float:
+        return result.metrics["bump"]["body_acceleration"]["peak"]
+
+    assert lv.arrival_speed_kmh == slowed.arrival_speed_kmh < 25
+    suspension, braking = peak(lv) / peak(slowed), peak(slowed) / peak(passive)
+    assert suspension * braking == pytest.approx(peak(lv) / peak(passive))
+    assert suspension < 1
+    assert braking < 1
+
+
+def test_nobody_slows_down_at_constant_speed() -> None:
+    """LV is then its suspension alone, with the weights of its stages; no target, so none to miss."""
+    equal = Scenario(speed=Speed(policy="constant"))
+    lv, passive = simulate(equal, "lv"), simulate(equal, "passive")
+    assert np.ptp(lv.series["speed"]) == np.ptp(passive.series["speed"]) == 0
+    assert [span.stage for span in lv.stages] == ["cruise", "bump", "cruise"]
+    assert lv.events["target_reached"] is None
+    assert lv.metrics["bump"]["body_acceleration"]["rms"] < passive.metrics["bump"]["body_acceleration"]["rms"]
 
 
 def test_detection_before_the_start_brakes_from_the_start() -> None:

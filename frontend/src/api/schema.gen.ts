@@ -1244,6 +1244,7 @@ export interface components {
              *         "controller": "guarded",
              *         "detection_distance": 80,
              *         "initial_speed_kmh": 50,
+             *         "policy": "by_strategy",
              *         "target_speed_kmh": 22.5
              *       },
              *       "brake": {
@@ -2096,6 +2097,7 @@ export interface components {
              *         "controller": "guarded",
              *         "detection_distance": 80,
              *         "initial_speed_kmh": 50,
+             *         "policy": "by_strategy",
              *         "target_speed_kmh": 22.5
              *       },
              *       "brake": {
@@ -3091,6 +3093,7 @@ export interface components {
              *         "controller": "guarded",
              *         "detection_distance": 80,
              *         "initial_speed_kmh": 50,
+             *         "policy": "by_strategy",
              *         "target_speed_kmh": 22.5
              *       },
              *       "brake": {
@@ -4344,6 +4347,7 @@ export interface components {
              *         "controller": "guarded",
              *         "detection_distance": 80,
              *         "initial_speed_kmh": 50,
+             *         "policy": "by_strategy",
              *         "target_speed_kmh": 22.5
              *       },
              *       "brake": {
@@ -4604,7 +4608,8 @@ export interface components {
              *       "initial_speed_kmh": 50,
              *       "target_speed_kmh": 22.5,
              *       "detection_distance": 80,
-             *       "controller": "guarded"
+             *       "controller": "guarded",
+             *       "policy": "by_strategy"
              *     }
              */
             speed: components["schemas"]["Speed"];
@@ -4786,7 +4791,8 @@ export interface components {
              *       "initial_speed_kmh": 50,
              *       "target_speed_kmh": 22.5,
              *       "detection_distance": 80,
-             *       "controller": "guarded"
+             *       "controller": "guarded",
+             *       "policy": "by_strategy"
              *     }
              */
             speed: components["schemas"]["Speed"];
@@ -5055,6 +5061,7 @@ export interface components {
              *         "controller": "guarded",
              *         "detection_distance": 80,
              *         "initial_speed_kmh": 50,
+             *         "policy": "by_strategy",
              *         "target_speed_kmh": 22.5
              *       },
              *       "brake": {
@@ -5189,6 +5196,13 @@ export interface components {
              * @default 50
              */
             initial_speed_kmh: number;
+            /**
+             * Who slows down
+             * @description by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a gain is the suspension's: planned slows all of them down for the bump, constant none.
+             * @default by_strategy
+             * @enum {string}
+             */
+            policy: "by_strategy" | "planned" | "constant";
             /**
              * Target speed
              * @description Aimed at for the bump; the paper's 20 to 25 km/h.
@@ -6024,6 +6038,7 @@ export interface components {
              *         "controller": "guarded",
              *         "detection_distance": 80,
              *         "initial_speed_kmh": 50,
+             *         "policy": "by_strategy",
              *         "target_speed_kmh": 22.5
              *       },
              *       "brake": {
@@ -9576,7 +9591,7 @@ export interface operations {
                 /** @description 22 characters */
                 id: string;
                 /** @description Of the figure */
-                name: "road" | "speed" | "brake_pressure" | "body_acceleration" | "pitch_acceleration" | "front_tyre_load" | "rear_tyre_load" | "front_deflection" | "rear_deflection" | "front_force" | "rear_force";
+                name: "road" | "body_acceleration" | "front_tyre_load" | "pitch_acceleration" | "rear_tyre_load" | "front_deflection" | "rear_deflection" | "front_force" | "rear_force" | "speed" | "brake_pressure";
             };
             cookie?: never;
         };

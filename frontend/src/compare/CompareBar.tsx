@@ -9,6 +9,7 @@ import { useDesk } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
 import classes from "./compare.module.css";
+import { SpeedSelect } from "./SpeedSelect";
 
 const STRATEGY = "strategy:";
 
@@ -16,6 +17,7 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
   return (
     <div className={classes.bar}>
       <AgainstSelect scene={scene} />
+      <SpeedSelect />
       <Differences scene={scene} />
     </div>
   );
