@@ -153,7 +153,7 @@ def test_the_readme_names_both_counts(client: httpx.Client) -> None:
         f"{default['reached']} are reached as Ridelab reads it, {own} of 40 simulated changes and {own_ecu} of 8 on",
         f"{favourable['reached']} are reached by the favourable set of readings, {other} of 40 and {other_ecu} of 8",
         f"lie {default['agreement']['within']} and {favourable['agreement']['within']} of the 40",
-        f"controller {answer['without_preview']['reached']} are reached",
+        f"without preview {answer['without_preview']['reached']} are reached",
     ):
         assert said in text
     assert default["agreement"]["in_interval"] == favourable["agreement"]["in_interval"] == 0
