@@ -156,8 +156,8 @@ class WorkersBusyError(TemporaryError):
 
 
 class EcuUnavailableError(RidelabError):
-    """The ECU's program cannot take part here and now; the scenario is not to blame, and the result is not kept."""
+    """The ECU's program cannot take part here and now; the scenario is not the cause, so the result is not stored."""
 
 
-# What refuses a run without its scenario being to blame: the next try may succeed, and nothing is kept.
+# Refusals whose cause is not the scenario: the next try may succeed, so no result is stored.
 NOT_CACHEABLE = (EcuUnavailableError, MissingRoadError)

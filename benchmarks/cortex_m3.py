@@ -94,12 +94,12 @@ class CortexM3:
 def measured(code: bytes) -> tuple[int, int]:
     """Instructions of straight Thumb code, and their cycles where no branch is taken."""
     halves = struct.unpack(f"<{len(code) // 2}H", code)
-    count = cycles = place = 0
-    while place < len(halves):
-        first = halves[place]
+    count = cycles = offset = 0
+    while offset < len(halves):
+        first = halves[offset]
         wide = first >> 11 in (0b11101, 0b11110, 0b11111)
-        cycles += _wide(first, halves[place + 1]) if wide else _narrow(first)
-        place += 2 if wide else 1
+        cycles += _wide(first, halves[offset + 1]) if wide else _narrow(first)
+        offset += 2 if wide else 1
         count += 1
     return count, cycles
 

@@ -1,6 +1,6 @@
 """LV control as one usually writes it: condense once, then per step a warm-started OSQP solve and ten plant steps.
 
-The same problem as sim_core's: the same matrices (forces in kN, slacks in cm: fairly scaled), road, speed plan,
+It solves sim_core's problem: equal matrices (forces in kN, slacks in cm: fairly scaled), road, speed plan,
 preview, limits and weights by stage, and the same outputs on the same fine grid. What it lacks is what sim_core adds:
 skipping the solver where no limit binds, driving many steps at once, and keeping what runs share.
 """
@@ -64,9 +64,9 @@ class OsqpStage:
 def run(scenario: Scenario) -> PlainRun:
     """LV over the scenario, set-up included in the time."""
     begin = perf_counter()
-    chosen, mpc, car = strategy_named("lv"), scenario.mpc, scenario.vehicle
-    motion = drive(scenario, chosen.speed)
-    road_input = sample_road(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario, chosen))
+    strategy, mpc, car = strategy_named("lv"), scenario.mpc, scenario.vehicle
+    motion = drive(scenario, strategy.speed)
+    road_input = sample_road(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario, strategy))
     windows = preview_windows(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, car.wheelbase)
     horizon = Horizon(
         prediction=mpc.prediction_horizon,
@@ -80,7 +80,7 @@ def run(scenario: Scenario) -> PlainRun:
             vehicle=car,
             speed=motion.initial_speed,
             sample_time=mpc.sample_time,
-            weights=coordinated_weights(scenario, chosen, stage),
+            weights=coordinated_weights(scenario, strategy, stage),
             deflection_weight=mpc.deflection_weight,
             deflection_limit=mpc.deflection_limit,
             force_weight=mpc.force_weight,
@@ -90,7 +90,7 @@ def run(scenario: Scenario) -> PlainRun:
     disturbance = road_input.disturbance.reshape(-1, road_input.fine, 3)
 
     x, u, unsolved, outputs = np.zeros(8), np.zeros(2), 0, []
-    for stage, first, last in segments(spans(scenario, chosen, motion), road_input.position):
+    for stage, first, last in segments(spans(scenario, strategy, motion), road_input.position):
         for k in range(first, last):
             u, solved = problems[stage].force(np.concatenate([x, u, windows[k]]))
             u = np.clip(u, -mpc.force_limit, mpc.force_limit)

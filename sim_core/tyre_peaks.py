@@ -55,13 +55,13 @@ def peaks_with_kinks(
     road, of_bump = surface.compiled, np.array([*sorted(kinks(surface.bump)), inf])
     beside, on_bump = surface.slope_range()
     rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
-    found = np.ascontiguousarray(peaks)
+    all_peaks = np.ascontiguousarray(peaks)
     tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
     for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
         arrays = road_input.drive.position[axle, start:], road_input.height[axle, start:], loads[axle], highest[axle]
         lowest = -static if vehicle.tyre_lift_off else -inf
         _kink_peaks(
             *(road, _Axle(*map(address, arrays), stiffness, lowest), samples - 1, commands),
-            *(address(of_bump), address(windows.ends), address(rise), len(rise), address(found[axle])),
+            *(address(of_bump), address(windows.ends), address(rise), len(rise), address(all_peaks[axle])),
         )
-    return found
+    return all_peaks

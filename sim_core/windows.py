@@ -20,9 +20,9 @@ def section_ends(spans: Sequence[tuple[float, float]]) -> FloatArray:
     return np.array([[_snapped(first), _snapped(last)] for first, last in spans])
 
 
-def _snapped(place: float) -> float:
-    nearest = round(place)
-    return float(nearest) if abs(place - nearest) < _SNAP else place
+def _snapped(steps: float) -> float:
+    nearest = round(steps)
+    return float(nearest) if abs(steps - nearest) < _SNAP else steps
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -61,8 +61,8 @@ def windows_of(
         length: Of the road [m].
     """
     h = sampled.fine_step
-    places = [0.0, *(drive.time_at(place) / h for place in (bump_start, min(bump_end, length), length))]
-    ends = section_ends(list(pairwise(places)))
+    bounds = [0.0, *(drive.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
+    ends = section_ends(list(pairwise(bounds)))
     distance = np.diff(sampled.position[0, sampled.on_record.start :])
     return Windows(
         ends=ends,

@@ -92,7 +92,7 @@ class _Gathered:
         summaries: Mapping[str, Summary],
         nominal_damping: Mapping[str, float | None],
     ) -> summary.Study:
-        """All of it, with what the workers found."""
+        """The study of all rows, with the damping and the nominal values that workers computed."""
         changes = [orjson.loads(text) for text in self.changes]
         scenario = scenario_at(self._batch.request["scenario"], {}, self._batch.schema_version).model_dump(mode="json")
         names, fields = self._batch.request["strategies"], self._batch.request["fields"]

@@ -68,7 +68,7 @@ def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> Jso
 
 
 def read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
-    """Those of the fields that can change the strategy's result; errors of the look ahead only where it looks ahead."""
+    """The fields that can change the strategy's result; preview errors only where it has preview."""
     if strategy not in KNOWN:  # another version's
         return list(fields)
     parts = driven(KNOWN[strategy], str(dotted.value(scenario, "speed.policy"))).reads

@@ -44,7 +44,7 @@ class Study:
         figures: Key -> values (points, strategies); NaN where a run has none.
         fields: Swept field -> its value at each point.
         read: Strategy -> the swept fields that can change its result.
-        damping: Least damping ratio of each loop (points, strategies); NaN where it is not known.
+        damping: Least damping ratio of each loop (points, strategies); NaN where there is none.
         nominal: Strategy -> figure -> value of the batch's own scenario.
         nominal_damping: Strategy -> least damping of the batch's own scenario.
     """

@@ -49,7 +49,7 @@ class Results:
     async def on_roads(
         self, roads: Sequence[Scenario], names: Sequence[str], client: str, *, points: int | None
     ) -> list[dict[str, Result]]:
-        """The same on each of several roads, which differ in their seed alone; idle workers share them.
+        """Each strategy's result on each of several roads, which differ in their seed alone; idle workers share them.
 
         Raises:
             InvalidError: What is missing would be driven on a measured road that is not there, or too short.
@@ -78,7 +78,7 @@ class Results:
     def _cached(
         self, keys: Mapping[str, str], stored: Mapping[str, StoredResult], points: int | None
     ) -> dict[str, Result]:
-        """What of one road the store has, or memory."""
+        """The results of one road that are cached or stored."""
         outcomes = {
             name: _outcome(stored[key]) if key in stored else self._memory.get(key, points)
             for name, key in keys.items()
@@ -105,7 +105,7 @@ class Results:
                 task.cancel()
 
     async def _compute(self, scenario: Scenario, missing: Mapping[str, str], points: int | None) -> dict[str, Result]:
-        """Join what is under way already; the rest goes to one worker, so that shared work is done once."""
+        """Join computations in progress; one worker computes the rest, so that shared work is done once."""
 
         def running_task(key: str) -> asyncio.Task[dict[str, ComputedResult]] | None:
             return self._flights.find(lambda flight: flight[0] == key and points in (None, flight[1]))

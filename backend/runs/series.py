@@ -61,7 +61,7 @@ class Stages:
 
 
 def decimate(series: SeriesArray, points: int | None, stages: Stages | None = None) -> SeriesArray:
-    """About `points` samples of a series, the same ones for all signals, with every peak kept.
+    """About `points` samples of a series, the same ones for all signals, every peak among them.
 
     Half of them are spent on the bump, where there is one. Added is each signal's largest and smallest value in each
     stage.

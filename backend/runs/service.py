@@ -77,7 +77,7 @@ class Runs:
     async def drive(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
     ) -> tuple[StoredRun, dict[str, bool]]:
-        """The same as it is stored, and which strategies were not computed for this request."""
+        """The run in the database, and the strategies that were not computed for this request."""
         names = ordered(strategies)
         self._admission.check(scenario, names * roads)
         against = None if roads == 1 else baseline or default_baseline(names)
@@ -238,7 +238,7 @@ class Runs:
     async def _computed(
         self, scenario: Scenario, names: Sequence[str], roads: int, client: str
     ) -> tuple[list[dict[str, Result]], list[StoredResult]]:
-        """Results road by road, and the same as they are stored."""
+        """Results road by road, as outcomes and as rows to store."""
         driven = seeded(scenario, roads)
         results = await self._results.on_roads(driven, names, client, points=None)
         return results, [
@@ -259,7 +259,7 @@ class Runs:
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:
-    """Each once, in the catalogue's order."""
+    """The strategies, each once, in the catalogue's order."""
     requested = set(strategies)
     return [name for name in STRATEGIES if name in requested]
 

@@ -73,8 +73,8 @@ def bumps_in(heights: FloatArray) -> list[FoundBump]:
     above = coarse - median_filter(coarse, window, mode="nearest")
     rest = 1.4826 * float(np.median(np.abs(above)))
     size = np.abs(above)
-    found: list[FoundBump] = []
-    while len(found) < _MOST_BUMPS:
+    bumps: list[FoundBump] = []
+    while len(bumps) < _MOST_BUMPS:
         crest = int(size.argmax())
         if size[crest] < max(LEAST_BUMP, 6 * rest):
             break
@@ -86,7 +86,7 @@ def bumps_in(heights: FloatArray) -> list[FoundBump]:
             first -= 1
         while last < len(coarse) - 1 and 0 < size[last + 1] < size[last]:
             last += 1
-        found.append(
+        bumps.append(
             FoundBump(
                 start=round(first * _COARSE, 2),
                 width=round(max(last - first, 1) * _COARSE, 2),
@@ -94,4 +94,4 @@ def bumps_in(heights: FloatArray) -> list[FoundBump]:
             )
         )
         size[first : last + 1] = 0.0
-    return found
+    return bumps

@@ -30,9 +30,9 @@ _LIBRARY = load(_FILE)
 
 def function(name: str, *arguments: type, result: type | None = None) -> Callable[..., Any]:
     """A function of the library, by its name there without `ridelab_`, with these types of arguments and result."""
-    found = _LIBRARY[f"ridelab_{name}"]
-    found.argtypes, found.restype = arguments, result
-    return found
+    loaded = _LIBRARY[f"ridelab_{name}"]
+    loaded.argtypes, loaded.restype = arguments, result
+    return loaded
 
 
 def address(array: NDArray[Any]) -> int:

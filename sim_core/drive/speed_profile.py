@@ -89,8 +89,8 @@ def _time_at(drive: Drive, position: float) -> float:
     low, high = 0.0, 1.0
     for _ in range(50):  # bisection: the cubic of `at` is monotonic here
         s = (low + high) / 2
-        place = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
-        low, high = (s, high) if place < position else (low, s)
+        reached = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
+        low, high = (s, high) if reached < position else (low, s)
     return float(drive.time[i]) + step * high
 
 

@@ -20,7 +20,7 @@ def spans(scenario: Scenario, strategy: Strategy, drive: Drive) -> tuple[Span, .
         edges.append(("brake", max(0.0, bump.start - scenario.speed.detection_distance)))
     edges.append(("bump", bump.start))
     edges.append(("cruise", bump.end + scenario.vehicle.wheelbase))
-    stops = [min(place, end) for _, place in edges[1:]] + [end]
+    stops = [min(position, end) for _, position in edges[1:]] + [end]
     return tuple(
         Span(
             stage=stage,

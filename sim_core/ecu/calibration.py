@@ -99,10 +99,10 @@ def calibrate(
     first = designs[STAGES[0]]
     free = len(first.shape.H) - AXLES
     intervals = (len(first.bounds) - free) // AXLES
-    kept = _kept(free, intervals, checked)
+    checked_rows = _kept(free, intervals, checked)
     highest = highest_code(hil.bits)
-    unit = np.concatenate([np.full(free, 1 / KILO), np.full(AXLES * intervals, CENTI)])[kept]
-    axles = np.concatenate([np.full(free, FORCE_ROW), np.repeat(np.arange(AXLES), intervals)])[kept]
+    unit = np.concatenate([np.full(free, 1 / KILO), np.full(AXLES * intervals, CENTI)])[checked_rows]
+    axles = np.concatenate([np.full(free, FORCE_ROW), np.repeat(np.arange(AXLES), intervals)])[checked_rows]
     return Calibration(
         intervals=intervals,
         moves=free // FORCES,
@@ -115,11 +115,11 @@ def calibrate(
         A=model.A,
         B=model.B * KILO,
         E=model.E,
-        bounds=first.bounds[kept] * unit,
+        bounds=first.bounds[checked_rows] * unit,
         axles=tuple(int(axle) for axle in axles),
         slack_price=SLACK_LINEAR / CENTI,
         slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
-        stages=tuple(_tables(designs[stage], kept, unit) for stage in STAGES),
+        stages=tuple(_tables(designs[stage], checked_rows, unit) for stage in STAGES),
     )
 
 
@@ -131,11 +131,11 @@ def _kept(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
     return np.concatenate([np.arange(FORCES), free + some, free + intervals + some])
 
 
-def _tables(design: MpcDesign, kept: NDArray[np.intp], unit: FloatArray) -> StageTables:
+def _tables(design: MpcDesign, checked_rows: NDArray[np.intp], unit: FloatArray) -> StageTables:
     free = len(design.shape.H) - AXLES
-    rows = (design.checks * design.bounds[:, None])[kept] * unit[:, None]
+    rows = (design.checks * design.bounds[:, None])[checked_rows] * unit[:, None]
     rows[:, STATES : STATES + FORCES] *= KILO
     travel = design.shape.A[: (len(design.shape.A)) // 2, :free]
-    effects = np.vstack([np.eye(free), travel])[kept]
+    effects = np.vstack([np.eye(free), travel])[checked_rows]
     gram = effects @ np.linalg.solve(design.shape.H[:free, :free], effects.T)
     return StageTables(rows=rows, gram=(gram + gram.T) / 2)

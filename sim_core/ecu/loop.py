@@ -86,13 +86,13 @@ class HilLoop:
         asked = np.zeros((steps + 1, FORCES))  # by answer [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
         noise, full_scale, bits = self._noise(), self._full_scale, self._calibration.bits
-        ahead, statistics.clipped = convert(self._inputs.preview + noise[:, STATES:], full_scale[STATES:], bits)
+        previewed, statistics.clipped = convert(self._inputs.preview + noise[:, STATES:], full_scale[STATES:], bits)
         state, held, present = np.zeros(car.size), -1, np.zeros(FORCES)
         settled = True  # whether the actuators have what is asked
         for k in range(steps):
             sensed, clipped = convert(state[:STATES] + noise[k, :STATES], full_scale[:STATES], bits)
             statistics.clipped += clipped
-            codes = np.concatenate([sensed, ahead[k]])
+            codes = np.concatenate([sensed, previewed[k]])
             reply = ecu.exchange(Frame(step=k, stage=self._inputs.stages[k], codes=codes))
             if reply is not None:
                 asked[k] = np.array(reply.commands) * (self._calibration.command_step * KILO)

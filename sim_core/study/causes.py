@@ -233,8 +233,8 @@ def least_change(speed_only: float, road: float) -> float:
 
 def _bound(seeds: Sequence[int]) -> Iterator[str]:
     rise, fall = (
-        next(cell.claim for cell in cells() if (cell.table, cell.strategy, cell.against, cell.signal) == place)
-        for place in ((4, "speed_only", "passive", _TYRES[0]), (7, "lv", "speed_only", _TYRES[0]))
+        next(cell.claim for cell in cells() if (cell.table, cell.strategy, cell.against, cell.signal) == change)
+        for change in ((4, "speed_only", "passive", _TYRES[0]), (7, "lv", "speed_only", _TYRES[0]))
     )
     road = changes(CAUSES[0], Variation(changes=_NO_MOMENT), seeds)[0]
     transfer = 1 + fall / 100

@@ -114,12 +114,12 @@ def _brent(low: int, high: int, limit: float, bounds: Bounds) -> int | None:
 def spans_over(limit: float, bounds: Bounds, below: int) -> list[tuple[int, int]]:
     """Where, below that index, the values tried do not keep the limit: first and last index of each such stretch."""
     spans: list[tuple[int, int]] = []
-    kept = True
+    below_limit = True
     for index in sorted(index for index in bounds if index < below):
         over = bounds[index] > limit
         if over:
-            spans.append((index, index) if kept else (spans.pop()[0], index))
-        kept = not over
+            spans.append((index, index) if below_limit else (spans.pop()[0], index))
+        below_limit = not over
     return spans
 
 

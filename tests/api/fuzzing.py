@@ -101,7 +101,7 @@ def fuzz(client: httpx.Client, folder: Path, *arguments: str, short: bool) -> No
         client: Its base URL is the service's.
         folder: For the configuration and what schemathesis keeps.
         arguments: More of its options.
-        short: The same requests each time, and the fields of a scenario varied at random only.
+        short: Equal requests each time, and the fields of a scenario varied at random only.
     """
     ids = seed(client)
     text = CONFIGURATION.format(deterministic=str(short).lower(), **ids)

@@ -311,7 +311,7 @@ def test_a_cancelled_batch_goes_on_and_its_key_begins_a_new_one(client: httpx.Cl
 
 
 def test_a_small_batch_does_not_wait_for_a_large_one(client: httpx.Client) -> None:
-    """They take turns, and `position` says what was there before."""
+    """Both are computed in alternation, and `position` counts the runs of the earlier batch."""
     many = [{"road.seed": 10_000 + seed, "road.length": 300} for seed in range(2500)]
     large = client.post("/api/v1/batches", json={"strategies": ["lv"], "sweep": {"list": many}}).json()
     few = [{"road.seed": 20_000 + seed} for seed in range(4)]
@@ -319,8 +319,8 @@ def test_a_small_batch_does_not_wait_for_a_large_one(client: httpx.Client) -> No
     assert 2400 < small["position"] <= 2500
     behind = client.post("/api/v1/batches", json={"strategies": ["passive"], "sweep": {"list": many}}).json()
     assert wait_for(client, small["id"])["done"] == 4
-    taking_turns = client.get(f"/api/v1/batches/{behind['id']}").json()
-    assert (taking_turns["state"], taking_turns["position"]) == ("running", 0)
+    running = client.get(f"/api/v1/batches/{behind['id']}").json()
+    assert (running["state"], running["position"]) == ("running", 0)
     client.post(f"/api/v1/batches/{behind['id']}/cancel").raise_for_status()
     now = client.post(f"/api/v1/batches/{large['id']}/cancel").json()
     assert now["state"] == "cancelled", "it was far from its end"

@@ -26,7 +26,7 @@ JSON = b"Content-Type: application/json\r\n"
 
 @contextlib.contextmanager
 def impatient(app: FastAPI, **limits: Any) -> Iterator[tuple[Address, uvicorn.Server]]:
-    """The same application behind a second server with other limits: its address, and itself."""
+    """The application behind a second server with other limits: the address, and the server."""
     settings = app.state.settings.model_copy(update=limits)
     same = copy.copy(app)
     same.state = State({**app.state._state, "settings": settings})

@@ -1,4 +1,4 @@
-"""A service on a machine without a C compiler: what needs one says so, all else works, and nothing of it is kept."""
+"""A service on a machine without a C compiler: what needs one says so, all else works, and no failure is stored."""
 
 from collections.abc import Iterator
 from pathlib import Path

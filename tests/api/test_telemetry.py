@@ -121,7 +121,7 @@ def test_metrics_hold_nothing_of_anybodys_scenario(service: Any, run: dict[str, 
     assert MARK not in text
     assert run["id"] not in text
     assert str(service.app.state.settings.data_dir) not in text
-    labels = {key for _, found in samples(service.client) for key, _ in found}
+    labels = {key for _, labels_of_sample in samples(service.client) for key, _ in labels_of_sample}
     assert labels <= {
         "kind",
         "status",

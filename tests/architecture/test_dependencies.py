@@ -60,7 +60,7 @@ def test_each_locked_package_has_a_hash_and_no_address(name: str) -> None:
         assert "==" in entry.splitlines()[0], entry
         hashes = re.findall(r"--hash=(\S+)", entry)
         assert hashes, entry
-        assert all(re.fullmatch(r"sha256:[0-9a-f]{64}", found) for found in hashes), entry
+        assert all(re.fullmatch(r"sha256:[0-9a-f]{64}", digest) for digest in hashes), entry
 
 
 def test_frontend_packages_are_locked_by_hash_and_come_from_no_address_of_their_own() -> None:

@@ -68,7 +68,7 @@ def test_the_metrics_are_all_there_and_no_others() -> None:
 
 
 def test_the_secrets_script_does_what_the_page_says_by_hand() -> None:
-    """The same three calls of openssl, names apart."""
+    """The script and the page make three equal calls of openssl, apart from names."""
     script = (ROOT / "backend/deploy/secrets.sh").read_text()
     for text in (script, TEXT):
         for words in ("openssl req -x509", "openssl x509 -req", "ec_paramgen_curve:prime256v1", "-CAcreateserial"):

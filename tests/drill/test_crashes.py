@@ -34,16 +34,16 @@ Victim = Callable[[], str | None]  # kills something and tells what, or tells th
 
 
 def drill(accepted: Accepted, victims: Sequence[Victim], chance: random.Random) -> None:
-    """Kill so often, at random moments, each victim in turns that are shuffled; then wait for everything."""
+    """Kill at random moments, in rounds that shuffle the victims; then wait for everything."""
     killed: Counter[str] = Counter()
-    turns: list[Victim] = []
+    next_victims: list[Victim] = []
     accepted.submit()
     while killed.total() < KILLS:
         if chance.random() < WHILE_WORKING:
             accepted.await_work()
         time.sleep(chance.uniform(0.01, 1.5))  # the moment of the kill is what chance is for
-        turns = turns or chance.sample(victims, len(victims))
-        what = turns.pop()()
+        next_victims = next_victims or chance.sample(victims, len(victims))
+        what = next_victims.pop()()
         if what is None:
             continue
         killed[what] += 1

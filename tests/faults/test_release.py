@@ -20,7 +20,7 @@ from tests.faults.conftest import Process
 
 TABLES: dict[str, list[dict[str, Any]]] = release.content()["tables"]
 ANSWERS: dict[str, Any] = release.content()["answers"]
-TODAYS = {"current_core_version", "nominal", "stability"}  # a summary's are computed when it is asked for
+RECOMPUTED = {"current_core_version", "nominal", "stability"}  # a summary's are computed when it is asked for
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def unfinished(table: str) -> dict[str, Any]:
 def differences(before: Any, now: Any, path: str = "") -> list[str]:
     """Where `now` has another value than `before`, members of today's core apart; it may have new ones."""
     if isinstance(before, dict) and isinstance(now, dict):
-        each = [(name, before[name], now.get(name)) for name in before.keys() - TODAYS]
+        each = [(name, before[name], now.get(name)) for name in before.keys() - RECOMPUTED]
     elif isinstance(before, list) and isinstance(now, list) and len(before) == len(now):
         each = [(str(index), *pair) for index, pair in enumerate(zip(before, now, strict=True))]
     else:

@@ -57,7 +57,7 @@ def test_a_batch_under_way_goes_on_when_it_is_back(service: Process, postgres: P
     process, logged = halted(service, batch_id), len(service.log)
     postgres.kill()
     process.resume()
-    # What is computed meanwhile cannot be kept: it is computed again, once this service leads again.
+    # What is computed meanwhile cannot be stored: it is computed again, once this service leads again.
     wait_until(lambda: any(words in service.log[logged:] for words in RESTS), "the driver has found out")
     assert service.client.get("/healthz").status_code == 200
     check_refused(service.client.get(f"/api/v1/batches/{batch_id}"))

@@ -24,8 +24,8 @@ def find(name: str, *, package: str, folders: str = "") -> str:
     for attempt in ("installed", "packaged"):
         if attempt == "packaged" and not _install(package):
             break
-        found_folders = sorted(map(str, Path("/").glob(folders)), reverse=True) if folders else []
-        path = os.pathsep.join([*found_folders, os.environ.get("PATH", ""), "/usr/sbin"])
+        searched = sorted(map(str, Path("/").glob(folders)), reverse=True) if folders else []
+        path = os.pathsep.join([*searched, os.environ.get("PATH", ""), "/usr/sbin"])
         if program_path := shutil.which(name, path=path):
             return program_path
     pytest.fail(f"These tests need the program {name}. Install it: apt-get install {package}")

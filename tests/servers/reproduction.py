@@ -110,7 +110,7 @@ def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any
 
 
 def store_in_database(url: str, *, ecu: bool = True) -> None:
-    """The same for a database of that SQLAlchemy URL, brought up to the newest schema."""
+    """Store the reproduction in a database of that SQLAlchemy URL, migrated to the newest schema."""
     store = Store(url)
     try:
         store.migrate()
@@ -121,7 +121,7 @@ def store_in_database(url: str, *, ecu: bool = True) -> None:
 
 def digest() -> str:
     """Of all the numbers depend on: sources, installed packages, Python and machine."""
-    packages = sorted({path.name for place in sys.path for path in Path(place).glob("*.dist-info")})
+    packages = sorted({path.name for folder in sys.path for path in Path(folder).glob("*.dist-info")})
     content_hash = hashlib.sha256(repr([sys.version, platform.machine(), packages]).encode())
     for name in SOURCES:
         assert (ROOT / name).exists(), name

@@ -1,4 +1,4 @@
-"""What runs share stays within its bytes, and large things are not kept."""
+"""The cache that runs share stays within its bytes, and large results are not cached."""
 
 import numpy as np
 

@@ -21,12 +21,12 @@ def test_two_that_are_equal_are_computed_once_and_the_last_that_goes_calls_it_of
 
         waiting = [asyncio.create_task(flights.join("key", compute)) for _ in range(3)]
         await asyncio.sleep(0)
-        under_way = flights.find(lambda key: key == "key")
-        assert under_way is not None
+        in_progress = flights.find(lambda key: key == "key")
+        assert in_progress is not None
         waiting[0].cancel()
         with pytest.raises(asyncio.CancelledError):
             await waiting[0]
-        assert not under_way.cancelled(), "two others wait"
+        assert not in_progress.cancelled(), "two others wait"
         ended.set()
         assert await asyncio.gather(*waiting[1:]) == [1, 1]
         assert flights.find(lambda key: key == "key") is None

@@ -60,16 +60,16 @@ def commanded(of: Scenario, ecu: Ecu) -> tuple[FloatArray, StrategyResult]:
     st.floats(0.01, 10),
     st.integers(4, 24),
 )
-def test_a_converter_rounds_to_its_nearest_step_and_clips(values: FloatArray, reach: float, bits: int) -> None:
-    codes, clipped = convert(values, reach, bits)
-    step = reach / (2 ** (bits - 1) - 1)
-    inside = np.abs(values) <= reach
-    assert clipped == np.count_nonzero(np.abs(values) > reach + step / 2)
+def test_a_converter_rounds_to_its_nearest_step_and_clips(values: FloatArray, full_scale: float, bits: int) -> None:
+    codes, clipped = convert(values, full_scale, bits)
+    step = full_scale / (2 ** (bits - 1) - 1)
+    inside = np.abs(values) <= full_scale
+    assert clipped == np.count_nonzero(np.abs(values) > full_scale + step / 2)
     # Half a step, and rounding of the quotient, which has at most 24 bits before the point.
     assert np.abs(codes * step - values)[inside].max(initial=0) <= step / 2 * (1 + 1e-6)
     assert np.abs(codes).max() <= 2 ** (bits - 1) - 1
-    assert np.array_equal(convert(-values, reach, bits)[0], -codes), "both sides alike"
-    assert convert(np.zeros(3), reach, bits)[0].tolist() == [0, 0, 0]
+    assert np.array_equal(convert(-values, full_scale, bits)[0], -codes), "both sides alike"
+    assert convert(np.zeros(3), full_scale, bits)[0].tolist() == [0, 0, 0]
 
 
 def test_a_command_takes_effect_one_control_step_after_its_measurement() -> None:

@@ -1,4 +1,4 @@
-"""The search for a limit by itself, on functions whose answer is known."""
+"""The search for a limit by itself, on functions with a closed-form answer."""
 
 import itertools
 import math
@@ -22,7 +22,7 @@ def search(axis: Axis, limit: float, function: Function) -> dict[int, float]:
     return bounds
 
 
-def found(low: float, high: float, limit: float, function: Function, *, whole: bool = False) -> tuple[float, float]:
+def solved(low: float, high: float, limit: float, function: Function, *, whole: bool = False) -> tuple[float, float]:
     axis = Axis.of(low, high, whole=whole)
     below, above = bracket(axis, limit, search(axis, limit, function))
     assert below is not None
@@ -48,12 +48,12 @@ def found(low: float, high: float, limit: float, function: Function, *, whole: b
 def test_the_bracket_of_a_known_function(
     low: float, high: float, limit: float, function: Function, expected: tuple[float, float]
 ) -> None:
-    assert found(low, high, limit, function) == expected
+    assert solved(low, high, limit, function) == expected
 
 
 def test_whole_numbers_stay_whole_and_few_are_all_tried() -> None:
-    assert found(1, 200, 7, lambda x: x / 10, whole=True) == (70, 71)
-    assert found(1, 5, 0.3, lambda x: x / 10, whole=True) == (3, 4)
+    assert solved(1, 200, 7, lambda x: x / 10, whole=True) == (70, 71)
+    assert solved(1, 5, 0.3, lambda x: x / 10, whole=True) == (3, 4)
 
 
 def test_none_keeps_the_limit() -> None:
@@ -77,7 +77,7 @@ def test_every_rising_metric_is_bracketed_within_a_thousandth(
 ) -> None:
     high = low + width
     root = low + at * width
-    below, above = found(low, high, 0, lambda x: math.copysign(abs(x - root) ** power, x - root) - 1e-300)
+    below, above = solved(low, high, 0, lambda x: math.copysign(abs(x - root) ** power, x - root) - 1e-300)
     assert below <= root <= above or above == high
     assert above - below <= width / 1000 * (1 + 1e-6)
 

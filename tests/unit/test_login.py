@@ -124,10 +124,10 @@ def test_a_token_goes_to_the_server_that_is_named_and_to_no_other(
     assert sent == [("http://here.test", f"Bearer {SECRET}"), ("http://elsewhere.test", None)]
     with (
         Ridelab(ADDRESS) as of_environment,
-        Ridelab(SHOWN, token=SECRET[1:]) as given,
+        Ridelab(SHOWN, token=SECRET[1:]) as with_token,
         Ridelab(ADDRESS, token="") as none,
     ):
-        clients = [each._http.client for each in (of_environment, given, none)]
+        clients = [each._http.client for each in (of_environment, with_token, none)]
     assert [each.headers.get("Authorization") for each in clients] == [f"Bearer {SECRET}", f"Bearer {SECRET[1:]}", None]
     assert [each.auth is None for each in clients] == [True, True, False]
     with at(lambda _: httpx.Response(401), SHOWN) as refused, pytest.raises(RidelabAPIError, match="refuses the token"):

@@ -151,9 +151,9 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
             changes_no_run = choice.id == reading.default or reading.id == paper.WINDOW
             assert (ours == default) == changes_no_run, (reading.id, choice.id)
             assert (choice.stretches is None) == (choice.id == reading.default or reading.id != paper.WINDOW)
-    for chosen in ({"colour": "red"}, {"preview": "red"}):
+    for unknown in ({"colour": "red"}, {"preview": "red"}):
         with pytest.raises(UnknownNameError):
-            scenario_for(chosen, 1)
+            scenario_for(unknown, 1)
 
 
 def test_each_choice_names_its_place_in_the_paper_or_is_ours() -> None:

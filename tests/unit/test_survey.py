@@ -14,7 +14,7 @@ def file(*, head: str = HEAD, rows: list[str] | None = None) -> bytes:
 
 
 def test_units_separators_and_the_first_distance_are_the_headers_matter() -> None:
-    """The same road in metres, in millimetres, with semicolons and decimal commas, behind a BOM, from 500 m on."""
+    """One road in metres, in millimetres, with semicolons and decimal commas, behind a BOM, from 500 m on."""
     plain = read(file())
     metres = [f"{row.split(',')[0]},{float(row.split(',')[1]) / 1000:.6f}" for row in ROWS]
     comma = [row.replace(",", ";").replace(".", ",") for row in ROWS]

@@ -50,7 +50,7 @@ def test_known_road_and_enough_force_hold_the_travel_or_say_so(car: Vehicle, bum
 @settings(max_examples=examples(25))
 @given(scenarios)
 def test_height_zero_is_no_bump_at_all(scenario: Scenario) -> None:
-    """The same numbers whatever the bump's shape or width."""
+    """The numbers do not depend on the bump's shape or width."""
 
     def without(**bump: object) -> Scenario:
         flat = scenario.road.bump.model_copy(update={"height": 0.0, **bump})

@@ -57,11 +57,11 @@ def test_fuzzy_plan_is_the_one_written_a_second_time(speed: dict[str, float]) ->
     """Over position, 0.1 km/h: period starts differ by a step at the band's edge, surface grid 0.3 % of the torque."""
     scenario = plan(controller="fuzzy", **speed)
     mine, series = brake_to_bump(scenario), simulate(scenario, "speed_only").series
-    stretch = (series["position"] >= mine.position[0]) & (series["position"] <= mine.position[-1])
-    expected = np.interp(series["position"][stretch], mine.position, mine.speed)
-    assert np.abs(series["speed"][stretch] - expected).max() * 3.6 < 0.1
-    pressure = np.interp(series["position"][stretch], mine.position, mine.pressure)
-    assert np.abs(series["brake_pressure"][stretch] - pressure).max() < 0.01 * mine.pressure.max()
+    window = (series["position"] >= mine.position[0]) & (series["position"] <= mine.position[-1])
+    expected = np.interp(series["position"][window], mine.position, mine.speed)
+    assert np.abs(series["speed"][window] - expected).max() * 3.6 < 0.1
+    pressure = np.interp(series["position"][window], mine.position, mine.pressure)
+    assert np.abs(series["brake_pressure"][window] - pressure).max() < 0.01 * mine.pressure.max()
 
 
 def test_paper_arrives_coasts_and_holds() -> None:

@@ -23,7 +23,7 @@ class Tunable:
     Attributes:
         triples: Its triples of weights (q1, q2, q3).
         travel: The weight on the suspension's travel (q4).
-        preview: What it knows of the road ahead.
+        preview: Its kind of preview.
         horizon: How far ahead, in steps.
     """
 

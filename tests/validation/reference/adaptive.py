@@ -123,11 +123,11 @@ def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
     steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
     time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
     time = time + h * np.arange(SAMPLES + 1)
-    place = motion.at(time)[0]
+    position = motion.at(time)[0]
     roads = np.empty((steps, 2, SAMPLES + 1, n))
     for i, run in enumerate(runs):
         for axle, behind in enumerate((0.0, run.scenario.vehicle.cg_to_front + run.scenario.vehicle.cg_to_rear)):
-            roads[:, axle, :, i] = profile(run.scenario.road).height(place - behind)
+            roads[:, axle, :, i] = profile(run.scenario.road).height(position - behind)
     commands = np.stack([run.commands.T for run in runs], axis=-1)  # (2, steps, cars)
     bandwidths = [run.scenario.actuator.bandwidth if run.commands.any() else None for run in runs]
     cars = Cars([run.scenario.real_vehicle for run in runs], [2 * np.pi * (each or 0.0) for each in bandwidths])

@@ -172,8 +172,8 @@ def _drive(
     time = Ts * (np.arange(steps)[:, None] - offset) + h * np.arange(n + 1)
     surface = profile(scenario.road)
     wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
-    place = motion.at(time)[0]
-    z = np.stack([surface.height(place), surface.height(place - wheelbase)], axis=-1)
+    position = motion.at(time)[0]
+    z = np.stack([surface.height(position), surface.height(position - wheelbase)], axis=-1)
     a = motion.sample(motion.braking, time[:, :-1] + h / 2)
     forced = np.concatenate([z[:, :-1], z[:, 1:], a[..., None]], axis=-1)  # (steps, n, 5)
 
@@ -196,13 +196,13 @@ def _drive(
 
     outputs, forces, speeds = np.empty((6, steps, n + 1)), np.empty((2, steps, n + 1)), np.empty((2, steps, n + 1))
     now = starts
-    stretch = np.hstack([np.zeros((2, 4)), lever, -np.eye(2)])
+    deflection_of = np.hstack([np.zeros((2, 4)), lever, -np.eye(2)])
     for i in range(n + 1):
         u = now[:, 8:] if corner else commands
         road, braking = z[:, i], a[:, min(i, n - 1)]
         w = np.hstack([now[:, :8], u, road, road, braking[:, None]])
         outputs[:, :, i] = (w @ read[:, :15].T).T
-        forces[:, :, i], speeds[:, :, i] = u.T, (now[:, :8] @ stretch.T).T
+        forces[:, :, i], speeds[:, :, i] = u.T, (now[:, :8] @ deflection_of.T).T
         if i < n:
             now = now @ A.T + commands @ B.T + forced[:, i] @ E.T
     recorded = time[:, 0] >= -1e-9

@@ -80,7 +80,7 @@ class ReferenceMpc:
         cost = mean_cost(model, weight, mpc.sample_time, mpc.force_weight, *gauss())
         P = regulator(model, cost, mpc.sample_time).P
         lever = np.array([[1, -car.cg_to_front], [1, car.cg_to_rear]])
-        stretch = np.hstack([lever, -np.eye(2), np.zeros((2, 4))])
+        deflection_of = np.hstack([lever, -np.eye(2), np.zeros((2, 4))])
 
         # The end state is judged relative to the road there: everything lifted by the last heights.
         heights = np.zeros((2, predictor.end.shape[1]))
@@ -98,7 +98,7 @@ class ReferenceMpc:
         self.H[n:, n:] = 2 * 1e6 / 100**2 * np.eye(2)
         self.g_free = 2 * KILO * quadratic[forced, :][:, free]
         self.g_previous = -2 * KILO * mpc.force_change_weight * (change.T @ np.eye(n, 2))
-        travel = [stretch @ w[:8] for w in [*predictor.w[1:], predictor.end]]
+        travel = [deflection_of @ w[:8] for w in [*predictor.w[1:], predictor.end]]
         rows = np.vstack([t[:, forced] * KILO * 100 for t in travel])
         self.travel_free = np.vstack([t[:, free] * 100 for t in travel])
         slack = -np.tile(np.eye(2), (predictor.horizon, 1))

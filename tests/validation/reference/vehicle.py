@@ -43,14 +43,14 @@ def state_space(car: Vehicle) -> StateSpace:
     """The half-car's matrices, written from springs and dampers between named points."""
     lever = np.array([[1, -car.cg_to_front, 0, 0], [1, car.cg_to_rear, 0, 0]])  # body points above the axles
     wheel = np.array([[0, 0, 1, 0], [0, 0, 0, 1]])
-    stretch = lever - wheel  # suspension deflections d = stretch @ q
+    to_deflection = lever - wheel  # suspension deflections d = to_deflection @ q
     mass = np.diag([car.body_mass, car.pitch_inertia, car.front_wheel_mass, car.rear_wheel_mass])
     spring = np.diag([car.front_spring, car.rear_spring])
     damper = np.diag([car.front_damping, car.rear_damping])
     tyre = np.diag([car.front_tyre_stiffness, car.rear_tyre_stiffness])
     # Energy: V = ½ d' k d + ½ (z_r − z_w)' k_t (z_r − z_w); the actuator pushes body and wheel apart.
-    K = stretch.T @ spring @ stretch + wheel.T @ tyre @ wheel
-    C = stretch.T @ damper @ stretch
+    K = to_deflection.T @ spring @ to_deflection + wheel.T @ tyre @ wheel
+    C = to_deflection.T @ damper @ to_deflection
     inverse = np.linalg.inv(mass)
     brake = np.array([0, car.body_mass * car.cg_height, 0, 0])  # inertia force at the c.g. presses the nose down
     # Links at the angle β between body and wheel turn the braking force F into F tan β, upwards at the front, downwards
@@ -60,14 +60,16 @@ def state_space(car: Vehicle) -> StateSpace:
         (1, car.front_brake_share - 1, car.anti_lift),
     ):
         slope = number * car.cg_height / (car.cg_to_front + car.cg_to_rear)
-        brake = brake + stretch[axle] * share * car.body_mass * slope
+        brake = brake + to_deflection[axle] * share * car.body_mass * slope
     zero, one = np.zeros((4, 4)), np.eye(4)
     A = np.block([[zero, one], [-inverse @ K, -inverse @ C]])
-    B = np.vstack([np.zeros((4, 2)), inverse @ stretch.T])
+    B = np.vstack([np.zeros((4, 2)), inverse @ to_deflection.T])
     E = np.vstack([np.zeros((4, 2)), inverse @ wheel.T @ tyre])
     D = np.concatenate([np.zeros(4), inverse @ brake])
     body = slice(4, 6)
-    C_out = np.vstack([A[body], np.hstack([-tyre @ wheel, np.zeros((2, 4))]), np.hstack([stretch, np.zeros((2, 4))])])
+    C_out = np.vstack(
+        [A[body], np.hstack([-tyre @ wheel, np.zeros((2, 4))]), np.hstack([to_deflection, np.zeros((2, 4))])]
+    )
     F_out = np.vstack([B[body], np.zeros((4, 2))])
     G_out = np.vstack([E[body], tyre, np.zeros((2, 2))])
     H_out = np.concatenate([D[body], np.zeros(4)])
