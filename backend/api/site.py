@@ -3,13 +3,13 @@
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 
-from fastapi import APIRouter, FastAPI
+from fastapi import APIRouter, FastAPI, Request
 from fastapi.responses import FileResponse, HTMLResponse, Response
 from starlette.staticfiles import StaticFiles
 
 from backend.api.deps import LinksService
 from backend.http.answers import IMMUTABLE
-from backend.http.problems import RequestError
+from backend.http.problems import RequestError, problem
 from backend.http.tokens import Caller
 from backend.runs.links import preview
 from backend.runs.links.preview import Preview
@@ -45,6 +45,7 @@ PAGES = (
     "/",
     "/r/{id}",
     "/b/{id}",
+    "/sweeps",
     "/paper",
     "/robustness",
     "/robustness/{id}",
@@ -52,6 +53,9 @@ PAGES = (
     "/tuner/{id}",
     "/ecu",
 )
+
+
+NO_PAGES = ("/api/", "/assets/", "/docs-assets/")
 
 
 class HashedFiles(StaticFiles):
@@ -98,8 +102,21 @@ def add_site(app: FastAPI, dist: Path) -> None:
         if file.name != "index.html":
             site.add_api_route(f"/{file.name}", _file(file), methods=["GET"])
     app.include_router(site)
+    _add_not_found(app, index)
     app.mount("/assets", HashedFiles(directory=dist / "assets", check_dir=False))
     app.mount("/docs-assets", StaticFiles(directory=dist / "docs-assets", check_dir=False))
+
+
+def _add_not_found(app: FastAPI, index: Path) -> None:
+    """Answer a browser at an unknown address with the page, which says so; the API's addresses answer with a problem."""
+
+    async def not_found(request: Request, _: Exception) -> Response:
+        is_page = not request.url.path.startswith(NO_PAGES) and "text/html" in request.headers.get("accept", "")
+        if request.method == "GET" and is_page and index.is_file():
+            return FileResponse(index, 404, headers={"Cache-Control": "no-cache", "Vary": "Accept"})
+        return problem("not-found")
+
+    app.add_exception_handler(404, not_found)
 
 
 def _check_built(index: Path) -> None:

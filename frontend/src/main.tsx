@@ -10,8 +10,9 @@ import "./global.css";
 import { createAppRouter } from "./router";
 import { DeskProvider } from "./state/context";
 import { createLab } from "./state/lab";
+import { keep, restore } from "./state/kept";
 import { watchPrinting } from "./state/printing";
-import { createLabRouter } from "./state/router";
+import { createLabRouter, startsAnew } from "./state/router";
 import { theme } from "./theme";
 
 const queries = new QueryClient({
@@ -21,10 +22,15 @@ const queries = new QueryClient({
 
 // The lab lives as long as the tab: other pages come and go beside it.
 const pages = createAppRouter();
-const router = createLabRouter(pages);
-const lab = createLab({ api, router, queries });
+// An address that names a result opens that, and nothing is behind it.
+const restored = startsAnew(pages) ? restore() : null;
+const router = createLabRouter(pages, restored?.view);
+const lab = createLab({ api, router, queries }, restored?.lab);
 router.onTravel(lab.travel);
+keep(lab, router);
 watchPrinting();
+
+const desk = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no #root");
@@ -32,7 +38,7 @@ createRoot(root).render(
   <StrictMode>
     <QueryClientProvider client={queries}>
       <MantineProvider theme={theme} defaultColorScheme="auto">
-        <DeskProvider value={{ lab, router, standard: {} }}>
+        <DeskProvider value={desk}>
           <RouterProvider router={pages} />
         </DeskProvider>
       </MantineProvider>

@@ -22,6 +22,11 @@ const sweep = createRoute({
   validateSearch: (raw: Record<string, unknown>) => pick(raw, "x", "y", "hide"),
   component: lazyRouteComponent(() => import("./batch/BatchPage"), "SweepPage"),
 });
+const sweeps = createRoute({
+  getParentRoute: () => root,
+  path: "/sweeps",
+  component: lazyRouteComponent(() => import("./batch/SweepsPage"), "SweepsPage"),
+});
 const paper = createRoute({
   getParentRoute: () => root,
   path: "/paper",
@@ -59,7 +64,7 @@ const ecu = createRoute({
   component: lazyRouteComponent(() => import("./hil/EcuPage"), "EcuPage"),
 });
 
-const routeTree = root.addChildren([lab.addChildren([start, run, shared]), sweep, paper, tuner, tuning, robustness, study, ecu]);
+const routeTree = root.addChildren([lab.addChildren([start, run, shared]), sweep, sweeps, paper, tuner, tuning, robustness, study, ecu]);
 
 export const createAppRouter = () =>
   createRouter({

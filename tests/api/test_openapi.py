@@ -165,6 +165,18 @@ async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
 
 
 @pytest.mark.anyio
+async def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(built: Path) -> None:
+    browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
+    async with visitor(Settings(frontend_dir=built)) as client:
+        page = await client.get("/nowhere", headers=browser)
+        assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
+        assert "Ridelab" in page.text
+        for path, accept in (("/nowhere", "*/*"), ("/api/v1/nowhere", browser["Accept"]), ("/assets/x.js", "*/*")):
+            answer = await client.get(path, headers={"Accept": accept})
+            assert (answer.status_code, answer.headers["content-type"]) == (404, "application/problem+json")
+
+
+@pytest.mark.anyio
 async def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
     async with visitor(Settings(frontend_dir=tmp_path)) as client:
         page = await client.get("/")

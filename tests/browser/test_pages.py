@@ -44,3 +44,33 @@ def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
     assert dashboard.address() != low
     dashboard.expect_table_to_be_the_stored_run()
     assert page.evaluate("window.unloaded") is False
+
+
+def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, paper = dashboard.page, dashboard.address()
+    dashboard.type_into("Height", "0.06")
+    dashboard.chip("LQR").click()
+    expect(dashboard.row("lqr")).to_have_count(0)
+    page.get_by_text("Time", exact=True).click()
+    expect(page).to_have_url(re.compile("axis=time"))
+
+    dashboard.open("/")
+    assert dashboard.entry("Height").input_value() == "0.06"
+    expect(dashboard.row("lqr")).to_have_count(0)
+    expect(page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(page.get_by_text("Your last scenario.")).to_be_visible()
+    page.get_by_role("button", name="Open the paper’s scenario").click()
+    expect(dashboard.row("lqr")).to_be_visible()
+    assert dashboard.entry("Height").input_value() == "0.1"
+    assert dashboard.address().split("?")[0] == paper
+    expect(page.get_by_text("Your last scenario.")).to_have_count(0)
+
+
+def test_an_unknown_address_leaves_the_navigation(dashboard: Dashboard) -> None:
+    answer = dashboard.page.goto("/nowhere")
+    assert answer is not None
+    assert answer.status == 404
+    expect(dashboard.page.get_by_role("heading", name="There is no page at this address")).to_be_visible()
+    go(dashboard.page, "Lab")
+    dashboard.expect_curves()

@@ -37,9 +37,12 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     expect(ranges(page, "road.seed")).to_contain_text("always 1")
     dashboard.expect_accessible()
     expect(page.get_by_test_id("estimate")).to_contain_text("40 runs (20 points × 2 strategies)")
+    streams: list[str] = []
+    page.on("request", lambda request: streams.append(request.url) if "/events" in request.url else None)
     page.get_by_role("button", name="Start").click()
 
     expect(page).to_have_url(re.compile(r"/robustness/[\w-]{22}\?one=[\w-]{22}$"), timeout=LONG_MS)
+    study = page.url
     expect_results(page)
     batch = page.url.split("/robustness/")[1][:22]
     summary: dict[str, Any] = server.get(f"/batches/{batch}/summary")
@@ -50,6 +53,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     limits = page.get_by_role("region", name="Limits", exact=True)
     expect(limits.locator("tr[data-strategy=lv]")).to_contain_text("no point")
     expect(page.get_by_test_id("tornado").get_by_role("button")).to_have_count(22, timeout=LONG_MS)
+    assert {url.split("/batches/")[1][:22] for url in streams} <= {batch}  # a browser has six connections to a server
     dashboard.expect_accessible()
 
     page.get_by_label("Baseline").select_option("lqr")
@@ -63,6 +67,11 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     expect(page).to_have_url(re.compile("/r/"), timeout=LONG_MS)
     worst = summary["strategies"]["lv"]["figures"][PEAK]["highest"]
     opened = dashboard.stored_run()
+    page.get_by_role("link", name="From study").click()
+    expect(page).to_have_url(f"{study}&baseline=lqr")
+    page.get_by_role("link", name="New study").click()
+    earlier = page.get_by_role("region", name="Earlier studies").get_by_role("link").first
+    expect(earlier).to_have_attribute("href", study.split("?")[0].removeprefix(server.url))
     assert opened["scenario"]["mismatch"]["damping"] == worst["at"]["mismatch.damping"]
     # Another process: the blocks a law is computed in may differ in their last bits.
     ours = opened["strategies"]["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]

@@ -138,9 +138,16 @@ def test_a_latin_hypercube_is_started_once(dashboard: Dashboard) -> None:
     expect(page.get_by_test_id("batch-results")).to_have_attribute("data-rows", "21")
 
 
-def test_a_row_opens_its_run(dashboard: Dashboard, server: Server) -> None:
-    page = dashboard.page
-    page.goto(server.submit({"grid": {"road.bump.height": [0.04, 0.08]}}, ["lv", "passive"]))
+def test_a_row_opens_its_run_which_leads_back(dashboard: Dashboard, server: Server) -> None:
+    """By a link of its own and by the browser's back; and the sweep's link to the lab leads to where the lab was."""
+    dashboard.open()
+    page, lab = dashboard.page, dashboard.address()
+    sweep = server.submit({"grid": {"road.bump.height": [0.04, 0.08]}}, ["lv", "passive"])
+    page.get_by_role("link", name="Sweeps").click()
+    page.get_by_role("region", name="Sweeps").locator(f"a[href='{sweep}']").click()
+    page.get_by_role("link", name="Lab", exact=True).click()
+    expect(page).to_have_url(lab)
+    page.go_back()
     expect_done(page)
     shown = page.locator("tr[data-run='3'] td").last.inner_text()
     page.get_by_role("button", name="Open run 3 in the dashboard").click()
@@ -148,6 +155,17 @@ def test_a_row_opens_its_run(dashboard: Dashboard, server: Server) -> None:
     assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == 0.08
     assert set(dashboard.stored_run()["strategies"]) == {"lv", "passive"}
     expect(dashboard.row("passive").locator("td").last).to_contain_text(str(round(float(shown), 2)))
+
+    opened = dashboard.address()
+    dashboard.type_into("Width", "3")
+    expect(page).not_to_have_url(opened)  # it is still of that sweep
+    page.get_by_role("link", name="From sweep “Height”").click()
+    expect(page).to_have_url(re.compile(f"{sweep}$"))
+    page.go_back()
+    page.go_back()
+    page.go_back()
+    expect(page).to_have_url(re.compile(f"{sweep}$"))
+    expect(page.get_by_role("button", name="Open run 3 in the dashboard")).to_be_enabled()
 
 
 def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: Server) -> None:

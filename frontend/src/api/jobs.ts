@@ -58,8 +58,8 @@ function callsOf<Item, Job extends Item>(plural: "batches" | "tunings") {
   const path = (id: string, rest = "") => `/${plural}/${encodeURIComponent(id)}${rest}`;
   return {
     /** The newest first. */
-    page: async (cursor: string | null, signal?: AbortSignal): Promise<JobPage<Item>> => {
-      const query = asQuery({ limit: PAGE, ...(cursor !== null && { cursor }) });
+    page: async (cursor: string | null, label?: string, signal?: AbortSignal): Promise<JobPage<Item>> => {
+      const query = asQuery({ limit: PAGE, ...(cursor !== null && { cursor }), ...(label !== undefined && { label }) });
       const answer = await get<Partial<Record<typeof plural, readonly Item[]>> & Pick<JobPage<Item>, "next">>(`/${plural}${query}`, signal);
       return { items: answer[plural] ?? [], next: answer.next };
     },

@@ -15,7 +15,8 @@ import { BatchActions } from "./BatchActions";
 import { BatchResults } from "./BatchResults";
 import { BatchState } from "./BatchState";
 import { SharedNote } from "../share/SharedNote";
-import { SweepList, titleOf } from "./SweepList";
+import { SweepList } from "./SweepList";
+import { titleOf } from "./title";
 import { useBatchView, useSharedView, type BatchView } from "./view";
 import ui from "../ui/ui.module.css";
 import { Loading } from "../ui/Loading";
@@ -62,7 +63,7 @@ function Sweep({ id, view, onView, link }: Props) {
         {fault ? (
           isNotFound(error) ? (
             <Blank title="There is no sweep at this address" text="The address may be cut short, or the sweep was made on another server.">
-              <LabLink run={undefined}>Go to the lab</LabLink>
+              <LabLink>Go to the lab</LabLink>
             </Blank>
           ) : <CouldNotLoad what="sweep" message={fault.message} />
         ) : batch && catalogues ? (

@@ -1,6 +1,7 @@
 /** The run this page shows: LV in the simulation, LV in the ECU and the LQR over one scenario. */
 
 import { keepPreviousData, queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { useEffect, useRef } from "react";
 import { api } from "../api/client";
 import type { Run, Scenario } from "../api/types";
 import type { PageScenario } from "../origin/origin";
@@ -31,8 +32,16 @@ export interface EcuRun {
 
 export function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
   const queries = useQueryClient();
+  const newest = useRef<AbortController>(null);
+  const drop = () => newest.current?.abort();
+  // Behind the page's back nothing is chosen.
+  useEffect(() => drop, []);
   const changed = useMutation({
-    mutationFn: (scenario: Scenario) => api.createRun(scenario, STRATEGIES),
+    mutationFn: (scenario: Scenario) => {
+      drop();
+      newest.current = new AbortController();
+      return api.createRun(scenario, STRATEGIES, newest.current.signal);
+    },
     networkMode: "always",
     onSuccess: (run) => {
       queries.setQueryData(runKey(run.id), run);
@@ -51,6 +60,7 @@ export function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
     error: changed.error ?? shown.error,
     change: (scenario) => changed.mutate(scenario),
     choose: (origin) => {
+      drop();
       changed.reset();
       choose(origin);
     },

@@ -10,12 +10,14 @@ import { count, formatWhole } from "../units/format";
 import { isFinal } from "./follow";
 import classes from "./jobs.module.css";
 import { waitsFor } from "./JobState";
-import type { Common, Kind } from "./useJob";
+import type { Common, JobPath, Kind } from "./useJob";
 
 export interface Description {
   /** What it is called while it has no name. */
   readonly title: string;
   readonly details: readonly string[];
+  /** Where it is shown, if not where its kind is. */
+  readonly page?: JobPath;
 }
 
 interface Props<Item extends Common, Job extends Item> {
@@ -27,7 +29,7 @@ interface Props<Item extends Common, Job extends Item> {
 
 const STATE: Readonly<Record<Common["state"], string>> = { queued: "waiting", running: "running", done: "done", cancelled: "cancelled", failed: "failed" };
 
-export function JobEntry<Item extends Common, Job extends Item>({ kind, item, description: { title, details }, current }: Props<Item, Job>) {
+export function JobEntry<Item extends Common, Job extends Item>({ kind, item, description: { title, details, page }, current }: Props<Item, Job>) {
   const [openForm, setOpenForm] = useState<"name" | "delete" | null>(null);
   const { done, failed, total } = kind.counts(item);
   const name = item.label ?? title;
@@ -35,7 +37,7 @@ export function JobEntry<Item extends Common, Job extends Item>({ kind, item, de
   const close = () => setOpenForm(null);
   return (
     <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
-      <Link to={kind.page} params={{ id: item.id }}>
+      <Link to={page ?? kind.page} params={{ id: item.id }}>
         <span className={classes.entryTitle}>{name}</span>
         <span className={classes.entryState}>
           {[STATE[item.state] + (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`), ...(item.position > 0 ? [waitsFor(item)] : [])].join(" · ")}

@@ -18,14 +18,16 @@ interface Props<Item extends Common, Job extends Item> {
   readonly none: string;
   /** The one the page shows. */
   readonly current?: string;
+  /** Only those with that name. */
+  readonly label?: string;
 }
 
 const REFRESH_MS = 3_000;
 
-export function JobList<Item extends Common, Job extends Item>({ kind, title, describe, none, current }: Props<Item, Job>) {
+export function JobList<Item extends Common, Job extends Item>({ kind, title, describe, none, current, label }: Props<Item, Job>) {
   const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useInfiniteQuery({
-    queryKey: [kind.name, "list"],
-    queryFn: ({ pageParam, signal }) => kind.calls.page(pageParam, signal),
+    queryKey: [kind.name, "list", label ?? null],
+    queryFn: ({ pageParam, signal }) => kind.calls.page(pageParam, label, signal),
     initialPageParam: null as string | null,
     getNextPageParam: ({ next }) => next,
     refetchInterval: ({ state }) => state.data?.pages.some(({ items }) => items.some((item) => !isFinal(item))) === true && REFRESH_MS,

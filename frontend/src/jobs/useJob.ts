@@ -9,13 +9,16 @@ import { secondsLeft, withMark, type Mark } from "./pace";
 
 export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
 
+/** A page that shows one job. */
+export type JobPath = "/b/$id" | "/tuner/$id" | "/robustness/$id";
+
 /** What a list shows of a job and what its own page has of it differ; what all have in common is `Common`. */
 export interface Kind<Item extends Common, Job extends Item> {
   readonly name: "batch" | "tuning";
   /** What is counted. */
   readonly unit: "run" | "trial";
   readonly calls: JobCalls<Item, Job>;
-  readonly page: "/b/$id" | "/tuner/$id";
+  readonly page: JobPath;
   readonly counts: (job: Item) => Pick<JobEvent, "done" | "failed" | "total">;
   /** The job with an event's news; null where the job itself has to be asked for. */
   readonly withEvent: (job: Job, event: JobEvent) => Job | null;

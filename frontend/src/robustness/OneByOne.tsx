@@ -9,7 +9,7 @@ import type { Figure } from "../batch/figures";
 import { fullName, OPENING_FIGURE } from "../batch/figures";
 import { showCell } from "../batch/show";
 import { tableQuery } from "../batch/queries";
-import { BATCH, useJob } from "../jobs/useJob";
+import { BATCH, jobQuery } from "../jobs/useJob";
 import { formatPercent } from "../tables/change";
 import { formatResult, prettyUnit } from "../units/format";
 import { nameOf } from "./names";
@@ -29,8 +29,11 @@ interface Props {
   readonly strategies: readonly Strategy[];
 }
 
+const REFRESH_MS = 2_000;
+
 export function OneByOne({ id, ...rest }: Props) {
-  const { job: batch, error } = useJob(BATCH, id);
+  // Its end is asked for: the page's one stream of events is the study's.
+  const { data: batch, error } = useQuery({ ...jobQuery(BATCH, id), refetchInterval: ({ state: { data } }) => data !== undefined && !isFinal(data) && REFRESH_MS });
   if (error) return <Message text={`Each field alone could not be read: ${error.message}`} />;
   if (!batch) return null;
   if (!isOneByOne(batch)) return <Message text="What this address names as the study of each field alone is another kind of sweep." />;

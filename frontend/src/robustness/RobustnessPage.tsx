@@ -8,6 +8,7 @@ import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { schemaQuery, strategiesQuery } from "../state/queries";
 import { defaultsQuery } from "./defaults";
+import { EarlierStudies } from "./EarlierStudies";
 import { StudyForm } from "./StudyForm";
 import ui from "../ui/ui.module.css";
 import { Loading } from "../ui/Loading";
@@ -33,13 +34,16 @@ export function RobustnessPage() {
         {failure ? (
           <CouldNotLoad message={failure.message} />
         ) : defaults.data && strategies.data && form.data ? (
-          <StudyForm
-            defaults={defaults.data}
-            strategies={strategies.data}
-            form={form.data}
-            scenario={source.scenario}
-            head={<ScenarioChoice source={source} form={form.data} />}
-          />
+          <>
+            <StudyForm
+              defaults={defaults.data}
+              strategies={strategies.data}
+              form={form.data}
+              scenario={source.scenario}
+              head={<ScenarioChoice source={source} form={form.data} />}
+            />
+            <EarlierStudies strategies={strategies.data} />
+          </>
         ) : (
           <Loading label="Loading the form" heights={[28, 96, 440, 320]} />
         )}

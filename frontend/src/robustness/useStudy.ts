@@ -3,6 +3,7 @@
 import { useMemo } from "react";
 import { batches } from "../api/jobs";
 import type { Scenario } from "../api/types";
+import { STUDY_LABEL } from "../jobs/study";
 import { useSubmission } from "../submission/useSubmission";
 import { sweepPlaces } from "../sweep/problems";
 import { readStudy, type StudyDraft } from "./study";
@@ -11,14 +12,14 @@ export function useStudy(draft: StudyDraft, scenario: Scenario | undefined) {
   const reading = useMemo(() => readStudy(draft), [draft]);
   return useSubmission({
     kind: "batch",
-    body: reading.ok && scenario ? { scenario, strategies: draft.strategies, sweep: reading.sweeps.cube, label: "Robustness study" } : null,
+    body: reading.ok && scenario ? { scenario, strategies: draft.strategies, sweep: reading.sweeps.cube, label: STUDY_LABEL } : null,
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.ranges.map(({ field }) => field.name)),
     estimate: batches.estimate,
     submit: async (body, keyOf) => {
       const submit = (sent: typeof body) => batches.create(sent, keyOf(sent));
       const oneByOne = reading.ok ? reading.sweeps.oneByOne : null;
-      const alone = oneByOne && (await submit({ ...body, sweep: oneByOne, label: "Robustness study: each field alone" }));
+      const alone = oneByOne && (await submit({ ...body, sweep: oneByOne, label: `${STUDY_LABEL}: each field alone` }));
       return { to: "/robustness/$id", params: { id: (await submit(body)).id }, search: alone ? { one: alone.id } : {} };
     },
   });

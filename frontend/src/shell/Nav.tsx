@@ -3,17 +3,12 @@
 import { Button, Menu } from "@mantine/core";
 import { Link, linkOptions, useRouterState, useSearch } from "@tanstack/react-router";
 import { IconChevronDown } from "../icons";
-import { searchOf, type Address } from "../state/address";
+import type { Address } from "../state/address";
 import { useDesk, useLab } from "../state/context";
+import { labLink } from "../state/router";
 import { useStore } from "../state/store";
 import { Logo } from "./Logo";
 import classes from "./nav.module.css";
-
-/** The lab as it is. */
-function labLink({ runId, slug, view }: Address) {
-  if (slug !== null) return linkOptions({ to: "/s/$id", params: { id: slug } });
-  return runId === null ? linkOptions({ to: "/" }) : linkOptions({ to: "/r/$id", params: { id: runId }, search: searchOf(view) });
-}
 
 /** The run whose scenario other pages start with: the page's own, else the lab's, which is known before its curves are. */
 function useRun(lab: Address): { readonly run?: string } {
@@ -30,11 +25,13 @@ export function Nav() {
   const entries = [
     { section: "lab", label: "Lab", link: labLink(lab) },
     { section: "paper", label: "Paper", link: linkOptions({ to: "/paper" }) },
+    { section: "sweeps", label: "Sweeps", link: linkOptions({ to: "/sweeps" }) },
     { section: "tuner", label: "Tuner", link: linkOptions({ to: "/tuner", search }) },
     { section: "robustness", label: "Robustness", link: linkOptions({ to: "/robustness", search }) },
     { section: "ecu", label: "ECU", link: linkOptions({ to: "/ecu", search }) },
   ];
-  const section = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
+  const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
+  const section = path === "b" ? "sweeps" : path;
   const current = entries.find((entry) => entry.section === section);
   return (
     <>

@@ -1,9 +1,9 @@
-/** From another page to a run in the lab: the same page to the browser, so back leads to where one was. */
+/** From another page to a run in the lab, which leads back to that page. */
 
-import { useNavigate } from "@tanstack/react-router";
+import { useRouter } from "@tanstack/react-router";
 import { useCallback } from "react";
 
 export function useOpenInLab(): (run: { readonly id: string }) => void {
-  const navigate = useNavigate();
-  return useCallback(({ id }) => void navigate({ to: "/r/$id", params: { id } }), [navigate]);
+  const router = useRouter();
+  return useCallback(({ id }) => void router.navigate({ to: "/r/$id", params: { id }, search: { from: router.latestLocation.href } }), [router]);
 }

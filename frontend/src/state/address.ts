@@ -21,6 +21,8 @@ export interface Address {
   /** A shared result. How it is looked at is part of what is shared, so the address never carries it. */
   readonly slug: string | null;
   readonly view: View;
+  /** The page a result of which was opened here, as an address of its own. */
+  readonly from?: string;
 }
 
 export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null };
@@ -32,7 +34,7 @@ export const parseSearch = (search: string): Raw => Object.fromEntries(new URLSe
 
 export function stringifySearch(search: Raw): string {
   const query = new URLSearchParams(Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])));
-  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~");
+  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~").replace(/%2F/g, "/");
   return text === "" ? "" : `?${text}`;
 }
 
@@ -40,7 +42,7 @@ export function stringifySearch(search: Raw): string {
 export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]) =>
   Object.fromEntries(names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : []))) as Partial<Record<Name, string>>;
 
-export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom", string>>;
+export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom" | "from", string>>;
 
 function parseZoom(text: string | undefined): ViewZoom {
   if (text === "whole") return text;
@@ -67,4 +69,10 @@ export const searchOf = ({ axis, baseline, hidden, zoom }: View): LabSearch => (
 });
 
 /** Any lab's search part without what makes no sense. */
-export const readLabSearch = (raw: Raw): LabSearch => searchOf(viewOf(pick(raw, "axis", "baseline", "hide", "zoom")));
+export function readLabSearch(raw: Raw): LabSearch {
+  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "from");
+  return { ...searchOf(viewOf(view)), ...(from !== undefined && PAGE_WITH_RUNS.test(from) && { from }) };
+}
+
+/** Pages from which a run can be opened; nothing else is led back to. */
+const PAGE_WITH_RUNS = /^\/(b|robustness|tuner)\/[\w-]+(\?|$)|^\/paper(\?|$)/;

@@ -12,6 +12,8 @@ interface Desk {
   readonly router: Router;
   /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
   readonly standard: Scenario;
+  /** What a closed tab came back with. */
+  readonly restored: Scenario | null;
 }
 
 const DeskContext = createContext<Desk | null>(null);

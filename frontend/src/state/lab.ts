@@ -27,9 +27,10 @@ const OPENING: LabState = {
   failure: null,
 };
 
-export function createLab(services: Services): Lab {
+/** `initial` is what it opens with where no address says what. */
+export function createLab(services: Services, initial: Partial<LabState> = {}): Lab {
   const { router } = services;
-  const store = createStore<LabState>(OPENING);
+  const store = createStore<LabState>({ ...OPENING, ...initial });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   let form: Form = { group: null, signals: [] };
   const asking = createAsking(store, services, () => form);

@@ -1,5 +1,6 @@
 /** The lab's part of the address: keeps the address bar and what the lab shows the same thing. */
 
+import { linkOptions } from "@tanstack/react-router";
 import type { AppRouter } from "../router";
 import { DEFAULT_VIEW, readLabSearch, searchOf, stringifySearch, viewOf, type Address, type View } from "./address";
 import { createStore, type Store } from "./store";
@@ -18,21 +19,35 @@ export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
 
 const START: Address = { runId: null, slug: null, view: DEFAULT_VIEW };
 
+/** Whether no result is asked for: the lab opens as it was left. */
+export function startsAnew(router: AppRouter): boolean {
+  const address = readAddress(router);
+  return address === null || (address.runId === null && address.slug === null);
+}
+
 const isSame = (one: Address, other: Address) =>
   one.runId === other.runId && one.slug === other.slug && stringifySearch(searchOf(one.view)) === stringifySearch(searchOf(other.view));
+
+/** The lab with that address. */
+export function labLink({ runId, slug, view, from }: Address) {
+  if (slug !== null) return linkOptions({ to: "/s/$id", params: { id: slug } });
+  const search = searchOf(view);
+  return runId === null ? linkOptions({ to: "/", search }) : linkOptions({ to: "/r/$id", params: { id: runId }, search: from === undefined ? search : { ...search, from } });
+}
 
 /** What the address bar names of the lab, `null` on another page. */
 function readAddress(router: AppRouter): Address | null {
   const { pathname, search } = router.parseLocation(router.history.location);
   const [, { id = null }, route] = router.getMatchedRoutes(pathname);
-  const view = viewOf(readLabSearch(search));
-  if (route?.id === "/lab/") return { ...START, view };
-  if (route?.id === "/lab/r/$id") return { runId: id, slug: null, view };
+  const { from, ...view } = readLabSearch(search);
+  if (route?.id === "/lab/") return { ...START, view: viewOf(view) };
+  if (route?.id === "/lab/r/$id") return { runId: id, slug: null, view: viewOf(view), ...(from !== undefined && { from }) };
   return route?.id === "/lab/s/$id" ? { ...START, slug: id } : null;
 }
 
-export function createLabRouter(router: AppRouter): Router {
-  const store = createStore<Address>(readAddress(router) ?? START);
+/** `opening` is how a lab is looked at that opens as it was left. */
+export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Router {
+  const store = createStore<Address>({ ...START, view: opening, ...(startsAnew(router) ? {} : readAddress(router)) });
 
   /** Where a link, back or forward led, until it is shown. */
   let pending: Address | null = null;
@@ -42,13 +57,11 @@ export function createLabRouter(router: AppRouter): Router {
   let isWriting = false;
   const current = () => pending ?? store.get();
 
-  const write = ({ runId, slug, view }: Address, replace: boolean) => {
+  const write = (address: Address, replace: boolean) => {
     if (left) return; // the address bar is another page's
     const how = { replace, resetScroll: false };
     isWriting = true;
-    if (slug !== null) void router.navigate({ ...how, to: "/s/$id", params: { id: slug } });
-    else if (runId !== null) void router.navigate({ ...how, to: "/r/$id", params: { id: runId }, search: searchOf(view) });
-    else void router.navigate({ ...how, to: "/", search: searchOf(view) });
+    void router.navigate({ ...how, ...labLink(address) });
     isWriting = false;
   };
 
@@ -76,7 +89,7 @@ export function createLabRouter(router: AppRouter): Router {
     showRun: (runId, view, mode) => {
       const isSameRun = runId === current().runId;
       pending = null;
-      store.set({ runId, slug: null, view: { ...store.get().view, ...view } });
+      store.set(({ from, view: before }) => ({ runId, slug: null, view: { ...before, ...view }, ...(from !== undefined && { from }) }));
       write(store.get(), isSameRun || mode === "replace");
     },
     setView: (change) => {

@@ -1,0 +1,2 @@
+/** By this name a sweep is a robustness study. */
+export const STUDY_LABEL = "Robustness study";
