@@ -108,7 +108,7 @@ def add_site(app: FastAPI, dist: Path) -> None:
 
 
 def _add_not_found(app: FastAPI, index: Path) -> None:
-    """Answer a browser at an unknown address with the page, which says so; the API's addresses answer with a problem."""
+    """Answer a browser at an unknown address with the page, which says so; anything else gets a problem."""
 
     async def not_found(request: Request, _: Exception) -> Response:
         is_page = not request.url.path.startswith(NO_PAGES) and "text/html" in request.headers.get("accept", "")
