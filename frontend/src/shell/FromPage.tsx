@@ -8,7 +8,6 @@ import { BATCH, jobQuery } from "../jobs/useJob";
 import { parseSearch } from "../state/address";
 import { useDesk, useLab } from "../state/context";
 import { useStore } from "../state/store";
-import classes from "./shell.module.css";
 
 export function FromPage() {
   const { lab, router, restored } = useDesk();
@@ -19,7 +18,7 @@ export function FromPage() {
   if (from !== undefined) return <Back from={from} />;
   if (!untouched) return null;
   return (
-    <Text size="xs" className={classes.fromPage ?? ""} role="status">
+    <Text size="xs" role="status">
       Your last scenario.{" "}
       <Anchor component="button" size="xs" underline="always" onClick={lab.openPaper}>
         Open the paper’s scenario
@@ -36,7 +35,7 @@ function Back({ from }: { readonly from: string }) {
   const sweep = useQuery({ ...jobQuery(BATCH, id), enabled: page === "b" }).data;
   const name = [NAMES[page], ...(sweep ? [`“${sweep.label ?? titleOf(sweep.fields)}”`] : [])].join(" ");
   return (
-    <Text size="xs" className={classes.fromPage ?? ""}>
+    <Text size="xs">
       <Anchor size="xs" underline="always" renderRoot={(props) => <Link to={path} search={parseSearch(search)} {...props} />}>
         From {name}
       </Anchor>

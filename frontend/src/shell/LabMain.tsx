@@ -7,6 +7,7 @@ import { SharedBanner } from "../share/SharedBanner";
 import { useLab, useView } from "../state/context";
 import { partShown, withBaseline } from "../state/scene";
 import { CouldNotLoad } from "./Blank";
+import { FromPage } from "./FromPage";
 import { Results } from "./Results";
 import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
@@ -33,9 +34,12 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
   const scene = useMemo(() => part && withBaseline(part, baseline, compared), [part, baseline, compared]);
   return (
     <main className={classes.main}>
-      <h1 className={classes.purpose}>
-        What-if laboratory for active suspension. <span>LV control: longitudinal (fuzzy speed plan) and vertical (model predictive suspension).</span>
-      </h1>
+      <div className={classes.lead}>
+        <h1 className={classes.purpose}>
+          What-if laboratory for active suspension. <span>LV: longitudinal (speed) and vertical control.</span>
+        </h1>
+        <FromPage />
+      </div>
       <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
       <Toolbar
         strategies={strategies}
