@@ -40,7 +40,7 @@ class StepTime(Answer):
     most: float
 
 
-Changes = dict[str, dict[str, float | None]]
+ChangesByWindow = dict[str, dict[str, float | None]]
 
 
 class ControllerRow(Answer):
@@ -62,7 +62,9 @@ class ControllerRow(Answer):
     unfinished: int = Field(description="Steps of this drive whose iterations ran out")
     fits: bool
     reasons: list[str] = Field(description="Why it does not fit")
-    changes: Changes = Field(description="Against `lv` simulated, by window and signal [%]: Tables 9 and 10's figures")
+    changes: ChangesByWindow = Field(
+        description="Against `lv` simulated, by window and signal [%]: Tables 9 and 10's figures"
+    )
 
 
 class ControllerReport(Answer):
@@ -96,4 +98,4 @@ class RealtimeReport(Answer):
     latency: Times | None = Field(description="From frame to answer, where it was in time; null where none was")
     wake_up: Times = Field(description="How late the plant itself was woken: jitter")
     computing: Times | None = Field(description="The program's own time for a step")
-    changes: Changes = Field(description="Against the same drive in lock-step [%], by window and signal")
+    changes: ChangesByWindow = Field(description="Against the same drive in lock-step [%], by window and signal")

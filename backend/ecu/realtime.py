@@ -14,7 +14,7 @@ import numpy as np
 from backend.ecu import drive
 from backend.ecu.build import EcuError
 from backend.ecu.link import ProcessEcu, connected
-from backend.ecu.models import Changes, RealtimeReport, Times
+from backend.ecu.models import ChangesByWindow, RealtimeReport, Times
 from backend.errors import EcuUnavailableError
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration
@@ -120,7 +120,7 @@ def spread(values: Sequence[float], longest: float) -> Times | None:
     )
 
 
-def changes(result: StrategyResult, base: StrategyResult) -> Changes:
+def changes(result: StrategyResult, base: StrategyResult) -> ChangesByWindow:
     """Change of Tables 9 and 10's eight figures against a base, by window and signal [%]; None against zero."""
 
     def change(window: str, signal: str, statistic: str) -> float | None:

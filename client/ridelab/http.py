@@ -1,4 +1,4 @@
-"""Requests that are sent again where that is safe: bounded, and as late as the service asks for.
+"""Requests that are repeated where that is safe: a bounded number of times, after the wait the service asks for.
 
 All of them raise `RidelabAPIError` where the service refuses, `RidelabConnectionError` where none answers.
 """
@@ -22,7 +22,7 @@ _LOGIN = re.compile(r"(?<=://)[^/?#\s]*@")
 
 
 def without_login(text: str) -> str:
-    """The text with its addresses as they may be shown: `http://user:password@host` is `http://host`."""
+    """The text without logins in its addresses: `http://user:password@host` becomes `http://host`."""
     return _LOGIN.sub("", text)
 
 
@@ -54,7 +54,7 @@ class Http:
 
     @property
     def address(self) -> str:
-        """Where the service is, without a login and a slash at the end."""
+        """The service's address, without a login and a slash at the end."""
         return without_login(str(self.client.base_url)).rstrip("/")
 
     def json(self, method: str, path: str, **request: Any) -> dict[str, Any]:
@@ -78,7 +78,7 @@ class Http:
         stream: bool = False,
         silence: float | None = None,
     ) -> httpx.Response:
-        """The answer, once it is a good one.
+        """The answer, after repeated requests where needed.
 
         Args:
             method: HTTP method.
@@ -157,7 +157,7 @@ class Http:
 
 
 def plain(value: Any) -> Any:
-    """What JSON has no type for: a pydantic model (a `Scenario`), NumPy values, other mappings and sequences."""
+    """A JSON form of what has none: a pydantic model (a `Scenario`), NumPy values, other mappings and sequences."""
     if hasattr(value, "model_dump"):
         return value.model_dump(mode="json")
     if hasattr(value, "tolist"):

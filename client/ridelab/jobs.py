@@ -1,4 +1,4 @@
-"""A job on a service, a batch or a tuning: follow it to its end, stop it, go on with it, take its results."""
+"""A job on a service, a batch or a tuning: follow it to its end, cancel it, resume it, read its results."""
 
 import io
 import os
@@ -23,7 +23,7 @@ Trial = dict[str, Any]  # number, weights, values, limits, feasible, …, as the
 
 
 def _field(key: str, doc: str) -> Any:
-    """A property: what the last answer has under that key."""
+    """A property: the value of that key in the last answer."""
     return property(lambda job: job.answer.get(key), doc=doc)
 
 
@@ -32,7 +32,7 @@ def _count(key: str, doc: str) -> Any:
 
 
 class Job:
-    """A job as it was last heard of; `answer` is the JSON as the service sent it."""
+    """A job in its last known state; `answer` is the JSON as the service sent it."""
 
     NAME: ClassVar[str]
     PATH: ClassVar[str]  # of its kind on the service, without an id
@@ -53,12 +53,12 @@ class Job:
 
     @property
     def finished(self) -> bool:
-        """Whether nothing changes any more."""
+        """Whether its state is final."""
         return self.state in FINAL
 
     @property
     def counts(self) -> Mapping[str, Any]:
-        """How many there are, by `total`, `done` and `failed`; of a tuning `feasible` too."""
+        """The numbers `total`, `done` and `failed`; of a tuning also `feasible`."""
         return self.answer
 
     def __repr__(self) -> str:
@@ -66,27 +66,27 @@ class Job:
         return f"{type(self).__name__}({name}: {self.state}, {self.done} done, {self.failed} failed of {self.total})"
 
     def refresh(self) -> Self:
-        """Ask how it stands."""
+        """Read its state again."""
         return self._ask("GET")
 
     def cancel(self) -> Self:
-        """Stop it; what is finished stays."""
+        """Cancel it; finished runs stay."""
         return self._ask("POST", "/cancel")
 
     def resume(self) -> Self:
-        """Go on where it stopped."""
+        """Continue where it stopped."""
         return self._ask("POST", "/resume")
 
     def rename(self, label: str | None) -> Self:
-        """Give it a label, by which lists find it."""
+        """Set its label, by which lists find it."""
         return self._ask("PATCH", body={"label": label})
 
     def delete(self) -> None:
-        """Remove it; the service refuses with 409 while it runs or while a link shows it."""
+        """Delete it; the service refuses with 409 while it runs or while a link shows it."""
         self._http.send("DELETE", self._path())
 
     def wait(self, progress: Callable[[Self], object] | None = None, *, timeout: float | None = None) -> Self:
-        """Follow it until it is done, over lost connections and restarts of the service; without events by polling.
+        """Follow it until it is done, across lost connections and restarts of the service; without events by polling.
 
         Args:
             progress: Called with it whenever something is heard of it, once of its end.
@@ -105,7 +105,7 @@ class Job:
         return self
 
     def follow(self, progress: Callable[[Self], object] | None = None, *, timeout: float | None = None) -> Self:
-        """As `wait`, but however it ends is well."""
+        """Follow it as `wait` does, but accept every final state."""
         report: Callable[[Self], object] = progress or (lambda _: None)
         pause, last_answer = 0.1, time.monotonic()
         end = None if timeout is None else last_answer + timeout
@@ -130,7 +130,7 @@ class Job:
         return self
 
     def events(self, after: str = "") -> Iterator[Event]:
-        """What happened to it since the event of that id, and then as it happens."""
+        """Its events since the event of that id, and then each new one."""
         yield from (event for event in self._stream(after) if event is not None)
 
     def _path(self, below: str = "") -> str:
@@ -146,7 +146,7 @@ class Job:
             yield from server_sent(response.iter_lines(), after)
 
     def _listen(self, report: Callable[[Self], object], end: float | None) -> bool:
-        """Take events until the last one, or until they or the time end; says whether there were any."""
+        """Read events until the last one, or until the stream or the time ends; returns whether there were any."""
         any_events = False
         try:
             for event in self._stream(self._last_event) if self._in_time(end) else ():
@@ -162,7 +162,7 @@ class Job:
 
     @staticmethod
     def _in_time(end: float | None) -> bool:
-        """Whether a stream that falls silent is noticed before the end; else polls are more exact."""
+        """Whether a silent stream would be noticed before the deadline; if not, polling is more exact."""
         return end is None or time.monotonic() + SILENCE < end
 
     def _take_in(self, data: Mapping[str, Any]) -> None:
@@ -170,13 +170,13 @@ class Job:
 
 
 class Batch(Job):
-    """A batch of runs: its rows, as they come, as a file or a frame, and what they say as a whole."""
+    """A batch of runs: its rows, as they are computed, as a file or a frame, and its summary."""
 
     NAME = "batch"
     PATH = "/api/v1/batches"
 
     def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
-        """What its finished rows say as a whole: quantiles, extremes, paired margins, stability (docs/robustness.md).
+        """The summary of its finished rows: quantiles, extremes, paired margins, stability (docs/robustness.md).
 
         Args:
             figures: Metrics such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.
@@ -186,12 +186,12 @@ class Batch(Job):
         return self._http.json("GET", self._path("/summary"), params=params)
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """Its rows as they come: swept fields, strategy, status, metrics; one for each run, failed ones too."""
+        """Its rows as they are computed: swept fields, strategy, status, metrics; one for each run, failed ones too."""
         with self._http.stream(self._path("/results"), params={"format": "json"}) as response:
             yield from json_rows(response.iter_text())
 
     def frame(self) -> "pd.DataFrame":
-        """Its rows as a pandas frame: a column a swept field and a metric, `frame.attrs["units"]` the units.
+        """Its rows as a pandas frame: a column for each swept field and metric; `frame.attrs["units"]` has the units.
 
         Raises:
             ImportError: pandas is not installed.
@@ -212,7 +212,7 @@ class Batch(Job):
             yield from response.iter_bytes()
 
     def download(self, path: str | os.PathLike[str], file_format: str | None = None) -> Path:
-        """Its results as a file, in the format its name ends with or the one named.
+        """Write its results to a file, in the format named, else that of the file's ending.
 
         Raises:
             ValueError: There is no such format.
@@ -222,7 +222,7 @@ class Batch(Job):
 
 
 class Tuning(Job):
-    """A tuning of weights: its points, and going on with it."""
+    """A tuning of weights: its trials, and resuming it."""
 
     NAME = "tuning"
     PATH = "/api/v1/tunings"
@@ -238,11 +238,11 @@ class Tuning(Job):
 
     @property
     def counts(self) -> Mapping[str, Any]:
-        """Trials, by `total`, `done`, `failed` and `feasible`."""
+        """The numbers of trials: `total`, `done`, `failed` and `feasible`."""
         return dict(self.answer["trials"])
 
     def resume(self, trials: int | None = None) -> Self:
-        """Go on where it stopped, perhaps with more trials in all; 409 where nothing is left to do."""
+        """Continue where it stopped, perhaps with more trials in all; 409 where nothing is left to do."""
         return self._ask("POST", "/resume", params={"trials": trials})
 
     def trials(self) -> list[Trial]:

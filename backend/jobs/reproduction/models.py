@@ -10,7 +10,7 @@ from sim_core.scenario import Scenario
 from sim_core.study.paper import AGREEMENT, HIL_TOLERANCE
 
 Verdict = Literal["reached", "smaller", "contradicts", "unavailable", "pending"]
-Interval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
+ConfidenceInterval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
 
 
 class Counts(Answer):
@@ -65,7 +65,7 @@ class Judgement(Answer):
     """Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable."""
 
     our_change: float | None
-    ci: Interval | None = Field(description="95 % interval [%]")
+    ci: ConfidenceInterval | None = Field(description="95 % interval [%]")
     verdict: Verdict
     certain: bool | None = Field(description="The whole interval would get that verdict")
 
@@ -247,7 +247,7 @@ class Change(Answer):
     signal: str
     statistic: str
     our_change: float
-    ci: Interval
+    ci: ConfidenceInterval
 
 
 class EqualSpeed(Answer):

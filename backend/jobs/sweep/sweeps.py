@@ -19,7 +19,7 @@ from backend.unknown_names import pointer, shown_path, unknown_name
 from sim_core.errors import RidelabError
 from sim_core.scenario import dotted
 
-Changes = JsonObject
+PointChanges = JsonObject
 # Checked against its field, not against a type: the error then says what that field takes.
 Value = Annotated[
     Any,
@@ -96,7 +96,7 @@ def size(sweep: Sweep) -> int:
     return len(sweep.points or [])
 
 
-def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[Changes]]:
+def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[PointChanges]]:
     """The fields it changes, and every point; `base` is the plain scenario they start from.
 
     Raises:
@@ -118,7 +118,7 @@ def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[Changes]]:
 
 
 Errors = list[tuple[list[str | int], str]]
-Points = Callable[[], Iterator[Changes]]
+Points = Callable[[], Iterator[PointChanges]]
 
 
 def _grid(grid: Mapping[str, Sequence[Any]], errors: Errors) -> Points:
@@ -153,7 +153,7 @@ def _latin_hypercube(cube: LatinHypercube, errors: Errors) -> Points:
             for index, end in enumerate(ends):
                 _checked(name, _whole(end) if field.kind == "integer" else end, [*path, index], errors)
 
-    def draw() -> Iterator[Changes]:
+    def draw() -> Iterator[PointChanges]:
         from scipy.stats import qmc  # takes half a second: most processes never draw
 
         names = list(cube.ranges)

@@ -1,4 +1,4 @@
-"""`ridelab jobs`: batches and tunings on a service, wherever they were handed in."""
+"""`ridelab jobs`: batches and tunings on a service, whichever program submitted them."""
 
 from typing import Annotated, Any
 

@@ -29,7 +29,7 @@ def flag(help: str, *names: str) -> Any:  # noqa: A002  # typer's name for it
 
 
 def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
-    """Completion of what a service knows by name, the last of several with commas between them."""
+    """Completion by a service's names, for the last of several values with commas between them."""
 
     def complete(incomplete: str) -> list[str]:
         before, comma, last = incomplete.rpartition(",")
