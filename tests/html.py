@@ -17,7 +17,7 @@ class Element:
     inside: list["Element"] = field(default_factory=list)
 
     def all(self, tag: str, **wanted: str) -> Iterator["Element"]:
-        """Those below it of that tag whose attributes are these; `data_cell` stands for data-cell."""
+        """The elements below it with that tag and these attributes; `data_cell` stands for data-cell."""
         for each in self.inside:
             named = {name.replace("_", "-"): value for name, value in wanted.items()}
             if each.tag == tag and all(each.attributes.get(name) == value for name, value in named.items()):

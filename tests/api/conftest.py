@@ -44,7 +44,7 @@ class Service:
         return self.client.post("/api/v1/live", json=body)
 
     def inside(self, work: Coroutine[Any, Any, T], seconds: float = 60) -> T:
-        """What comes of it in the service's own event loop."""
+        """The result of the work, run in the service's own event loop."""
         return asyncio.run_coroutine_threadsafe(work, self.loop).result(seconds)
 
 

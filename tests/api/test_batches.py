@@ -267,7 +267,7 @@ def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: h
     assert events(client, batch["id"])[-1]["state"] == "cancelled"
 
 
-def test_a_batch_is_named_found_by_its_name_and_deleted(client: httpx.Client) -> None:
+def test_a_batch_gets_a_label_is_listed_by_it_and_deleted(client: httpx.Client) -> None:
     body = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 77}]}, "label": "winter tyres"}
     batch = wait_for(client, client.post("/api/v1/batches", json=body).json()["id"])
     path = f"/api/v1/batches/{batch['id']}"

@@ -83,7 +83,7 @@ class Page:
 
 
 def shell(command: str) -> bytes:
-    """What a terminal shows of a line of the shell; errors too, so that a page that shows none has none."""
+    """A shell line's output, with errors, so that a page without errors has none."""
     find("curl", package="curl")
     server = os.environ["RIDELAB_SERVER"]
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
@@ -93,7 +93,7 @@ def shell(command: str) -> bytes:
 
 
 def printed(work: Callable[[], object]) -> bytes:
-    """What it prints to standard output and standard error."""
+    """The standard output and standard error of the work."""
     with io.TextIOWrapper(io.BytesIO(), write_through=True) as sink:
         with redirect_stdout(sink), redirect_stderr(sink):
             work()

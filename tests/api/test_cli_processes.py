@@ -41,7 +41,7 @@ def alone(elsewhere: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatc
 
 @pytest.fixture
 def no_service_left() -> Iterator[None]:
-    """What the command started is gone soon after the command."""
+    """The processes that the command started end soon after the command."""
     before = set(private_services())
     yield
     wait_until(lambda: not set(private_services()) - before, "the private service ends", 30)

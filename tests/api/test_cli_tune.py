@@ -15,7 +15,7 @@ ROADS = ("--seeds", "1-2", "--fresh", "11,12-13")
 SHORT = ("--strategy", "lqr", "--trials", "8", "--population", "4", *ROADS)
 
 
-def test_what_was_found_is_printed_and_can_be_written_and_run(cli: Cli, scenario: Path, tmp_path: Path) -> None:
+def test_the_best_weights_are_printed_and_can_be_written_and_run(cli: Cli, scenario: Path, tmp_path: Path) -> None:
     out = tmp_path / "tuned.json"
     objectives = ("--objective", "peaks@whole:1,2,1", "--objective", "bump.front_tyre_load.peak")
     limited = ("--limit", "comfort.actuator_peak_power=50000")

@@ -1,4 +1,4 @@
-"""Sweeps in the store, on both databases: what is counted is what is there, whoever writes, in whatever order."""
+"""Sweeps in the store, on both databases: counts are right whichever service writes, in any order."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace

@@ -59,7 +59,7 @@ def keys(store: Store, run_id: str) -> list[str]:
 
 
 def of_another_core(store: Store, run_id: str) -> None:
-    """As an upgrade of the core leaves it: the run and its results say that another version computed them."""
+    """Make a run and its results those of another core version, as after an upgrade."""
     with store.writing() as connection:
         connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(core_version="0.0.8"))
         connection.execute(update(runs).where(runs.c.id == run_id).values(core_version="0.0.8"))
@@ -200,7 +200,7 @@ def test_a_run_pinned_in_part_gives_that_part(service: Any, client: httpx.Client
     assert share(client, fresh["id"])["series_pinned"] is False
 
 
-def test_erased_pins_are_made_again_while_the_core_is_the_same(
+def test_erased_pins_are_computed_again_by_an_equal_core(
     service: Any, client: httpx.Client, fresh: dict[str, Any]
 ) -> None:
     store: Store = service.app.state.store

@@ -86,7 +86,7 @@ def test_what_is_measured_is_refused_at_once(
 
 @pytest.fixture(scope="module")
 def simulated(bare: Service) -> None:
-    """What the paper page's five simulated strategies give is stored."""
+    """The results of the paper page's five simulated strategies are stored."""
     store_in(bare.app.state.store, ecu=False)
 
 

@@ -115,7 +115,7 @@ def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[s
             assert client.request(method, address, **body).status_code == 404, (method, path)
 
 
-def test_the_pages_types_are_made_from_the_description(description: dict[str, Any], tmp_path: Path) -> None:
+def test_the_pages_types_are_generated_from_the_description(description: dict[str, Any], tmp_path: Path) -> None:
     source, target, committed = tmp_path / "openapi.json", tmp_path / "schema.gen.ts", "frontend/src/api/schema.gen.ts"
     source.write_text(json.dumps(description))
     node = shutil.which("node", path=os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))
@@ -142,7 +142,7 @@ def built(tmp_path: Path) -> Path:
 
 
 def visitor(settings: Settings) -> httpx.AsyncClient:
-    """Of an application that was not started: pages need neither store nor workers."""
+    """A client of an application that was not started: pages need neither store nor workers."""
     return httpx.AsyncClient(transport=httpx.ASGITransport(app=create_app(settings)), base_url="http://ridelab")
 
 

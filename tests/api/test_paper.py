@@ -143,7 +143,7 @@ def test_cells_appear_as_they_come(service: Service) -> None:
         ({"first_seed": "0"}, "first_seed"),
     ],
 )
-def test_what_cannot_be_chosen_is_refused_by_name(client: httpx.Client, query: dict[str, str], parameter: str) -> None:
+def test_an_unknown_choice_is_refused_by_name(client: httpx.Client, query: dict[str, str], parameter: str) -> None:
     response = client.get(PAPER, params=query)
     assert response.status_code == 422
     assert response.json()["errors"][0]["parameter"] == parameter

@@ -17,7 +17,7 @@ SEEDS = 22  # nobody else asks for so many
 
 @pytest.fixture(scope="module")
 def answers(service: Any, reproduced: None) -> dict[str, Any]:
-    """The answers the report is made of: the reproduction on 20 roads, stored as if they were 22."""
+    """The answers in the report: the reproduction on 20 roads, stored as if they were 22."""
     for row in requests(range(21, SEEDS + 1)):
         changes = {**json.loads(row.changes), "road.seed": json.loads(row.changes)["road.seed"] - 20}
         like = next(

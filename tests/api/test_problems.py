@@ -110,7 +110,7 @@ def test_a_scenario_that_costs_too_much_is_refused_with_limit_and_estimate(servi
 
 
 def test_a_client_that_goes_away_calls_its_live_request_off(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Somebody drags on: the computation of the old position, still waiting, is not made any more."""
+    """While somebody drags on, the waiting computation of the old position is cancelled."""
     import asyncio
     import threading
 

@@ -1,4 +1,4 @@
-"""What a request may hold: bodies and parameters are read strictly on every route, and an error names its place."""
+"""Requests are read strictly: bodies and parameters on every route, and an error names the field."""
 
 import contextlib
 import gzip
@@ -31,7 +31,7 @@ def scenario(text: str) -> str:
 
 
 def test_every_route_of_the_api_is_strict(service: Any) -> None:
-    """What is refused below is the same everywhere."""
+    """The refusals below hold on every route."""
     routers = [router for each in service.app.routes if (router := getattr(each, "original_router", None)) is not None]
     routes = [route for router in routers for route in router.routes if route.path.startswith("/api/")]
     assert len(routes) > 30
@@ -83,14 +83,14 @@ def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
     ],
     ids=str,
 )
-def test_a_bad_body_is_refused_at_its_place(client: httpx.Client, body: str, pointer: str) -> None:
+def test_a_bad_body_is_refused_with_a_pointer(client: httpx.Client, body: str, pointer: str) -> None:
     kind = "strict-json" if "seed" in body and pointer == "" else "invalid-request"
     problem = check(post(client, body), 422, kind)
     assert [error.pointer for error in problem.errors] == [pointer]
     assert problem.errors[0].message
 
 
-def test_every_error_is_told_at_once_but_not_thousands(client: httpx.Client) -> None:
+def test_errors_are_reported_together_but_not_thousands(client: httpx.Client) -> None:
     body = scenario('{"road": {"length": 1, "seed": -1}, "vehicle": {"body_mass": "heavy"}}')
     pointers = {error["pointer"] for error in post(client, body).json()["errors"]}
     assert {"/scenario/road/length", "/scenario/road/seed", "/scenario/vehicle/body_mass"} <= pointers
@@ -131,7 +131,7 @@ def test_every_error_is_told_at_once_but_not_thousands(client: httpx.Client) -> 
         ("tunings", {"search": {"lqr.weight.0": [1, 2]}}, "/search/lqr.weight.0", "lqr.weight.0, perhaps lqr.weights"),
     ],
 )
-def test_an_unknown_name_is_told_with_those_there_are(
+def test_an_unknown_name_is_reported_with_the_known_ones(
     client: httpx.Client, path: str, body: dict[str, Any], pointer: str, message: str
 ) -> None:
     if path == "batches":
@@ -219,7 +219,7 @@ def test_every_route_takes_its_parameters_once_and_no_others(client: httpx.Clien
             assert twice == [(name, "This parameter is there twice")]
 
 
-def test_several_wrong_parameters_are_told_at_once_with_what_they_may_mean(client: httpx.Client) -> None:
+def test_wrong_parameters_are_reported_together_with_similar_names(client: httpx.Client) -> None:
     errors = wrong_parameters(client, "GET", "/api/v1/runs/x/series", "formt=csv&limit=3&%3Cb%3E=1")
     assert [name for name, _ in errors] == ["formt", "limit", None]
     assert errors[0][1].startswith("Unknown parameter formt, perhaps format; there are strategy, ")

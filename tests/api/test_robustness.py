@@ -94,7 +94,7 @@ def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.C
             assert figure["nominal"] == pytest.approx(value, rel=1e-9, abs=1e-9), key
 
 
-def test_a_batch_under_way_is_read_as_far_as_it_is(client: httpx.Client) -> None:
+def test_a_running_batch_is_summarised_by_its_finished_runs(client: httpx.Client) -> None:
     body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
     sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 400}}
     batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]

@@ -17,7 +17,7 @@ heights = itertools.count(1)
 
 @pytest.fixture
 def fresh(road: dict[str, Any]) -> dict[str, Any]:
-    """A scenario nobody has run yet."""
+    """A scenario that no test has run yet."""
     return {"road": {**road, "bump": {**road["bump"], "height": 0.05 + 1e-5 * next(heights)}}}
 
 
@@ -62,7 +62,7 @@ def test_the_numbers_are_the_cores(run: dict[str, Any]) -> None:
 
 
 def computed(entry: dict[str, Any]) -> dict[str, Any]:
-    """A strategy's entry without the time it took: whoever else computed the same result may have stored it first."""
+    """A strategy's entry without its computing time: another request may have stored the same result first."""
     return {key: value for key, value in entry.items() if key not in ("cached", "compute_ms")}
 
 

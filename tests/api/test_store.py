@@ -192,7 +192,7 @@ def test_many_writers_of_the_same_results_wait_for_each_other(open_store: OpenSt
         assert connection.scalar(select(func.count()).select_from(results)) == len(rounds) * (len(shared) + 4)
 
 
-def test_a_database_that_went_away_is_said_and_found_again(postgres: Postgres, server_store: Store) -> None:
+def test_a_lost_database_is_reported_and_used_again_when_it_is_back(postgres: Postgres, server_store: Store) -> None:
     saved = save(server_store, "before", "a")
     for end in (postgres.stop, postgres.kill):
         end()
@@ -217,7 +217,7 @@ def test_a_connection_the_server_closed_is_replaced(postgres: Postgres, server_s
 
 
 def test_a_dead_client_is_noticed_by_the_server(server_store: Store) -> None:
-    """What it held (its advisory lock) is freed in far less than the 30 s a takeover may take."""
+    """The server frees its advisory lock in far less than the 30 s a takeover may take."""
     with server_store.engine.connect() as connection:
         values = {
             name: int(connection.exec_driver_sql(f"SHOW tcp_keepalives_{name}").scalar_one())

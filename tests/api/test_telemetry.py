@@ -137,7 +137,7 @@ def test_metrics_hold_nothing_of_anybodys_scenario(service: Any, run: dict[str, 
     }
 
 
-def test_a_requests_name_is_kept_where_it_is_harmless(client: httpx.Client) -> None:
+def test_a_requests_name_is_used_where_it_is_harmless(client: httpx.Client) -> None:
     for name in ("a", "trace-1_2.3", "x" * 64):
         assert client.get("/healthz", headers={"X-Request-ID": name}).headers["x-request-id"] == name
     for name in ("", "x" * 65, "a b", "a;b", "<script>", "a\tb", "é".encode("latin-1")):

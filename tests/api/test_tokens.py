@@ -1,4 +1,4 @@
-"""With a file of tokens the API answers those who show one, in a header or in the page's cookie."""
+"""With a file of tokens the API answers requests with a token, in a header or in the page's cookie."""
 
 from collections.abc import Awaitable, Callable
 from pathlib import Path

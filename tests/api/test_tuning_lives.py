@@ -186,7 +186,7 @@ def test_a_dry_run_says_what_it_would_be_and_stores_nothing(client: httpx.Client
         ({"seeds": list(range(200, 264)), "trials": 5000}, "/trials"),
     ],
 )
-def test_what_cannot_be_tuned_is_refused_with_its_place(
+def test_what_cannot_be_tuned_is_refused_with_a_pointer(
     client: httpx.Client, body: dict[str, Any], pointer: str
 ) -> None:
     answer = client.post("/api/v1/tunings", json={**REQUEST, **body})

@@ -48,7 +48,7 @@ def tuning(client: httpx.Client) -> dict[str, Any]:
     return finished
 
 
-def test_every_generation_is_there_and_told(client: httpx.Client, tuning: dict[str, Any]) -> None:
+def test_every_generation_is_stored_and_has_an_event(client: httpx.Client, tuning: dict[str, Any]) -> None:
     assert tuning["trials"]["total"] == tuning["trials"]["done"] == 24
     assert tuning["generation"] == len(tuning["history"]) == 3
     every = trials(client, tuning["id"])

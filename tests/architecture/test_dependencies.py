@@ -1,4 +1,4 @@
-"""What is installed is what was agreed: each package by its hash, from no address, fit for what the project asks.
+"""Installed packages are the locked ones: each by its hash, from no address, in a version the project asks for.
 
 Known vulnerabilities need the internet (docs/security.md says how to ask); this needs nothing.
 """

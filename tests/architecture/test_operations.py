@@ -45,7 +45,7 @@ def test_a_default_is_the_one_in_the_code(name: str, default: object) -> None:
         assert written == default
 
 
-def test_the_proxy_is_told_what_it_reads() -> None:
+def test_the_proxys_variables_are_documented() -> None:
     configuration = (ROOT / "backend/deploy/haproxy.cfg").read_text()
     with_defaults = re.findall(r"\$\{?(PROXY_\w+)(?:-([^}\"]*)\})?", configuration)
     read = {name: next((d for n, d in with_defaults if n == name and d), "none") for name, _ in with_defaults}

@@ -32,7 +32,7 @@ def raised() -> Iterator[str]:
 
 
 def proxied() -> Iterator[tuple[int, dict[str, object]]]:
-    """What the proxy answers itself."""
+    """The problems that the proxy answers itself."""
     for status, text in PROXY.findall((ROOT / "backend" / "deploy" / "haproxy.cfg").read_text()):
         yield int(status), json.loads(text)
 

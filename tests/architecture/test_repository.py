@@ -34,7 +34,7 @@ def test_no_source_file_is_over_400_lines() -> None:
     assert not long
 
 
-def test_no_link_of_somebodys_machine_is_kept() -> None:
+def test_no_symbolic_link_is_in_the_repository() -> None:
     """One in the place of frontend/dist once replaced the page that was built there."""
     names = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=False).stdout
     assert [name for name in names.split("\0") if name and (ROOT / name).is_symlink()] == []

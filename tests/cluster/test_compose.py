@@ -74,7 +74,7 @@ def test_one_service_builds_the_image() -> None:
 
 
 def test_images_are_pinned_by_digest_once_there_is_a_registry(tmp_path: Path) -> None:
-    """As `make pin` does it, twice, with a docker that makes digests up."""
+    """`make pin`, twice, with a docker that invents digests."""
     files = [shutil.copy(ROOT / name, tmp_path) for name in ("Dockerfile", "docker-compose.yml")]
     docker = tmp_path / "docker"
     command = [ROOT / "backend/deploy/pin_images.sh", *files]

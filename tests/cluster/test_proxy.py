@@ -35,7 +35,7 @@ def replicas() -> Iterator[list[Replica]]:
 
 @pytest.fixture(scope="module")
 def certificate(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """As the script makes it for docker-compose.yml: for localhost, signed by itself, with its key."""
+    """A certificate as the script creates it for docker-compose.yml: for localhost, self-signed, with its key."""
     find("openssl", package="openssl")
     folder = tmp_path_factory.mktemp("certificate") / "secrets"
     subprocess.run([ROOT / "backend/deploy/secrets.sh", folder], check=True, capture_output=True)

@@ -77,7 +77,7 @@ def done(client: httpx.Client, identifier: str) -> int:
 
 
 def wait_until_begun(client: httpx.Client, identifier: str) -> int:
-    """Until some runs are stored and others are not; how many are."""
+    """Wait until some runs are stored and others are not; returns how many are."""
     wait_until(lambda: done(client, identifier) > 0, "the batch begins", FINISH)
     stored = done(client, identifier)
     assert batch(client, identifier)["state"] == "running", "the test needs a longer batch"
@@ -154,7 +154,7 @@ def listening_of(program: Program) -> list[Any]:
 
 
 def kind_of_port(port: int) -> str:
-    """`health` where HTTP tells of health and of nothing else; `tls` where nobody gets in without a certificate."""
+    """`health` where HTTP answers health and nothing else; `tls` where a certificate is required."""
     try:
         answers = {
             path: request("GET", f"http://127.0.0.1:{port}{path}", timeout=10).status_code

@@ -57,7 +57,7 @@ def dump(connection: Connection) -> dict[str, list[dict[str, Any]]]:
 
 
 def bytes_of(text: str) -> bytes:
-    """What the fixture writes in base64."""
+    """The bytes that the fixture writes in base64."""
     return base64.b64decode(text)
 
 

@@ -8,12 +8,12 @@ _seeds = itertools.count(1)
 
 
 def new_run(strategies: bytes = b'"lv", "lqr"') -> bytes:
-    """The body of a run nobody asked for yet."""
+    """The body of a run that no request has asked for yet."""
     return b'{"scenario": {"road": {"seed": %d}}, "strategies": [%s]}' % (next(_seeds), strategies)
 
 
 def run_id(answer: bytes) -> str:
-    """Of a run's answer."""
+    """The id in a run's answer."""
     return answer[7:29].decode()
 
 
@@ -88,5 +88,5 @@ async def _exchange(
 
 
 def quantile(times: list[float], share: float) -> float:
-    """Of times in seconds [ms]."""
+    """The quantile of times in seconds [ms]."""
     return 1000 * sorted(times)[min(len(times) - 1, int(share * len(times)))]

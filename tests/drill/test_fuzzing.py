@@ -17,7 +17,7 @@ SEED = os.environ.get("DRILL_SEED", "1")
 
 @pytest.fixture
 def client(tmp_path: Path) -> Iterator[httpx.Client]:
-    """With the limits as they are but for the cost, so that much is computed and nothing takes minutes."""
+    """The shipped limits except for the cost, so that much is computed and nothing takes minutes."""
     settings = Settings(data_dir=tmp_path, workers=2, max_request_cost=3, max_batch_runs=200, max_batch_cost=20)
     for service in serve(settings):
         yield service.client

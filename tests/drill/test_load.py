@@ -29,7 +29,7 @@ POLL_INTERVAL = 0.1  # of what is stored, and of health [s]
 
 @dataclass
 class Answers:
-    """What came back, and how long it took [s]."""
+    """The answers, and how long each took [s]."""
 
     good: list[float] = field(default_factory=list)
     refused: list[float] = field(default_factory=list)
@@ -60,7 +60,7 @@ class Answers:
 
 
 async def ask(caller: Caller, answers: Answers, *, valid: bool = True) -> None:
-    """A run nobody asked for yet, or what is none."""
+    """Ask for a new run, or send an invalid request."""
     body = new_run() if valid else new_run(b'"none"')
     begin = time.monotonic()
     status, headers, answer = await caller.call("POST", "/api/v1/runs", body)
@@ -128,7 +128,7 @@ def summary(answers: Answers, calm: Answers) -> str:
 
 
 def share_done(answers: Answers, calm: Answers) -> float:
-    """Of the capacity, both without what the generator took of the machine."""
+    """The share of the capacity that is done, without the load generator's part of the machine."""
     return answers.rate_without_generator / calm.rate_without_generator
 
 

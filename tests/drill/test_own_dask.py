@@ -64,7 +64,7 @@ def chunk(seed: int) -> Chunk:
 
 
 async def compute(address: str, seeds: list[int]) -> list[ChunkOutcome]:
-    """What a service set to that scheduler gets for a chunk each."""
+    """The chunks' outcomes for a service that uses that scheduler."""
     cluster = Cluster(Settings(dask_scheduler=address))
     for _ in range(60):
         with contextlib.suppress(OSError):

@@ -110,7 +110,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture(scope="session")
 def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What core 0.2.0 left when it was killed in the middle of a batch and a tuning."""
+    """The database of core 0.2.0, killed in the middle of a batch and a tuning."""
     folder = tmp_path_factory.mktemp("shared") / "data"
     folder.mkdir()
     store = Store(f"sqlite:///{folder}/ridelab.sqlite")

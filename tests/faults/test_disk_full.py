@@ -1,4 +1,4 @@
-"""The disk is full: what cannot be kept is refused, what was kept is answered, and room alone mends it."""
+"""The disk is full: new results are refused, stored ones are answered, and free space alone repairs it."""
 
 import contextlib
 import resource
@@ -65,7 +65,7 @@ def halted(service: Process, batch_id: str) -> psutil.Process:
     return process
 
 
-def test_what_cannot_be_kept_is_refused_and_what_is_kept_stays(service: Process, database: Path) -> None:
+def test_new_results_are_refused_and_stored_ones_stay(service: Process, database: Path) -> None:
     first_answer = post(service, 1)
     assert first_answer.status_code == 200
     batches = service.client.get("/api/v1/batches").json()["batches"]
@@ -89,7 +89,7 @@ def test_what_cannot_be_kept_is_refused_and_what_is_kept_stays(service: Process,
     assert intact(database)
 
 
-def test_a_batch_under_way_waits_for_room_and_completes(service: Process, database: Path) -> None:
+def test_a_running_batch_waits_for_room_and_completes(service: Process, database: Path) -> None:
     batch_id = submit(service, {"road": {"length": 121.9}}, LONG_BATCH)
     process, logged = halted(service, batch_id), len(service.log)
     with full(service, database):

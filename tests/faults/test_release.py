@@ -81,7 +81,7 @@ def test_time_histories_are_those_that_were_pinned(client: httpx.Client) -> None
         assert client.get(f"/api/v1/runs/{first[key]}/figures/speed").json()["data"]
 
 
-def test_a_run_can_be_run_again_on_todays_core(client: httpx.Client) -> None:
+def test_a_run_can_be_run_again_on_the_current_core(client: httpx.Client) -> None:
     old = client.get(f"/api/v1/runs/{TABLES['runs'][0]['id']}").json()
     again = client.post("/api/v1/runs", json={"scenario": old["scenario"], "strategies": ["lv"]}).json()
     assert again["core_version"] == __version__
@@ -89,7 +89,7 @@ def test_a_run_can_be_run_again_on_todays_core(client: httpx.Client) -> None:
     assert again["strategies"]["lv"]["metrics"] != old["strategies"]["lv"]["metrics"]
 
 
-def test_a_link_has_the_scenario_as_todays_schema_writes_it(client: httpx.Client) -> None:
+def test_a_link_has_the_scenario_in_the_current_schema(client: httpx.Client) -> None:
     for stored in TABLES["links"]:
         answer = client.get(f"/api/v1/links/{stored['slug']}")
         Link.model_validate_json(answer.content)

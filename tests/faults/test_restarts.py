@@ -92,7 +92,7 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
 
 
 def end_in_order(api: Api) -> None:
-    """Within ten seconds, while it computes for somebody, and while a client never sends the rest of its request."""
+    """Ends within ten seconds, during a computation and while a client never sends the rest of its request."""
     threading.Thread(target=ask_for_ever, args=(api.url,), daemon=True).start()
     wait_until(lambda: "ridelab_open_requests 1.0" in request("GET", f"{api.url}/metrics").text, "it is there")
     family, starts = api.children(), api.starts

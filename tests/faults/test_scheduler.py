@@ -202,7 +202,7 @@ def test_a_cluster_that_goes_away_is_started_again_and_only_what_is_missing_runs
 
 
 def test_a_worker_that_is_lost_at_once_each_time_fails_its_run_and_no_other(tmp_path: Path) -> None:
-    """As workers of another version do, which cannot read what they are sent."""
+    """Workers of another version do this, which cannot read their chunks."""
 
     def unreadable(chunk: Chunk) -> ChunkOutcome:
         if 17 in seeds(chunk):
@@ -232,7 +232,7 @@ def test_a_chunk_whose_roads_cannot_be_read_is_handed_out_again(
     assert {each for chunk in Misbehaving.chunks for each in chunk.roads} == {road.id}
 
 
-def test_an_unforeseen_error_on_the_way_fails_a_run_and_ends_the_job(tmp_path: Path) -> None:
+def test_an_unforeseen_error_fails_a_run_and_ends_the_job(tmp_path: Path) -> None:
     def broken(chunk: Chunk) -> ChunkOutcome:
         if 3 in seeds(chunk):
             raise AttributeError("a bug")
@@ -297,7 +297,7 @@ def test_results_wait_for_a_database_that_is_away(
 def test_another_program_that_locks_the_database_stops_no_cluster(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Longer than a read or a write waits: what is computed by then is kept, and nothing is computed twice."""
+    """The lock lasts longer than a read or a write waits: no computed result is lost or computed twice."""
     for module in (database, sqlite):
         monkeypatch.setattr(module, "LOCK_TIMEOUT", 0.1)
     stranger: list[sqlite3.Connection] = []
@@ -322,7 +322,7 @@ def test_what_another_core_version_left_is_computed_under_this_ones_keys(tmp_pat
 
 
 def test_new_keys_for_one_job_hold_up_no_other(tmp_path: Path) -> None:
-    """Of 100,000 runs they take seconds: these never come before the other job is done."""
+    """New keys for 100,000 runs take seconds: here they never end before the other job is done."""
     store = Store(f"sqlite:///{tmp_path}/ridelab.sqlite")
     store.migrate()
     old = submitted(store, core_version="0.0.9", first_seed=1000)

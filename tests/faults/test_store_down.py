@@ -52,7 +52,7 @@ def test_while_it_is_away_answers_are_503_and_then_as_before(service: Process, p
     submit(service, SHORT, 3, **{"Idempotency-Key": "when-away"})
 
 
-def test_a_batch_under_way_goes_on_when_it_is_back(service: Process, postgres: Postgres) -> None:
+def test_a_running_batch_goes_on_when_it_is_back(service: Process, postgres: Postgres) -> None:
     batch_id = submit(service, {"road": {"length": 121.9}}, LONG_BATCH)
     process, logged = halted(service, batch_id), len(service.log)
     postgres.kill()

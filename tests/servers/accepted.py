@@ -14,7 +14,7 @@ from tests.servers.process import wait_until
 
 @dataclass
 class Accepted:
-    """The batches handed in, and the results seen in the database.
+    """The batches submitted, and their results in the database.
 
     Attributes:
         url: Where the service is asked; it may be down at any moment.
@@ -33,7 +33,7 @@ class Accepted:
     stored: dict[str, Any] = field(default_factory=dict)
 
     def submit(self) -> None:
-        """A batch nobody had before, accepted for certain: asked with one key until it is."""
+        """Submit a new batch, with one idempotency key until it is accepted."""
         number = len(self.batches)
         ranges = {"road.bump.height": [0.02, 0.12]}
         sweep = {"latin_hypercube": {"ranges": ranges, "samples": self.runs // 2, "seed": number}}
@@ -48,12 +48,12 @@ class Accepted:
             return int(connection.execute(query).scalar_one())
 
     def await_work(self) -> None:
-        """Until results come in again; a service that has just been killed takes some seconds."""
+        """Wait for new results; a service that has just been killed takes some seconds."""
         before = self.waiting()
         wait_until(lambda: self.waiting() != before, "results come in", 90)
 
     def check_stored(self) -> None:
-        """What was stored once is there still, and is the same row: it was neither lost nor computed again."""
+        """Every result stored before is the same row now: neither lost nor computed again."""
         with self.engine.connect() as connection:
             now = {
                 row.key: (row.created_at, row.compute_ms, row.summary)

@@ -1,4 +1,4 @@
-"""What becomes of a batch, asked over HTTP."""
+"""The state of a batch, read over HTTP."""
 
 from typing import Any
 

@@ -54,13 +54,13 @@ class Topology:
         return f"http://127.0.0.1:{self._ports[number]}"
 
     def ask_database(self, query: str, *values: object) -> list[tuple[Any, ...]]:
-        """What the service's database answers."""
+        """The answer of the service's database."""
         engine = create_engine(self.database, poolclass=NullPool)
         with engine.connect() as connection:
             return [tuple(row) for row in connection.exec_driver_sql(query, values)]
 
     def wait_until_ready(self, seconds: float = 120) -> None:
-        """Until the proxy has a replica to ask."""
+        """Wait until the proxy has a ready replica."""
         wait_until(lambda: self.proxy.answers("/readyz"), "a replica gets ready", seconds)
 
     def end(self) -> None:

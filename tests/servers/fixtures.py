@@ -64,7 +64,7 @@ def migrate(url: str) -> None:
 
 @pytest.fixture(params=["sqlite", "postgresql"])
 def migrated_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
-    """As `database_url`, but of the newest schema: what migrating makes was made once."""
+    """A `database_url` with the newest schema, copied from one that was migrated once."""
     if request.param == "sqlite":
         return f"sqlite:///{shutil.copy(request.getfixturevalue('migrated_sqlite'), tmp_path)}"
     template: str = request.getfixturevalue("migrated_postgres")

@@ -10,12 +10,12 @@ OURS = "multiprocessing.resource_tracker"  # Python's own; it ends with the proc
 
 
 def mark() -> None:
-    """From now on all this process starts, and all that those start, can be found again."""
+    """Mark this process, so that all that it starts, and all that those start, can be listed."""
     os.environ[MARK] = str(os.getpid())
 
 
 def left_running(seconds: float) -> list[str]:
-    """What still runs of it after so long, as pid and command; it is killed."""
+    """Processes still running after so long, as pid and command; they are killed."""
     end = time.monotonic() + seconds
     while (left := _marked()) and time.monotonic() < end:
         time.sleep(0.1)

@@ -43,7 +43,7 @@ class Postgres:
 
     @property
     def log(self) -> str:
-        """What the server said so far."""
+        """The server's log so far."""
         return (self.folder / "log").read_text(errors="replace")
 
     def start(self, seconds: float = 60) -> None:

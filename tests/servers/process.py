@@ -76,7 +76,7 @@ class Program:
 
     @property
     def pid(self) -> int:
-        """Of the process that runs now, or ran last."""
+        """The id of the process that runs now, or ran last."""
         return self._process.pid
 
     @property

@@ -52,7 +52,7 @@ ROADS = range(1, paper.SEEDS + 1)
 
 
 def requests(roads: range = ROADS) -> list[RowRequest]:
-    """What the page needs at first, in one order whatever the roads."""
+    """The rows that the page needs first, in an order that does not depend on the roads."""
     named = (DEFAULT.choices, FAVOURABLE.choices)
     sets = [choices | preview for choices in named for preview in ({}, {"preview": "none"})]
     under = [row for choices in sets for row in in_order(work.requests_under(choices, roads))]
@@ -81,7 +81,7 @@ def rows() -> Any:
 
 
 def computed(row: RowRequest) -> Any:
-    """As a worker computes it."""
+    """The result that a worker computes."""
     scenario = scenario_at(Scenario().model_dump(mode="json"), orjson.loads(row.changes))
     summary = work.compute(row.strategy, scenario)
     return orjson.loads(orjson.dumps(summary, option=orjson.OPT_SERIALIZE_NUMPY))
@@ -120,7 +120,7 @@ def store_in_database(url: str, *, ecu: bool = True) -> None:
 
 
 def digest() -> str:
-    """Of all the numbers depend on: sources, installed packages, Python and machine."""
+    """A hash of everything the numbers depend on: sources, installed packages, Python and machine."""
     packages = sorted({path.name for folder in sys.path for path in Path(folder).glob("*.dist-info")})
     content_hash = hashlib.sha256(repr([sys.version, platform.machine(), packages]).encode())
     for name in SOURCES:

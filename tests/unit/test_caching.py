@@ -9,7 +9,7 @@ from sim_core.scenario import Mpc, Scenario, Vehicle
 from sim_core.simulate import simulate
 
 
-def test_latest_results_are_kept_while_they_fit() -> None:
+def test_latest_results_are_cached_while_they_fit() -> None:
     calls: list[int] = []
 
     @Cache(MEBIBYTE).cached

@@ -48,7 +48,7 @@ def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: 
     }
 
 
-def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_kept() -> None:
+def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -> None:
     base = {**BASE, "road": {**BASE["road"], "profile": "A" * 22}}
     (run,) = work.run_chunk(base, 1, waiting(0.05), {}, 60)
     assert (run.status, run.cacheable) == ("failed", False)

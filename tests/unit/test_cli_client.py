@@ -1,4 +1,4 @@
-"""The client's own rules, against answers made up here: what is repeated, how long, and what is said."""
+"""The client's rules, against prepared answers: which requests it repeats, for how long, and its messages."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -109,7 +109,7 @@ def test_errors_name_the_field_as_it_is_typed(pointer: str, field: str) -> None:
     assert ErrorPlace(message="m", pointer=pointer).field == field
 
 
-def test_an_errors_text_is_its_places() -> None:
+def test_an_errors_text_names_its_fields() -> None:
     problem = {
         "status": 422,
         "detail": "The request has values that cannot be used.",
@@ -195,7 +195,7 @@ def batch_answer(state: str, done: int = 0) -> dict[str, object]:
 
 
 def follow(handler: Handler) -> list[tuple[str, int]]:
-    """What is heard of a batch until its end."""
+    """The events of a batch until its end."""
     heard = []
     with patient(handler) as ridelab:
         batch = ridelab.submit({}, ["lv"], {"grid": {"road.seed": [1, 2, 3, 4]}})

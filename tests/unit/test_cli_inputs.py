@@ -1,4 +1,4 @@
-"""What is typed on the command line, and what differs between two runs; no service needed."""
+"""Values typed on the command line, and differences between two runs; no service needed."""
 
 import json
 import math

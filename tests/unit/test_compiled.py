@@ -1,4 +1,4 @@
-"""The core's C: each function against its definition in NumPy, and what it is never handed."""
+"""The core's C: each function against its definition in NumPy, and the arrays it refuses."""
 
 from itertools import pairwise
 from pathlib import Path
@@ -93,7 +93,7 @@ def test_a_sliding_horizon_is_each_of_its_windows() -> None:
 
 
 def test_a_residual_is_the_largest_violation() -> None:
-    """Of stationarity, box, rows, signs of the rows' multipliers and gaps: each is the largest in some of these."""
+    """The violations are of stationarity, box, rows, their multipliers' signs and gaps: each is largest in some."""
     rng = default_rng(1)
     n, rows = 5, 7
     root = rng.normal(size=(n, n))

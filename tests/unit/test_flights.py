@@ -1,4 +1,4 @@
-"""Equal computations are joined, and one nobody waits for any more is called off."""
+"""Equal computations are joined, and one that nobody waits for any more is cancelled."""
 
 import asyncio
 

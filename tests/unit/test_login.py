@@ -64,7 +64,7 @@ def test_no_error_has_it(answer: Answer) -> None:
         (ADDRESS, 403, f"{SHOWN} does not let this request in (HTTP 403)"),
     ],
 )
-def test_who_is_not_let_in_is_told_so(address: str, status: int, said: str) -> None:
+def test_a_refused_login_is_reported(address: str, status: int, said: str) -> None:
     with (
         at(lambda _: httpx.Response(status, text="<html>"), address) as ridelab,
         pytest.raises(RidelabAPIError) as caught,
@@ -73,7 +73,7 @@ def test_who_is_not_let_in_is_told_so(address: str, status: int, said: str) -> N
     assert (caught.value.status, str(caught.value)) == (status, said)
 
 
-def test_commands_that_are_told_and_refused_addresses_do_not_have_it(capsys: pytest.CaptureFixture[str]) -> None:
+def test_printed_commands_and_refused_addresses_do_not_have_it(capsys: pytest.CaptureFixture[str]) -> None:
     with at(lambda _: httpx.Response(202, json=BATCH)) as ridelab:
         batch = ridelab.get_batch(str(BATCH["id"]))
         assert isinstance(batch, Batch)

@@ -221,7 +221,7 @@ def test_the_paper_s_strategies_are_among_the_combinations() -> None:
 
 
 def test_shares_add_up_and_are_right_where_factors_multiply() -> None:
-    """Where each factor multiplies on its own, its share is its log's, whatever the order: a known answer."""
+    """Where factors multiply, a factor's share is that of its logarithm, in any order: a known answer."""
     factors = {"speed": 0.5, "preview": 0.8, "switching": 1.25}
 
     def value(name: str) -> float:

@@ -1,4 +1,4 @@
-"""What chat programs show of a link, and that nothing in it can become markup."""
+"""The preview of a link in chat programs, and that nothing in it can become markup."""
 
 from datetime import UTC, datetime
 from typing import Any
@@ -44,7 +44,7 @@ def head(text: str) -> tuple[list[str], dict[str, str]]:
     return [each.text for each in root.all("title")], tags
 
 
-def test_the_numbers_that_matter_are_told() -> None:
+def test_a_preview_has_the_main_numbers() -> None:
     card = preview.of_run(run({"lv": entry(5.5, 2), "passive": entry(10, 8)}), {}, WHEN)
     assert card.title == "LV control against passive: 45 % less peak body acceleration on the bump"
     assert card.description == (
@@ -67,7 +67,7 @@ def test_the_numbers_that_matter_are_told() -> None:
         ({"baseline": "speed_only"}, "LV control: peak body acceleration 5 m/s² on the bump"),
     ],
 )
-def test_what_is_told_is_what_the_view_compares(view: dict[str, Any], title: str) -> None:
+def test_the_preview_names_what_the_view_compares(view: dict[str, Any], title: str) -> None:
     members = {"lv": entry(5, 2), "lqr": entry(10, 3), "passive": entry(10, 8)}
     assert preview.of_run(run(members), view, WHEN).title == title
 

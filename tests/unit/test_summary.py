@@ -32,7 +32,7 @@ def study(values: Sequence[Sequence[float | None]], fields: dict[str, list[Any]]
 
 
 def summarise(rows: Study, baseline: str) -> dict[str, Any]:
-    """As it is answered."""
+    """The summary in the form of an answer."""
     return {name: each.model_dump() for name, each in summary.summarise(rows, baseline).items()}
 
 

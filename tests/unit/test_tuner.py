@@ -285,7 +285,7 @@ def test_against_zero_the_difference_decides() -> None:
         ({"fresh_seeds": [4, 101]}, ()),
     ],
 )
-def test_what_cannot_be_tuned_is_refused_at_its_place(body: dict[str, Any], place: tuple[Any, ...]) -> None:
+def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any], place: tuple[Any, ...]) -> None:
     with pytest.raises(ValidationError) as refused:
         TuningRequest.model_validate_json(orjson.dumps(body))
     assert refused.value.errors()[0]["loc"] == place

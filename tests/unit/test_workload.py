@@ -1,4 +1,4 @@
-"""What a run costs: bounds that hold, an estimate that grows with what costs, and an end where it is too much."""
+"""The cost of a run: bounds that hold, an estimate that grows with the work, and an end where it is too much."""
 
 import pickle
 

@@ -22,7 +22,7 @@ PAPER_SPEED = 50 / 3.6
 
 
 def terms(car: Vehicle, sample_time: float, q: tuple[float, float, float], travel: float) -> CostTerms:
-    """What the core's cost depends on, at the paper's speed, travel limit and force weight."""
+    """The terms of the core's cost, at the paper's speed, travel limit and force weight."""
     return CostTerms(
         vehicle=car,
         speed=PAPER_SPEED,

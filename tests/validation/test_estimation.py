@@ -75,7 +75,7 @@ def test_the_error_on_a_road_is_the_filters_own_covariance(strategy: str) -> Non
     assert (error < 0.7 * state[200:].std(axis=0)).sum() >= 6
 
 
-def test_what_is_told_follows_the_textbooks_recursion() -> None:
+def test_the_estimate_follows_the_textbooks_recursion() -> None:
     """Predict with the model and the command, correct with what is measured; the noise is what remains."""
     scenario = Scenario(estimation=KALMAN, road=Road(length=120, bump=Bump(start=80)))
     run = adaptive.run(scenario, "lv")
@@ -135,7 +135,7 @@ def test_it_is_the_same_stepped_in_c(strategy: str, actuator: Actuator) -> None:
         assert np.std(in_c.series[name] - values) <= (2e-2 if strategy == "lv_hil" else 1e-4) * np.std(values), name
 
 
-def test_a_filter_that_believes_in_another_car_is_told_nothing_of_it() -> None:
+def test_a_filter_with_another_cars_model_gets_no_hint_of_it() -> None:
     """Its matrices are the believed car's: only what it is fed differs."""
     heavy = Scenario(estimation=KALMAN, mismatch=Mismatch(body_mass=1.3))
     one, two = (make_estimator(each, STEP, 13.9, np.zeros((5, 3))) for each in (heavy, Scenario(estimation=KALMAN)))
@@ -146,7 +146,7 @@ def test_a_filter_that_believes_in_another_car_is_told_nothing_of_it() -> None:
 
 
 def test_better_sensors_drive_better() -> None:
-    """From bad over good ones to the state itself, on a rough road."""
+    """From bad sensors over good ones to the exact state, on a rough road."""
     rough = Road(roughness=256e-6, bump=Bump(height=0))
     bad = Estimation(kind="kalman", acceleration_noise=2.0, deflection_noise=0.02, pitch_rate_noise=0.1)
     pitch = [

@@ -62,7 +62,7 @@ def test_surface_equals_the_direct_evaluation(
 
 
 def test_at_the_peaks_of_the_sets_the_surface_is_table_1() -> None:
-    """There one rule fires fully: its set's centroid, 1/12, 1/4, 1/2, 3/4 or 11/12 of the universe."""
+    """At a peak one rule fires fully: its set's centroid, 1/12, 1/4, 1/2, 3/4 or 11/12 of the universe."""
     centroid = {"O": 1 / 12, "S": 1 / 4, "M": 1 / 2, "L": 3 / 4, "V": 11 / 12}
     for row, line in enumerate(TABLE_1.split("\n")[1:6]):
         for column, conclusion in enumerate(line.split()):

@@ -76,7 +76,7 @@ def test_steady_braking_shifts_the_load_by_the_moment_over_the_wheelbase(car: Ve
 
 
 def test_links_may_carry_all_of_the_load_transfer() -> None:
-    """Then the body neither dives nor lifts (Gillespie 1992, chapter 7), and the tyres carry the transfer as ever."""
+    """The body then neither dives nor lifts (Gillespie 1992, chapter 7), and the tyres carry the whole transfer."""
     full = Vehicle(front_brake_share=0.6, anti_dive=1 / 0.6, anti_lift=1 / 0.4)
     model = half_car(full)
     np.testing.assert_allclose(model.F[:2, 2], 0, atol=1e-12)

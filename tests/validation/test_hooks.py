@@ -49,7 +49,7 @@ def test_semi_active_is_the_same_stepped_in_c_and_step_by_step(
 
 @pytest.mark.parametrize("law", LAWS)
 def test_semi_active_puts_no_energy_in(law: str) -> None:
-    """As commands are set; within a control step they are held, whatever the damper does then."""
+    """This holds at the control instants; within a control step the command is held, whatever the damper does."""
     trajectory = adaptive.run(SEMI_ACTIVE, law).trajectory
     car = SEMI_ACTIVE.vehicle
     rates = trajectory.states[:, 4:5] + trajectory.states[:, 5:6] * [-car.cg_to_front, car.cg_to_rear]

@@ -1,4 +1,4 @@
-"""Measured roads against what is known of them: waves, lines, bumps, and the road they were measured on."""
+"""Measured roads against known properties: waves, lines, bumps, and the road that was measured."""
 
 import pickle
 
@@ -16,13 +16,13 @@ from sim_core.simulate import simulate
 
 
 def measured_on(road: Road, spacing: float = 0.05, length: float = 200) -> MeasuredRoad:
-    """A made road as a surveyor without errors measures it, on a slope of 1 %."""
+    """A generated road as a surveyor without errors measures it, on a slope of 1 %."""
     x = np.arange(0, length + spacing / 2, spacing)
     return MeasuredRoad.of(surveyed(x + 7, profile(road).height(x) + 0.3 + 0.01 * x).heights)
 
 
 def test_a_line_is_taken_off_and_a_wave_keeps_its_share() -> None:
-    """Of a wave sampled finely the mean of 11 heights leaves sin(11 πs/λ)/(11 sin(πs/λ)): 0.946 of one of 0.6 m."""
+    """The mean of 11 heights scales a finely sampled wave by sin(11 πs/λ)/(11 sin(πs/λ)): 0.946 at 0.6 m."""
     x = np.arange(0, 60.001, 0.01)
     wave = surveyed(x, 5 - 0.02 * x + 0.03 * np.sin(2 * np.pi * x / 0.6))
     share = np.sin(11 * np.pi * 0.01 / 0.6) / (11 * np.sin(np.pi * 0.01 / 0.6))
@@ -87,7 +87,7 @@ def test_a_bump_is_added_to_a_measured_road() -> None:
         (Bump(shape="trapezoid", height=-0.06, width=1, start=120), 0.15),
     ],
 )
-def test_a_bump_in_a_profile_is_found(bump: Bump, share: float) -> None:
+def test_a_bump_in_a_profile_is_detected(bump: Bump, share: float) -> None:
     """On a class B road, within half a metre and 15 % of its height; on the road alone nothing is."""
     (found, *rest) = bumps_in(measured_on(Road(bump=bump)).heights())
     assert not rest

@@ -81,7 +81,7 @@ STRETCHES = [[(0, 100)], [(0, 100), (104, 110)], [(0, 110)], [(63.2, 63.3), (20,
 @pytest.mark.parametrize("stretches", STRETCHES, ids=str)
 @pytest.mark.parametrize("strategy", ["passive", "lv", "lqr"])
 def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretches: list[tuple[float, float]]) -> None:
-    """From a million instants, with the jump where a held command changes.
+    """The RMS by a million instants, with the jump where a held command changes.
 
     Between samples accelerations are straight lines, of all else the squares are; a million
     instants place a stretch's ends within 20 µs, which is a ten-thousandth of the shortest stretch's RMS.

@@ -66,7 +66,7 @@ def test_preview_gain_and_noise_scale_the_heights() -> None:
 
 
 def test_noise_lies_in_the_road() -> None:
-    """The rear axle is told of a place what the front was, and a place has its noise at any speed."""
+    """Both axles get the same noise at the same position, at any speed."""
     flat = Road(roughness=0, length=60, bump=Bump(height=0, start=40, width=3))
     scenario = SHORT.model_copy(update={"road": flat, "vehicle": Vehicle(cg_to_front=1.0, cg_to_rear=1.0)})
     speed = SHORT.speed.initial_speed_kmh / 3.6

@@ -1,4 +1,4 @@
-"""Unequal dampers, bump stops and tyres that lift off, against an adaptive solver and against what is known of them."""
+"""Unequal dampers, bump stops and tyres that lift off, against an adaptive solver and known properties."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Whatever the scenario: finite numbers, limits kept or reported, no solver failing in silence."""
+"""For any scenario: finite numbers, limits met or reported, and no silent solver failure."""
 
 import numpy as np
 import pytest
@@ -129,7 +129,7 @@ EXTREME = {
 
 @pytest.mark.parametrize("name", EXTREME)
 def test_the_edges_of_what_may_be_typed(name: str) -> None:
-    """Finite, limits kept, nothing unsolved."""
+    """Finite numbers, limits met, every QP solved."""
     scenario = EXTREME[name]
     for strategy in STRATEGIES:
         result = simulate(scenario, strategy)

@@ -152,7 +152,7 @@ def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(st
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
 def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
-    """What is cached between runs changes none of them, whatever order they come in and whatever a caller does."""
+    """Results cached between runs change none of them, in any order and whatever a caller does with them."""
     first = simulate(BASE, strategy)
     copies = {name: values.copy() for name, values in first.series.items()}
     simulate(with_leaf(("road", "bump", "height")), strategy)

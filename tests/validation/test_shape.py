@@ -52,7 +52,7 @@ def test_lqr_is_worse_than_lv_by_the_papers_margins(figures: dict[str, np.ndarra
     assert np.all(change[1] >= [19.9, 12.6, 24.0, 12.3])
 
 
-def test_a_road_that_ends_on_the_bump_is_told() -> None:
+def test_a_road_that_ends_on_the_bump_is_reported() -> None:
     on_it = Scenario(road=Road(length=105))
     assert simulate(on_it, "passive").events["bump_complete"] is False
     assert simulate(Scenario(), "passive").events["bump_complete"] is True

@@ -1,4 +1,4 @@
-"""Whether the loop with the real car is stable: against known modes, and against what a simulated one does."""
+"""Whether the loop with the real car is stable: against known modes, and against a simulation."""
 
 import numpy as np
 import pytest

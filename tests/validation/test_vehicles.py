@@ -96,7 +96,7 @@ SHEET = DataSheet(
 
 
 def test_a_half_car_has_the_frequencies_and_the_damping_of_its_data_sheet() -> None:
-    """With the dynamic index 1 both axles swing by themselves, so the two slow modes are the sheet's.
+    """With the dynamic index 1 the axles move independently, so the two slow modes are the sheet's.
 
     Exact for wheels without mass and light damping; wheels of 5 kg leave 0.2 % of the frequency, 2 % of the ratio.
     """

@@ -108,7 +108,7 @@ class Cars:
         return travel, speed, force, load
 
     def slope(self, x: Array, road: Array, braking: Array, command: Array) -> Array:
-        """Of x, (10, …, cars)."""
+        """Time derivative of x (10, …, cars)."""
         shape = (2, *[1] * (x.ndim - 2), -1)
         _, _, force, load = self.forces(x, road)
         net = force - x[8:]

@@ -43,7 +43,7 @@ class Motion:
 
 
 def brake_to_bump(scenario: Scenario) -> Motion:
-    """From the detection to the bump, fuzzy alone: Eq. 4-6 and the pressure's lag, explicit steps of 0.5 ms."""
+    """The drive from detection to the bump, fuzzy alone: Eq. 4-6 and the pressure's lag, explicit steps of 0.5 ms."""
     car, brake, plan = scenario.vehicle, scenario.brake, scenario.speed
     mass = car.body_mass + car.front_wheel_mass + car.rear_wheel_mass
     most = brake.maximum_deceleration * mass * brake.wheel_radius

@@ -137,7 +137,7 @@ def errors(scenario: Scenario, name: str, result: StrategyResult) -> dict[str, f
 
 
 def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
-    """What the actuators are asked in each short step of a run of `lv_hil`, and the short step [s]."""
+    """The commands in each short step of a run of `lv_hil`, and the short step [s]."""
     caught: list[tuple[Array, float]] = []
     drive_loop = HilLoop.run
 
