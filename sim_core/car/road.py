@@ -14,7 +14,6 @@ from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.errors import MissingRoadError, RidelabError
-from sim_core.recurrence import run_recurrence
 from sim_core.scenario import Bump, Road
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 from sim_core.scenario.parts import BumpShape
@@ -43,6 +42,7 @@ class CompiledRoad(ctypes.Structure):
     _fields_ = [("roughness", ADDRESS), ("samples", INT), ("first", DOUBLE), ("grid", DOUBLE), ("bump", _Bump)]
 
 
+_make_rough = function("roughness", ADDRESS, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _bump_heights = function("bump_heights", ctypes.POINTER(_Bump), ADDRESS, INT, ADDRESS)
 _road_heights = function("road_heights", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
 
@@ -161,11 +161,9 @@ def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, 
     """
     keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
     samples = np.random.default_rng(seed).standard_normal(grid_samples(length))
-    samples *= stationary_deviation(roughness)
-    samples[1:] *= sqrt(1 - keep**2)
-    run_recurrence(np.array([[keep]]), samples[:, np.newaxis])
+    slopes = _make_rough(address(samples), len(samples), stationary_deviation(roughness), keep, GRID)
     samples.flags.writeable = False
-    return samples, _slopes(samples)
+    return samples, float(slopes)
 
 
 @cached

@@ -70,6 +70,21 @@ static double road_height(const struct road *road, double position)
     return height;
 }
 
+/* Roughness from independent normal numbers, in place: each height is `keep` of the one before, and what keeps its
+   standard deviation. Returns the difference between its steepest slopes up and down [1], the level one among them. */
+double ridelab_roughness(double *samples, int count, double deviation, double keep, double grid)
+{
+    double noise = deviation * sqrt(1 - keep * keep), height = samples[0] * deviation, up = 0, down = 0;
+    samples[0] = height;
+    for (int i = 1; i < count; i++) {
+        double next = keep * height + noise * samples[i], rise = next - height;
+        up = rise > up ? rise : up;
+        down = rise < down ? rise : down;
+        samples[i] = height = next;
+    }
+    return (up - down) / grid;
+}
+
 /* Heights at n positions [m]. */
 void ridelab_bump_heights(const struct bump *bump, const double *position, int n, double *height)
 {
