@@ -23,13 +23,13 @@ STRATEGY_IDS = list(STRATEGIES)
 
 
 class RequestModel(BaseModel):
-    """Base of what is sent: no other fields, no conversions."""
+    """Base of request models: no other fields, no conversions."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True, hide_input_in_errors=True)
 
 
 class Answer(BaseModel):
-    """Base of what is answered: every field is always there, whatever its default; also made of the core's objects."""
+    """Base of answer models: every field is always present; can be built from the core's objects."""
 
     model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
 
@@ -112,7 +112,7 @@ class RunRequest(StrategiesRequest):
 
 
 class LiveRequest(StrategiesRequest):
-    """What to run while somebody drags: nothing is stored, the time histories come along."""
+    """A run while somebody drags: nothing is stored, the answer has time histories."""
 
     model_config = ConfigDict(json_schema_extra={"examples": [_EXAMPLE]})
 
@@ -234,7 +234,7 @@ class Run(RunBase, WithId):
 
 
 class CreatedRun(RunBase, WithId):
-    """A run as the request that made it sees it."""
+    """The answer to the request that created a run."""
 
     strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"

@@ -34,7 +34,7 @@ class Place(Answer):
 
 
 class Distribution(Answer):
-    """Of the runs that have the value; percentiles lie between two values by distance (numpy's "linear" method)."""
+    """Statistics of the runs that have the value; percentiles by linear interpolation (numpy's "linear" method)."""
 
     n: int
     mean: float | None
@@ -100,7 +100,7 @@ class StrategySummary(Answer):
 
 
 class UncertainRange(Answer):
-    """A field nobody knows exactly and the range a study takes it from."""
+    """An uncertain field and the range that a study samples."""
 
     field: str
     title: str
@@ -111,7 +111,7 @@ class UncertainRange(Answer):
 
 
 class RobustnessDefaults(Answer):
-    """What a robustness study varies unless told otherwise."""
+    """The uncertain fields of a robustness study by default."""
 
     ranges: list[UncertainRange]
     samples: int
@@ -155,9 +155,9 @@ class ComparedPoint(Answer):
     roles: list[str] = Field(description="paper, scenario, best.0 (of the first objective), knee")
     weights: dict[str, TunedValue]
     training: dict[str, TunedFigures] = Field(description="By the figures' keys, over the training roads")
-    fresh: dict[str, TunedFigures] = Field(description="The same over the fresh roads")
+    fresh: dict[str, TunedFigures] = Field(description="By figure over the validation roads")
     verdict: list[Verdict] | None = Field(
-        description="An objective each, on the fresh roads against the paper's weights: whether the interval of the "
+        description="One for each objective, on the validation roads against the paper's weights: whether the interval of the "
         "change lies below zero, above it, or holds it; null for the paper's own"
     )
     failures: list[str] = Field(description="Roads it could not be run on; the figures leave them out")
@@ -166,6 +166,6 @@ class ComparedPoint(Answer):
 class Comparison(Answer):
     """The paper's weights and the tuned ones over the training roads and over fresh ones."""
 
-    batch: str = Field(description="Whose rows these figures are made of")
+    batch: str = Field(description="The batch whose rows give these figures")
     figures: list[ComparedFigure]
     points: list[ComparedPoint] = Field(description="The paper's weights first")

@@ -133,7 +133,7 @@ async def get_batch_summary(
 
 @batches.get("/robustness", operation_id="getRobustnessDefaults", response_model=RobustnessDefaults)
 async def get_robustness_defaults() -> Response:
-    """What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary."""
+    """The uncertain fields of a robustness study by default: a batch over these ranges, read by its summary."""
     return json_answer(robustness.defaults())
 
 

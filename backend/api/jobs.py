@@ -90,7 +90,7 @@ class JobApi:
 
         @without_body.get(f"/{self.plural}/{{id}}", operation_id=f"get{self.name.title()}", response_model=self.model)
         async def get(job_id: JobId, service: Service) -> Response:
-            """As it stands; the events tell of changes."""
+            """The job's present state; its events report changes."""
             return json_answer(await service.answer(await service.jobs.get(job_id)))
 
     def _add_changing(self, without_body: APIRouter, with_body: APIRouter) -> None:
@@ -115,7 +115,7 @@ class JobApi:
 
         @without_body.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model)
         async def cancel(job_id: JobId, service: Service) -> Response:
-            """It stops; what is finished stays. One that has ended is answered as it is."""
+            """Cancel it; finished runs stay. One that has ended is answered unchanged."""
             return json_answer(await service.answer(await service.jobs.cancel(job_id)))
 
     def _add_events(self, without_body: APIRouter) -> None:

@@ -10,6 +10,6 @@ Label = Annotated[str | None, Field(min_length=1, max_length=200, description="A
 
 
 class LabelRequest(RequestModel):
-    """What to call a job."""
+    """A job's new label."""
 
     label: Label = Field(description="null takes its name away")

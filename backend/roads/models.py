@@ -23,13 +23,13 @@ class RoadHead(Answer):
 
 
 class CreatedRoad(RoadHead):
-    """A road that was sent."""
+    """A road that was uploaded."""
 
     warnings: list[str] = Field(description="What was done to the file, and what may be wrong with it")
 
 
 class RoadAnswer(RoadHead):
-    """A road with heights."""
+    """A road with its heights."""
 
     distance: list[float] = Field(description="About as many as asked for, peaks among them [m]")
     height: list[float] = Field(description="There [m]")

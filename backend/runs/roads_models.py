@@ -76,7 +76,7 @@ class RoadsRun(RoadsRunBase):
 
 
 class CreatedRoadsRun(RoadsRunBase):
-    """A run over several roads as the request that made it sees it."""
+    """The answer to the request that created a run over several roads."""
 
     strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"

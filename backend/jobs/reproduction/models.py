@@ -29,7 +29,7 @@ class Part(Answer):
 
 
 class Agreement(Answer):
-    """How near the changes we simulate come to the paper's; a misprint is taken as its absolutes have it."""
+    """How close the simulated changes are to the paper's; for a misprint, to what follows from its absolutes."""
 
     cells: int
     within: int = Field(description=f"Within ±{AGREEMENT:g} percentage points of the paper's change")
@@ -37,7 +37,7 @@ class Agreement(Answer):
 
 
 class Counted(Answer):
-    """What the cells come to under some readings."""
+    """The counts of verdicts under some readings."""
 
     reached: int
     total: int = Field(description="Cells with a verdict")
@@ -89,14 +89,14 @@ class Cell(Judgement):
 
 
 class WithoutPreview(Answer):
-    """The same count without the road ahead."""
+    """The counts of verdicts without preview."""
 
     reached: int
     counts: Counts
 
 
 class ReadingChoice(Answer):
-    """One way to read it."""
+    """One choice of a reading."""
 
     id: str
     label: str
@@ -105,7 +105,7 @@ class ReadingChoice(Answer):
 
 
 class ReadingAnswer(Answer):
-    """A question the paper leaves open, and what was chosen."""
+    """A question that the paper leaves open, and the choice made."""
 
     id: str
     title: str
@@ -138,7 +138,7 @@ class Erratum(Answer):
 
 
 class Interpretation(Counted):
-    """A named set of readings, and what the cells come to under it, on the same roads."""
+    """A named set of readings, and the counts of verdicts under it, on the same roads."""
 
     id: str
     title: str
@@ -148,14 +148,14 @@ class Interpretation(Counted):
 
 
 class Progress(Answer):
-    """How much of what the cells are made of is there."""
+    """How many of the runs behind the cells are stored."""
 
     done: int
     total: int
 
 
 class PaperAnswer(Counted):
-    """The reproduction."""
+    """The paper's changes against ours."""
 
     core_version: str
     seeds: int
@@ -272,7 +272,7 @@ class AttributionAnswer(Answer):
 
 
 class PaperFigure(Answer):
-    """One of the paper's figures, made by us."""
+    """One of the paper's figures, drawn from our runs."""
 
     number: int
     title: str

@@ -14,7 +14,7 @@ FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road
 
 
 class RoadsQuery(RequestModel):
-    """Which roads."""
+    """The roads that every strategy drives."""
 
     model_config = ConfigDict(strict=False)
 

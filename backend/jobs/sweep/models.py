@@ -81,13 +81,13 @@ class BatchItem(Answer):
 
 
 class Batch(BatchItem):
-    """A batch as it stands."""
+    """A batch in its present state."""
 
     sweep: JsonObject
 
 
 class Estimate(Answer):
-    """What a batch would be."""
+    """The size and the estimated time of a batch."""
 
     points: int
     total: int = Field(description="Runs: points times strategies")
@@ -97,7 +97,7 @@ class Estimate(Answer):
 
 
 class Batches(Answer):
-    """The newest first."""
+    """A page of batches, the newest first."""
 
     batches: list[BatchItem]
     next: str | None = Field(description="Cursor of the next page; null on the last one")

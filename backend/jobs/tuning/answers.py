@@ -78,7 +78,7 @@ class Generation(Answer):
 
 
 class TrialCounts(Answer):
-    """Trials."""
+    """Numbers of trials."""
 
     total: int
     done: int
@@ -99,7 +99,7 @@ class TuningItem(Answer):
     objectives: list[ObjectiveAnswer]
     limits: list[LimitAnswer]
     search: dict[str, list[float]]
-    previews: list[str] | None = Field(description="Kinds of preview searched; null where the scenario's is kept")
+    previews: list[str] | None = Field(description="Kinds of preview searched; null where only the scenario's is used")
     seeds: list[int]
     fresh_seeds: list[int]
     uncertain: bool
@@ -143,7 +143,7 @@ class TuningItem(Answer):
 
 
 class Tuning(TuningItem):
-    """A tuning as it stands."""
+    """A tuning in its present state."""
 
     scenario: JsonObject
     paper: Trial | None = Field(description="The paper's weights; null until the first generation is complete")
@@ -174,7 +174,7 @@ class Tuning(TuningItem):
 
 
 class Tunings(Answer):
-    """The newest first."""
+    """A page of tunings, the newest first."""
 
     tunings: list[TuningItem]
     next: str | None = Field(description="Cursor of the next page; null on the last one")
@@ -188,7 +188,7 @@ class Trials(Answer):
 
 
 class TuningEstimate(Answer):
-    """What a tuning would be."""
+    """The size and the estimated time of a tuning."""
 
     runs: int = Field(description="Of the search and the comparison, the passive car's included")
     generations: int

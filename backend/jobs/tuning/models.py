@@ -126,7 +126,7 @@ class TuningRequest(RequestModel):
         json_schema_extra={"propertyNames": {"enum": [*WEIGHTS]}},
     )
     previews: Annotated[list[Preview], AfterValidator(_each_once)] | None = Field(
-        None, min_length=2, description="Kinds of preview to try; without it the scenario's is kept"
+        None, min_length=2, description="Kinds of preview to try; without it only the scenario's is used"
     )
     seeds: Seeds = Field([1, 2, 3, 4], min_length=1, max_length=MOST_SEEDS, description="Roads trained on")
     fresh_seeds: Seeds = Field(

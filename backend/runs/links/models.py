@@ -43,7 +43,7 @@ def _check_column(name: str) -> str:
 
 
 class LinkView(RequestModel):
-    """How a run or a batch is looked at; what is left out is as the page opens it. Comes back as it was sent."""
+    """How the page shows a run or a batch; for omitted members it uses its defaults. Answered as it was sent."""
 
     strategies: Names | None = Field(None, description="Shown, in this order.")
     hidden: Names | None = Field(None, description="Of those shown, the ones switched off in the plots.")
@@ -83,17 +83,17 @@ class CreatedLink(Answer):
     slug: str = Field(description="22 characters, 128 random bits")
     url: str = Field(description="Path of the page that opens it")
     series_pinned: bool = Field(
-        description="Whether time histories are kept for ever too. Never of a batch; of a run of another core version "
+        description="Whether the link stores time histories too. Never of a batch; of a run of another core version "
         "only where an earlier link pinned them. Metrics always are."
     )
 
 
 class Link(Answer):
-    """What a link opens."""
+    """The contents of a link."""
 
     slug: str
     url: str
-    created_at: datetime = Field(description="When the link was made")
+    created_at: datetime = Field(description="When the link was created")
     kind: Literal["run", "batch"]
     core_version: str = Field(description="Which computed it")
     computed_at: datetime = Field(description="When; of a batch that still runs, when it was accepted")

@@ -34,7 +34,7 @@ export interface paths {
         };
         /**
          * Get
-         * @description As it stands; the events tell of changes.
+         * @description The job's present state; its events report changes.
          */
         get: operations["getBatch"];
         put?: never;
@@ -64,7 +64,7 @@ export interface paths {
         put?: never;
         /**
          * Cancel
-         * @description It stops; what is finished stays. One that has ended is answered as it is.
+         * @description Cancel it; finished runs stay. One that has ended is answered unchanged.
          */
         post: operations["cancelBatch"];
         delete?: never;
@@ -532,7 +532,7 @@ export interface paths {
         };
         /**
          * Get Robustness Defaults
-         * @description What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary.
+         * @description The uncertain fields of a robustness study by default: a batch over these ranges, read by its summary.
          */
         get: operations["getRobustnessDefaults"];
         put?: never;
@@ -756,7 +756,7 @@ export interface paths {
         };
         /**
          * Get
-         * @description As it stands; the events tell of changes.
+         * @description The job's present state; its events report changes.
          */
         get: operations["getTuning"];
         put?: never;
@@ -786,7 +786,7 @@ export interface paths {
         put?: never;
         /**
          * Cancel
-         * @description It stops; what is finished stays. One that has ended is answered as it is.
+         * @description Cancel it; finished runs stay. One that has ended is answered unchanged.
          */
         post: operations["cancelTuning"];
         delete?: never;
@@ -982,7 +982,7 @@ export interface components {
         };
         /**
          * Agreement
-         * @description How near the changes we simulate come to the paper's; a misprint is taken as its absolutes have it.
+         * @description How close the simulated changes are to the paper's; for a misprint, to what follows from its absolutes.
          */
         Agreement: {
             /** Cells */
@@ -1020,7 +1020,7 @@ export interface components {
         };
         /**
          * Batch
-         * @description A batch as it stands.
+         * @description A batch in its present state.
          */
         Batch: {
             /**
@@ -1082,7 +1082,7 @@ export interface components {
         };
         /**
          * Batches
-         * @description The newest first.
+         * @description A page of batches, the newest first.
          */
         Batches: {
             /** Batches */
@@ -1940,7 +1940,7 @@ export interface components {
             failures: string[];
             /**
              * Fresh
-             * @description The same over the fresh roads
+             * @description By figure over the validation roads
              */
             fresh: {
                 [key: string]: components["schemas"]["TunedFigures"];
@@ -1961,7 +1961,7 @@ export interface components {
             trial: number;
             /**
              * Verdict
-             * @description An objective each, on the fresh roads against the paper's weights: whether the interval of the change lies below zero, above it, or holds it; null for the paper's own
+             * @description One for each objective, on the validation roads against the paper's weights: whether the interval of the change lies below zero, above it, or holds it; null for the paper's own
              */
             verdict: ("better" | "worse" | "unclear")[] | null;
             /** Weights */
@@ -1976,7 +1976,7 @@ export interface components {
         Comparison: {
             /**
              * Batch
-             * @description Whose rows these figures are made of
+             * @description The batch whose rows give these figures
              */
             batch: string;
             /** Figures */
@@ -2288,7 +2288,7 @@ export interface components {
         CreatedLink: {
             /**
              * Series Pinned
-             * @description Whether time histories are kept for ever too. Never of a batch; of a run of another core version only where an earlier link pinned them. Metrics always are.
+             * @description Whether the link stores time histories too. Never of a batch; of a run of another core version only where an earlier link pinned them. Metrics always are.
              */
             series_pinned: boolean;
             /**
@@ -2304,7 +2304,7 @@ export interface components {
         };
         /**
          * CreatedRoad
-         * @description A road that was sent.
+         * @description A road that was uploaded.
          */
         CreatedRoad: {
             /**
@@ -2335,7 +2335,7 @@ export interface components {
         };
         /**
          * CreatedRoadsRun
-         * @description A run over several roads as the request that made it sees it.
+         * @description The answer to the request that created a run over several roads.
          */
         CreatedRoadsRun: {
             /**
@@ -2370,7 +2370,7 @@ export interface components {
         };
         /**
          * CreatedRun
-         * @description A run as the request that made it sees it.
+         * @description The answer to the request that created a run.
          */
         CreatedRun: {
             /** Core Version */
@@ -2499,7 +2499,7 @@ export interface components {
         };
         /**
          * Estimate
-         * @description What a batch would be.
+         * @description The size and the estimated time of a batch.
          */
         Estimate: {
             /**
@@ -2770,7 +2770,7 @@ export interface components {
         };
         /**
          * Interpretation
-         * @description A named set of readings, and what the cells come to under it, on the same roads.
+         * @description A named set of readings, and the counts of verdicts under it, on the same roads.
          */
         Interpretation: {
             agreement: components["schemas"]["Agreement"];
@@ -2844,7 +2844,7 @@ export interface components {
         };
         /**
          * LabelRequest
-         * @description What to call a job.
+         * @description A job's new label.
          * @example {
          *       "label": "winter"
          *     }
@@ -2906,7 +2906,7 @@ export interface components {
         };
         /**
          * Link
-         * @description What a link opens.
+         * @description The contents of a link.
          */
         Link: {
             batch: components["schemas"]["Batch"] | null;
@@ -2924,7 +2924,7 @@ export interface components {
             /**
              * Created At
              * Format: date-time
-             * @description When the link was made
+             * @description When the link was created
              */
             created_at: string;
             /**
@@ -2975,7 +2975,7 @@ export interface components {
         };
         /**
          * LinkView
-         * @description How a run or a batch is looked at; what is left out is as the page opens it. Comes back as it was sent.
+         * @description How the page shows a run or a batch; for omitted members it uses its defaults. Answered as it was sent.
          */
         LinkView: {
             /**
@@ -3024,7 +3024,7 @@ export interface components {
         };
         /**
          * LiveRequest
-         * @description What to run while somebody drags: nothing is stored, the time histories come along.
+         * @description A run while somebody drags: nothing is stored, the answer has time histories.
          * @example {
          *       "scenario": {
          *         "road": {
@@ -3667,7 +3667,7 @@ export interface components {
         };
         /**
          * PaperAnswer
-         * @description The reproduction.
+         * @description The paper's changes against ours.
          */
         PaperAnswer: {
             agreement: components["schemas"]["Agreement"];
@@ -3723,7 +3723,7 @@ export interface components {
         };
         /**
          * PaperFigure
-         * @description One of the paper's figures, made by us.
+         * @description One of the paper's figures, drawn from our runs.
          */
         PaperFigure: {
             /** Caption */
@@ -3842,7 +3842,7 @@ export interface components {
         };
         /**
          * Progress
-         * @description How much of what the cells are made of is there.
+         * @description How many of the runs behind the cells are stored.
          */
         Progress: {
             /** Done */
@@ -3888,7 +3888,7 @@ export interface components {
         };
         /**
          * ReadingAnswer
-         * @description A question the paper leaves open, and what was chosen.
+         * @description A question that the paper leaves open, and the choice made.
          */
         ReadingAnswer: {
             /** Choices */
@@ -3904,7 +3904,7 @@ export interface components {
         };
         /**
          * ReadingChoice
-         * @description One way to read it.
+         * @description One choice of a reading.
          */
         ReadingChoice: {
             /** Default */
@@ -4068,7 +4068,7 @@ export interface components {
         };
         /**
          * RoadAnswer
-         * @description A road with heights.
+         * @description A road with its heights.
          */
         RoadAnswer: {
             /**
@@ -4239,7 +4239,7 @@ export interface components {
         };
         /**
          * RobustnessDefaults
-         * @description What a robustness study varies unless told otherwise.
+         * @description The uncertain fields of a robustness study by default.
          */
         RobustnessDefaults: {
             /**
@@ -5599,7 +5599,7 @@ export interface components {
         };
         /**
          * TrialCounts
-         * @description Trials.
+         * @description Numbers of trials.
          */
         TrialCounts: {
             /** Done */
@@ -5681,7 +5681,7 @@ export interface components {
         };
         /**
          * Tuning
-         * @description A tuning as it stands.
+         * @description A tuning in its present state.
          */
         Tuning: {
             /**
@@ -5746,7 +5746,7 @@ export interface components {
             position: number;
             /**
              * Previews
-             * @description Kinds of preview searched; null where the scenario's is kept
+             * @description Kinds of preview searched; null where only the scenario's is used
              */
             previews: string[] | null;
             /**
@@ -5795,7 +5795,7 @@ export interface components {
         };
         /**
          * TuningEstimate
-         * @description What a tuning would be.
+         * @description The size and the estimated time of a tuning.
          */
         TuningEstimate: {
             /**
@@ -5864,7 +5864,7 @@ export interface components {
             position: number;
             /**
              * Previews
-             * @description Kinds of preview searched; null where the scenario's is kept
+             * @description Kinds of preview searched; null where only the scenario's is used
              */
             previews: string[] | null;
             /**
@@ -5990,7 +5990,7 @@ export interface components {
             population: number;
             /**
              * Previews
-             * @description Kinds of preview to try; without it the scenario's is kept
+             * @description Kinds of preview to try; without it only the scenario's is used
              */
             previews?: ("none" | "wheelbase" | "lookahead" | "obstacle")[] | null;
             /**
@@ -6191,7 +6191,7 @@ export interface components {
         };
         /**
          * Tunings
-         * @description The newest first.
+         * @description A page of tunings, the newest first.
          */
         Tunings: {
             /**
@@ -6230,7 +6230,7 @@ export interface components {
         };
         /**
          * UncertainRange
-         * @description A field nobody knows exactly and the range a study takes it from.
+         * @description An uncertain field and the range that a study samples.
          */
         UncertainRange: {
             /** Field */
@@ -6396,7 +6396,7 @@ export interface components {
         };
         /**
          * WithoutPreview
-         * @description The same count without the road ahead.
+         * @description The counts of verdicts without preview.
          */
         WithoutPreview: {
             counts: components["schemas"]["Counts"];
@@ -6663,7 +6663,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description As it stands; the events tell of changes. */
+            /** @description The job's present state; its events report changes. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -6953,7 +6953,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description It stops; what is finished stays. One that has ended is answered as it is. */
+            /** @description Cancel it; finished runs stay. One that has ended is answered unchanged. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -9212,7 +9212,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description What a robustness study varies unless told otherwise: a batch over these ranges, read by its summary. */
+            /** @description The uncertain fields of a robustness study by default: a batch over these ranges, read by its summary. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10348,7 +10348,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description As it stands; the events tell of changes. */
+            /** @description The job's present state; its events report changes. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
@@ -10638,7 +10638,7 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description It stops; what is finished stays. One that has ended is answered as it is. */
+            /** @description Cancel it; finished runs stay. One that has ended is answered unchanged. */
             200: {
                 headers: {
                     "X-Request-ID": components["headers"]["X-Request-ID"];
