@@ -157,8 +157,8 @@ class ComparedPoint(Answer):
     training: dict[str, TunedFigures] = Field(description="By the figures' keys, over the training roads")
     fresh: dict[str, TunedFigures] = Field(description="By figure over the validation roads")
     verdict: list[Verdict] | None = Field(
-        description="One for each objective, on the validation roads against the paper's weights: whether the interval of the "
-        "change lies below zero, above it, or holds it; null for the paper's own"
+        description="One for each objective, on the validation roads against the paper's weights: whether the interval "
+        "of the change lies below zero, above it, or holds it; null for the paper's own"
     )
     failures: list[str] = Field(description="Roads it could not be run on; the figures leave them out")
 
