@@ -1,11 +1,18 @@
 """The built frontend and the API's documentation page, from local files only."""
 
+import contextlib
+import mimetypes
+import re
 from collections.abc import Awaitable, Callable
+from http import HTTPStatus
 from pathlib import Path
 
 from fastapi import APIRouter, FastAPI, Request
 from fastapi.responses import FileResponse, HTMLResponse, Response
+from starlette.datastructures import Headers
+from starlette.exceptions import HTTPException
 from starlette.staticfiles import StaticFiles
+from starlette.types import Scope
 
 from backend.api.deps import LinksService
 from backend.http.answers import IMMUTABLE
@@ -59,12 +66,24 @@ NO_PAGES = ("/api/", "/assets/", "/docs-assets/")
 
 
 class HashedFiles(StaticFiles):
-    """Files whose names hold their content's hash: a browser may keep them for ever."""
+    """Files whose names hold their content's hash: a browser may keep them for ever.
 
-    def file_response(self, *args: object, **kwargs: object) -> Response:
+    Where the build left a file's brotli form beside it, browsers that take it get that.
+    """
+
+    async def get_response(self, path: str, scope: Scope) -> Response:
         """The framework's response, immutable."""
-        response: Response = super().file_response(*args, **kwargs)  # type: ignore[arg-type]  # passed on as they came
+        response: Response | None = None
+        if "br" in re.findall(r"[\w*]+", Headers(scope=scope).get("accept-encoding", "")):
+            with contextlib.suppress(HTTPException):  # there is no such form: the file as it is
+                response = await super().get_response(f"{path}.br", scope)
+        if response is None:
+            response = await super().get_response(path, scope)
+        elif response.status_code == HTTPStatus.OK:
+            response.headers["Content-Type"] = mimetypes.guess_type(path)[0] or "application/octet-stream"
+            response.headers["Content-Encoding"] = "br"
         response.headers["Cache-Control"] = IMMUTABLE
+        response.headers.add_vary_header("Accept-Encoding")
         return response
 
 

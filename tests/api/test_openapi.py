@@ -158,6 +158,14 @@ async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
         hashed = await client.get("/assets/index-abc123.js")
         assert "immutable" in hashed.headers["cache-control"]
         assert hashed.headers["content-type"].startswith("text/javascript")
+        assert "content-encoding" not in hashed.headers  # none was made
+        (built / "assets/index-abc123.js.br").write_bytes(bytes.fromhex("0b0480657870") + b"ort {}\x03")
+        small = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": "gzip, br;q=0.9"})
+        assert (small.headers["content-encoding"], small.headers["vary"]) == ("br", "Accept-Encoding")
+        assert small.headers["content-type"].startswith("text/javascript")
+        assert "immutable" in small.headers["cache-control"]
+        plain = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": "gzip"})
+        assert plain.text == "export {}"
         assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
         assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
         for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s", "/b"):

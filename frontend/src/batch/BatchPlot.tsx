@@ -9,7 +9,7 @@ import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import { PALETTES } from "../plots/palettes";
 import type { PlotElement } from "../plots/plotly";
-import { usePlotly } from "../plots/usePlotly";
+import { useCharts } from "../plots/usePlotly";
 import { count, formatWhole, formatWithUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { DotLayer } from "./DotLayer";
@@ -41,7 +41,7 @@ const HEIGHT = 380;
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
 export function BatchPlot({ batch, columns, catalogue, strategies, markers, figures, x, y, view, best, onView, onOpen }: Props) {
-  const plotly = usePlotly();
+  const plotly = useCharts();
   const palette = PALETTES[useComputedColorScheme("light")];
   const { ref, width } = useElementSize<HTMLDivElement>();
   const host = useRef<HTMLDivElement>(null);

@@ -6,7 +6,7 @@ import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
 import type { BarTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
 import { PlotlyFault } from "./PlotlyFault";
-import { usePlotly } from "./usePlotly";
+import { useCharts } from "./usePlotly";
 
 export interface ChartFigure {
   readonly data: readonly (PointTrace | LineTrace | BarTrace | MadeTrace)[];
@@ -28,7 +28,7 @@ interface Props {
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
 export function Chart({ figure, height, width: fixedWidth, label, onPoint }: Props) {
-  const plotly = usePlotly();
+  const plotly = useCharts();
   const { ref, width: room } = useElementSize<HTMLDivElement>();
   const width = fixedWidth ?? room;
   const host = useRef<HTMLDivElement>(null);

@@ -3,7 +3,7 @@
 import { Button } from "@mantine/core";
 import { useStore } from "../state/store";
 import { Fault } from "../ui/Fault";
-import { plotlyState, requestPlotly } from "./plotly";
+import { plotlyState, requestCharts } from "./plotly";
 
 export function PlotlyFault() {
   const { failed } = useStore(plotlyState);
@@ -11,7 +11,7 @@ export function PlotlyFault() {
   return (
     <Fault size="sm">
       The plot library could not be loaded.{" "}
-      <Button size="compact-xs" variant="light" onClick={requestPlotly}>
+      <Button size="compact-xs" variant="light" onClick={requestCharts}>
         Try again
       </Button>
     </Fault>

@@ -1,11 +1,6 @@
-/** plotly.js with the traces this page uses, and no others. */
+/** plotly.js with lines and points: all that the lab's panels draw. */
 
 import plotly from "plotly.js/lib/core";
-import bar from "plotly.js/lib/bar";
-import contour from "plotly.js/lib/contour";
-import heatmap from "plotly.js/lib/heatmap";
 import type { Plotly } from "./plotly";
-
-plotly.register([bar, heatmap, contour]); // lines and points are in the core
 
 export default plotly as unknown as Plotly; // its own types leave out what we freeze

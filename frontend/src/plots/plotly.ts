@@ -110,11 +110,13 @@ export interface PlotElement extends HTMLElement {
 
 interface PlotlyState {
   readonly plotly: Plotly | null;
+  /** It has bars, heat maps and contours too. */
+  readonly hasCharts: boolean;
   /** The file could not be had; asking again may help. */
   readonly failed: boolean;
 }
 
-const state = createStore<PlotlyState>({ plotly: null, failed: false });
+const state = createStore<PlotlyState>({ plotly: null, hasCharts: false, failed: false });
 
 export const plotlyState = { get: state.get, subscribe: state.subscribe };
 
@@ -124,12 +126,12 @@ let loading: Promise<Plotly> | null = null;
 export function loadPlotly(load: () => Promise<{ readonly default: Plotly }> = () => import("./bundle")): Promise<Plotly> {
   loading ??= load().then(
     ({ default: plotly }) => {
-      state.set({ plotly, failed: false });
+      state.set((before) => ({ ...before, plotly, failed: false }));
       return plotly;
     },
     (error: unknown) => {
       loading = null;
-      state.set({ plotly: null, failed: true });
+      state.set((before) => ({ ...before, failed: true }));
       throw error;
     },
   );
@@ -139,4 +141,14 @@ export function loadPlotly(load: () => Promise<{ readonly default: Plotly }> = (
 /** Asks for it; `plotlyState` says what came of it. */
 export function requestPlotly(): void {
   loadPlotly().catch(() => undefined);
+}
+
+/** The same with every trace that charts draw. */
+export function requestCharts(): void {
+  loadPlotly()
+    .then(() => import("./chartTraces"))
+    .then(
+      () => state.set((before) => ({ ...before, hasCharts: true, failed: false })),
+      () => state.set((before) => ({ ...before, failed: true })),
+    );
 }

@@ -5,7 +5,7 @@ import { axisKey, type Scene } from "../state/scene";
 import { covering } from "./samples";
 
 /** Fewer samples of a curve in the range shown are too coarse for a screen. */
-const LEAST_SAMPLES = 250;
+const LEAST_SAMPLES = 200;
 
 /** The series to draw: an exact run's finer samples once somebody looks closely, else those there are. */
 export function useDetail({ shown, ids, series, axis, range }: Scene): SeriesByStrategy {

@@ -1,6 +1,6 @@
 import { useEffect } from "react";
 import { useStore } from "../state/store";
-import { plotlyState, requestPlotly, type Plotly } from "./plotly";
+import { plotlyState, requestCharts, requestPlotly, type Plotly } from "./plotly";
 
 /** plotly.js, once it is loaded; asked for when the browser has nothing else to do. */
 export function usePlotly(): Plotly | null {
@@ -10,6 +10,13 @@ export function usePlotly(): Plotly | null {
     return () => cancelIdleCallback(idle);
   }, []);
   return state.plotly;
+}
+
+/** The same with every trace that charts draw. */
+export function useCharts(): Plotly | null {
+  const state = useStore(plotlyState);
+  useEffect(requestCharts, []);
+  return state.hasCharts ? state.plotly : null;
 }
 
 const LATEST_MS = 1500;

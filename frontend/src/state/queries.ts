@@ -6,7 +6,7 @@ import { readSchema } from "../editor/schema";
 import type { StrategyId } from "../api/types";
 
 /** Samples per strategy that cover a screen: half of them on and around the bump. */
-export const OVERVIEW_POINTS = 1000;
+export const OVERVIEW_POINTS = 560;
 /** Samples per strategy once somebody zooms in: finer than a screen at any stage of a usual run. */
 export const DETAIL_POINTS = 8_000;
 
