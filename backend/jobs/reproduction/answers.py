@@ -34,8 +34,8 @@ def reproduction(
         choices: Reading -> choice, all of them.
         roads: Their seeds.
         ours: By strategy, under these readings, of those that are complete.
-        without_preview: The same without preview.
-        named: The same under each named set.
+        without_preview: Our values without preview.
+        named: Our values under each named set.
         rows: What all are made of; where hardware in the loop is not available all are judged without it.
     """
     if rows.reason is not None:
