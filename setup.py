@@ -1,5 +1,6 @@
 """What pyproject.toml cannot say: the built page goes into the wheel, and C is compiled on any machine."""
 
+import hashlib
 import os
 import shutil
 import sys
@@ -44,10 +45,12 @@ class BuildAnywhere(build_ext):
         super().build_extensions()
 
 
-COMPILED = Path("sim_core", "compiled")
+SOURCES = sorted(Path("sim_core", "compiled").glob("*.c"))
+DIGEST = hashlib.sha256(b"".join(file.read_bytes() for file in SOURCES)).hexdigest()
 LIBRARY = Extension(
     "sim_core.compiled.libridelab",
-    sorted(str(file) for file in COMPILED.glob("*.c")),
+    [str(file) for file in SOURCES],
+    define_macros=[("RIDELAB_SOURCES", f'"{DIGEST}"')],  # sim_core.compiled.library compares it with the files
     # Without fused operations a run gives the same numbers on every processor.
     extra_compile_args=["-O3", "-ffp-contract=off"],
     libraries=["m"],

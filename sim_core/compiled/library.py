@@ -1,7 +1,8 @@
 """The library that setup.py builds from this folder's C files, loaded once for all who call into it."""
 
 import ctypes
-from collections.abc import Callable
+import hashlib
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,31 +16,34 @@ _NOT_BUILT = (
 )
 
 
-def load(file: Path) -> ctypes.CDLL:
+def load(file: Path, sources: Sequence[Path]) -> ctypes.CDLL:
     """The library.
 
+    Args:
+        file: The library.
+        sources: What it has to be compiled from, in the order of their names; none where there are none beside it.
+
     Raises:
-        ImportError: It is not there, or another machine's.
+        ImportError: It is not there, another machine's, or compiled from other sources: its functions may then take
+            other arguments.
     """
     try:
-        return ctypes.CDLL(str(file))
-    except OSError as error:
+        library = ctypes.CDLL(str(file))
+        digest = library.ridelab_digest
+    except (OSError, AttributeError) as error:
         raise ImportError(_NOT_BUILT) from error
+    digest.restype = ctypes.c_char_p
+    if sources and digest() != hashlib.sha256(b"".join(map(Path.read_bytes, sources))).hexdigest().encode():
+        raise ImportError(_NOT_BUILT)
+    return library
 
 
-_LIBRARY = load(_FILE)
+_LIBRARY = load(_FILE, sorted(_FILE.parent.glob("*.c")))
 
 
 def function(name: str, *arguments: type, result: type | None = None) -> Callable[..., Any]:
-    """A function of the library, by its name there without `ridelab_`, with these types of arguments and result.
-
-    Raises:
-        ImportError: The library has none: it is older or newer than what asks for it.
-    """
-    try:
-        loaded = _LIBRARY[f"ridelab_{name}"]
-    except AttributeError:
-        raise ImportError(_NOT_BUILT) from None
+    """A function of the library, by its name there without `ridelab_`, with these types of arguments and result."""
+    loaded = _LIBRARY[f"ridelab_{name}"]
     loaded.argtypes, loaded.restype = arguments, result
     return loaded
 

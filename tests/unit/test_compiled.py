@@ -8,7 +8,8 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
-from sim_core.compiled.library import address, function, load
+from sim_core.compiled import library
+from sim_core.compiled.library import address, load
 from sim_core.control.qp import QpShape, residual
 from sim_core.drive.preview import sliding_forecast
 from sim_core.recurrence import run_recurrence
@@ -21,11 +22,14 @@ INTEGRAL_OF = {  # over one fine step from a to b
 }
 
 
-def test_where_it_is_not_built_or_older_it_says_what_to_do(tmp_path: Path) -> None:
-    with pytest.raises(ImportError, match="make setup"):
-        load(tmp_path / "libridelab.so.1")
-    with pytest.raises(ImportError, match="make setup"):
-        function("of_tomorrow")
+def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: Path) -> None:
+    built = Path(library.__file__).with_name("libridelab.so.1")
+    changed = tmp_path / "road.c"
+    changed.write_text("int ridelab_roughness(double takes_another_argument);")
+    assert load(built, [])
+    for file, sources in [(tmp_path / "libridelab.so.1", []), (built, [changed])]:
+        with pytest.raises(ImportError, match="make setup"):
+            load(file, sources)
 
 
 @pytest.mark.parametrize("array", [np.zeros((4, 4)).T[:2], np.zeros(4, dtype=np.float32)], ids=["strided", "single"])
