@@ -78,6 +78,8 @@ def _value(info: Any, rng: np.random.Generator) -> Any:
     choices = get_args(info.annotation)
     if choices and all(isinstance(choice, str) for choice in choices):
         return str(rng.choice(choices))
+    if info.json_schema_extra is None:  # no slider: a measured road
+        return info.default
     low, high = info.json_schema_extra["soft_range"]
     if "item_titles" in info.json_schema_extra:
         return tuple(rng.uniform(low, high, 3).tolist())

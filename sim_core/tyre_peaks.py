@@ -49,13 +49,18 @@ def peaks_with_kinks(
         vehicle: The real one.
         windows: Where the sections lie.
         road_input: The road under the axles.
+
+    Raises:
+        ValueError: It is that of another record.
     """
     samples, commands = loads.shape[1:]
     surface, start = road_input.surface, road_input.on_record.start
+    if road_input.height.shape[1] - start != (samples - 1) * commands + 1:
+        raise ValueError("A record has as many fine steps as its road")
     road, of_bump = surface.compiled, np.array([*sorted(kinks(surface.bump)), inf])
     beside, on_bump = surface.slope_range()
     rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
-    all_peaks = np.ascontiguousarray(peaks)
+    all_peaks = np.array(peaks, order="C")
     tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
     for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
         arrays = road_input.drive.position[axle, start:], road_input.height[axle, start:], loads[axle], highest[axle]
