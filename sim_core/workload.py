@@ -105,7 +105,10 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
         return counts
     steps = time / mpc.sample_time
     limited = expected.limited * steps
-    counts |= {"design": 1.0, "limited steps": limited}
+    counts["limited steps"] = limited
+    if policy in HOOKS:
+        return counts
+    counts["design"] = 1.0
     if not policy.predictive:
         return counts
     checks, inputs = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
