@@ -9,7 +9,7 @@ import httpx
 import pytest
 from sqlalchemy import delete, select, update
 
-from backend.db.tables import pinned_series, results, run_results, runs
+from backend.db.tables import links, pinned_series, results, run_results, runs
 from backend.http.admission import Admission
 from backend.runs import exports, pins
 from backend.runs.links.models import CreatedLink, Link
@@ -142,6 +142,10 @@ def test_a_view_comes_back_as_it_was_sent(client: httpx.Client, run: dict[str, A
         ({"view": {"baseline": "teleport"}}, "/view/baseline"),
         ({"view": {"zoom": [2, 2]}}, "/view/zoom"),
         ({"view": {"zoom": [1, True]}}, "/view/zoom/1"),
+        ({"view": {"pins": [{"name": "", "run": "A" * 22}]}}, "/view/pins/0/name"),
+        ({"view": {"pins": [{"name": "soft", "run": "A" * 22}]}}, "/view/pins/0/run"),
+        ({"view": {"pins": [{"name": "soft", "run": "A" * 22}] * 9}}, "/view/pins"),
+        ({"run_id": None, "batch_id": "A" * 22, "view": {"pins": []}}, "/view/pins"),
         ({"view": {"x": "road.bump.height"}}, "/view/x"),
         ({"view": {"y": "bump.body_acceleration.peak"}}, "/view/y"),
     ],
@@ -170,6 +174,20 @@ def test_pinned_histories_are_the_computed_ones_to_the_byte(
     monkeypatch.setattr(service.app.state.workers, "call", noted)
     assert histories(client, fresh["id"]) == computed
     assert set(used) == {exports.render_pinned, pins.opened}, "none was computed again"
+
+
+def test_what_it_is_compared_with_is_kept_as_well(
+    service: Any, client: httpx.Client, fresh: dict[str, Any], road: dict[str, Any]
+) -> None:
+    """The pinned runs' histories outlive an upgrade of the core, and their results are a link's for the retention."""
+    other = service.run(["lv", "passive"], {"road": {**road, "bump": {**road["bump"], "height": 0.031}}}).json()
+    view = {"baseline": "lv", "pins": [{"name": "lower bump", "run": other["id"]}]}
+    assert opened(client, share(client, fresh["id"], **view)["slug"])["view"] == view
+    of_another_core(service.app.state.store, other["id"])
+    assert histories(client, other["id"]), "each of them answers, as for a link of its own"
+    with service.app.state.store.reading() as connection:
+        linked = set(connection.execute(select(links.c.run_id)).scalars())
+    assert {fresh["id"], other["id"]} <= linked
 
 
 def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(

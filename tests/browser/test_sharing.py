@@ -15,11 +15,28 @@ def share(page: Page) -> str:
     return address.input_value()
 
 
-def test_a_link_opens_the_same_numbers_and_the_same_view(dashboard: Dashboard, reader: Dashboard) -> None:
+def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Dashboard, reader: Dashboard) -> None:
     dashboard.open()
-    page, first = dashboard.page, dashboard.page.url
+    page, first, paper = dashboard.page, dashboard.page.url, dashboard.shown_values()
+    comparison = page.get_by_role("region", name="Comparison")
+    comparison.get_by_role("button", name="Pin").click()
+    comparison.get_by_role("button", name="Paper’s scenario").click()
+    page.get_by_label("Name").fill("As printed")
+    page.get_by_label("Name").press("Enter")
+    page.keyboard.press("Escape")
     dashboard.type_into("Height", "0.12")
     expect(page).not_to_have_url(first)
+    dashboard.expect_curves()
+    pinned = "[data-pinned='As printed'] [data-pinned-strategy=lv] [data-cell='bump.body_acceleration.peak']"
+    key = "lv bump.body_acceleration.peak"
+    expect(page.locator(pinned)).to_have_attribute("data-value", str(paper[key]))
+    comparison.get_by_label("Change against").select_option("As printed")
+    change = 100 * (dashboard.shown_values()[key] / paper[key] - 1)
+    expect(dashboard.row("lv").locator("[data-cell='bump.body_acceleration.peak']")).to_contain_text(
+        f"+{change:.1f}\u2009%"
+    )
+    expect(page.get_by_test_id("differences")).to_have_text("Against As printed: Bump height 0.1 → 0.12\u00a0m")
+    page.reload()
     dashboard.expect_curves()
     dashboard.row("lqr").get_by_role("button", name="LQR").click()
     dashboard.chip("Passive").click()
@@ -33,7 +50,11 @@ def test_a_link_opens_the_same_numbers_and_the_same_view(dashboard: Dashboard, r
     head = "section[data-figure=body_acceleration] header"
     reading = page.locator(head).inner_text()
 
+    expect(page.locator(pinned)).to_be_visible()
     reader.open(share(page))
+    expect(reader.page.locator(pinned)).to_have_attribute("data-value", str(paper[key]))
+    expect(reader.page.get_by_role("list", name="Pinned results")).to_have_text("As printed")
+    expect(reader.page.locator("section[data-figure=body_acceleration] .scatterlayer .trace")).to_have_count(4)
     expect(reader.row("lqr")).to_have_attribute("data-baseline", "true")
     assert reader.shown_values() == values
     expect(reader.row("passive")).to_have_count(0)
@@ -42,6 +63,12 @@ def test_a_link_opens_the_same_numbers_and_the_same_view(dashboard: Dashboard, r
     expect(reader.page.locator(head)).to_have_text(reading, use_inner_text=True)
     assert reader.page.locator(ticks).all_text_contents() == page.locator(ticks).all_text_contents() != []
     expect(reader.page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
+    comparison.get_by_role("button", name="As printed").click()
+    page.get_by_role("menuitem", name="Unpin").click()
+    expect(page.locator(pinned)).to_have_count(0)
+    page.reload()
+    dashboard.expect_curves()
+    expect(page.get_by_role("list", name="Pinned results")).to_have_count(0)
 
 
 def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:

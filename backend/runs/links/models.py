@@ -15,6 +15,8 @@ from sim_core.strategies import STRATEGIES
 
 SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"
 
+MAX_PINS = 8
+
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Names = Annotated[list[StrategyName], Field(max_length=len(STRATEGIES))]
 Id = Annotated[str, Field(pattern=SLUG_PATTERN)]
@@ -42,6 +44,13 @@ def _check_column(name: str) -> str:
     return name
 
 
+class LinkPin(RequestModel):
+    """A run that the shared one is compared with, by a name."""
+
+    name: str = Field(min_length=1, max_length=80)
+    run: Id
+
+
 class LinkView(RequestModel):
     """How the page shows a run or a batch; for omitted members it uses its defaults. Answered as it was sent."""
 
@@ -54,6 +63,9 @@ class LinkView(RequestModel):
         None, description="Range of the x axis, [m] or [s]; null is all."
     )
     cursor: Finite | None = Field(None, description="Place on the x axis, [m] or [s]; null is none.")
+    pins: Annotated[list[LinkPin], Field(max_length=MAX_PINS)] | None = Field(
+        None, description="Of a run only: runs it is compared with. The link keeps them as it keeps its own."
+    )
     x: str | None = Field(None, max_length=255, description="Of a batch only: the field on the x axis, dotted.")
     y: Annotated[str, AfterValidator(_check_column)] | None = Field(
         None, description="Of a batch only: the figure on the y axis, window.signal.statistic."
@@ -71,6 +83,8 @@ class LinkRequest(RequestModel):
     def _one_target(self) -> Self:
         if (self.run_id is None) == (self.batch_id is None):
             raise inconsistent("run_id", "Exactly one of run_id and batch_id has to be given")
+        if self.run_id is None and self.view.pins is not None:
+            raise inconsistent("view.pins", "Only the view of a run has this field")
         for name in ("x", "y"):
             if self.batch_id is None and getattr(self.view, name) is not None:
                 raise inconsistent(f"view.{name}", "Only the view of a batch has this field")

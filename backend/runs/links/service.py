@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any, Literal
 
@@ -24,6 +24,14 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _SharedRun:
+    """A run to be kept by a link, and by strategy the result keys of the time histories to pin."""
+
+    stored: StoredRun
+    missing: Mapping[str, str]
+
+
 class Links:
     """The one service of links; its methods belong to the event loop."""
 
@@ -37,23 +45,32 @@ class Links:
     async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
         """A new link to a run; its time histories are pinned with it.
 
+        Each run that the view compares it with gets a link of its own, which keeps it in the same way.
+
         Raises:
             InvalidError: No such run.
             TemporaryError: Too many new links, or too much is being computed.
         """
+        places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
+        shared = [await self._shared(run, place, client) for run, place in places]
+        for each in shared:
+            self._admission.linking(client, pinned=len(each.missing))
+        series = [await self._pin(each, client) for each in shared]
+        for each, pinned in zip(shared[1:], series[1:], strict=True):
+            await self._save("run", each.stored.id, LinkView(), pinned)
+        slug = await self._save("run", run_id, view, series[0])
+        complete = set(shared[0].missing.values()) <= series[0].keys()
+        return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(_histories(shared[0].stored)) and complete)
+
+    async def _shared(self, run_id: str, place: str, client: str) -> _SharedRun:
+        """The run, and which of its time histories no link has pinned yet."""
         try:
             stored = await self._runs.stored(run_id, client)
         except NotFoundError:
-            raise _unknown("run_id", "There is no run of this id") from None
+            raise _unknown(place, "There is no run of this id") from None
         keys = _histories(stored)
         present = await self._store.read(self._store.links.pinned, keys.values())
-        missing = {name: key for name, key in keys.items() if key not in present}
-        self._admission.linking(client, pinned=len(missing))
-        series = await self._pin(stored, missing, client)
-        slug = await self._save("run", run_id, view, series)
-        return CreatedLink(
-            slug=slug, url=url(slug), series_pinned=bool(keys) and set(missing.values()) <= series.keys()
-        )
+        return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 
     async def share_batch(self, batch_id: str, view: LinkView, client: str) -> CreatedLink:
         """A new link to a batch.
@@ -101,8 +118,9 @@ class Links:
         run = await self._run(link)
         return preview.of_run(run_answer(run).model_dump(mode="json"), link.view, run.created_at)
 
-    async def _pin(self, stored: StoredRun, missing: Mapping[str, str], client: str) -> dict[str, bytes]:
+    async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
         """By result key the time histories to pin; empty where another core version computed them."""
+        stored, missing = shared.stored, shared.missing
         if not missing or stored.core_version != CORE_VERSION:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))

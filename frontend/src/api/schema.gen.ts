@@ -2955,6 +2955,16 @@ export interface components {
             view: components["schemas"]["LinkView"];
         };
         /**
+         * LinkPin
+         * @description A run that the shared one is compared with, by a name.
+         */
+        LinkPin: {
+            /** Name */
+            name: string;
+            /** Run */
+            run: string;
+        };
+        /**
          * LinkRequest
          * @description What to share: a stored run or a batch, and how it is looked at.
          * @example {
@@ -2998,6 +3008,11 @@ export interface components {
              * @description Of those shown, the ones switched off in the plots.
              */
             hidden?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[] | null;
+            /**
+             * Pins
+             * @description Of a run only: runs it is compared with. The link keeps them as it keeps its own.
+             */
+            pins?: components["schemas"]["LinkPin"][] | null;
             /**
              * Strategies
              * @description Shown, in this order.

@@ -9,6 +9,8 @@ import { useDesk } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
 import classes from "./compare.module.css";
+import { PinButton } from "./PinButton";
+import { PinList } from "./PinList";
 import { SpeedSelect } from "./SpeedSelect";
 
 const STRATEGY = "strategy:";
@@ -18,7 +20,9 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
     <div className={classes.bar}>
       <AgainstSelect scene={scene} />
       <SpeedSelect />
+      <PinButton />
       <Differences scene={scene} />
+      <PinList />
     </div>
   );
 }

@@ -4,9 +4,14 @@ import { useMemo } from "react";
 import type { Compared } from "../state/compare";
 import { useLab } from "../state/context";
 import { beforeEdit } from "../state/shown";
+import { usePins } from "./usePins";
 
 export function useCompared(): Compared {
   const before = useLab(beforeEdit);
   const against = useLab((state) => state.against);
-  return useMemo(() => ({ before, pins: [], against }), [before, against]);
+  const pinned = usePins();
+  return useMemo(() => {
+    const pins = pinned.flatMap(({ name, shown }, place) => (shown ? [{ name, shown, place }] : []));
+    return { before, pins, against };
+  }, [before, pinned, against]);
 }

@@ -5,6 +5,7 @@ import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPh
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";
+import { useCompared } from "../compare/useCompared";
 import { useDesk, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { axisKey, makeScene } from "../state/scene";
@@ -30,6 +31,7 @@ export function ExportMenu() {
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
   const view = useView();
+  const compared = useCompared();
   const { lab } = useDesk();
   const figures = useQuery(figuresQuery).data;
   const strategies = useQuery(strategiesQuery).data;
@@ -41,7 +43,7 @@ export function ExportMenu() {
 
   const saveImage = (format: "png" | "svg") => {
     if (!shown || !figures || !strategies) return;
-    const scene = makeScene(shown, strategies, selected, view);
+    const scene = makeScene(shown, strategies, selected, view, compared);
     void plotsImage(figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
   };
   const saveReport = () => {

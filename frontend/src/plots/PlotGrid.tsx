@@ -24,7 +24,7 @@ export function PlotGrid({ templates, scene }: Props) {
   const series = useDetail(scene);
   const onZoom = useZoom();
   const { summaries, strategies, axis, range, shown, before, pins } = scene;
-  const layers = useMemo(() => layersOf({ before, pins }), [before, pins]);
+  const layers = useMemo(() => layersOf({ shown, before, pins }), [shown, before, pins]);
   const curves = useMemo(
     () => ({ series, layers, summaries, strategies, axis, range, live: shown.source === "live" }),
     [series, layers, summaries, strategies, axis, range, shown.source],

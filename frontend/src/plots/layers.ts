@@ -12,16 +12,15 @@ export interface Layer {
   readonly opacity: number;
 }
 
-/** By pin, in their order; the same in the table's names. */
-export const PIN_DASHES: readonly string[] = ["2,2", "8,3", "5,2,1,2", "1,3", "12,3", "8,2,1,2,1,2", "3,6", "16,4"];
+/** By pin, in their order; the list of pins shows the same. */
+const PIN_DASHES: readonly string[] = ["2,2", "8,3", "5,2,1,2", "1,3", "12,3", "8,2,1,2,1,2", "3,6", "16,4"];
 
-export function layersOf({ before, pins }: Pick<Scene, "before" | "pins">): readonly Layer[] {
+export const pinDash = (index: number): string => PIN_DASHES[index % PIN_DASHES.length] ?? "2,2";
+
+export function layersOf({ shown, before, pins }: Pick<Scene, "shown" | "before" | "pins">): readonly Layer[] {
   const ghost = before ? [{ name: "before the edit", series: before.series, line: { width: 1 }, opacity: 0.65 }] : [];
-  const pinned = pins.map(({ name, shown }, index) => ({
-    name,
-    series: shown.series,
-    line: { width: 1.2, dash: PIN_DASHES[index % PIN_DASHES.length] ?? "2,2" },
-    opacity: 0.8,
-  }));
+  // A pinned result that is what is shown has no curves beside those.
+  const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== shown.runId);
+  const pinned = others.map(({ name, shown: { series }, place = 0 }) => ({ name, series, line: { width: 1.2, dash: pinDash(place) }, opacity: 0.8 }));
   return [...ghost, ...pinned];
 }

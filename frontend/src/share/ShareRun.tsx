@@ -2,6 +2,7 @@
 
 import { useQuery } from "@tanstack/react-query";
 import { api } from "../api/client";
+import { useCompared } from "../compare/useCompared";
 import { useDesk, useLab } from "../state/context";
 import { cursor } from "../state/cursor";
 import type { LabState } from "../state/labState";
@@ -10,7 +11,7 @@ import { makeScene } from "../state/scene";
 import { viewToShare } from "../state/sharing";
 import { ShareLink } from "./ShareLink";
 
-const OPENS = "It opens this scenario with these results, strategies, baseline, zoom and cursor, for whoever has it. Nobody can change it.";
+const OPENS = "It opens this scenario with these results, strategies, baseline, zoom, cursor and pins, for whoever has it. Nobody can change it.";
 
 function obstacleOf({ failure, shown, stale, refused }: LabState): string | null {
   if (failure?.kind === "unreachable") return "The server does not answer";
@@ -24,11 +25,12 @@ export function ShareRun() {
   const { lab, router } = useDesk();
   const obstacle = useLab(obstacleOf);
   const catalogue = useQuery(strategiesQuery).data ?? [];
+  const compared = useCompared();
   const make = () => {
     const { shown, strategies } = lab.get();
     if (!shown?.runId) return Promise.reject(new Error("there is no result"));
     const { view } = router.get();
-    const scene = makeScene(shown, catalogue, strategies, view);
+    const scene = makeScene(shown, catalogue, strategies, view, compared);
     return api.share(shown.runId, viewToShare(scene, cursor.get()));
   };
   return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;

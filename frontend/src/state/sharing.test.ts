@@ -15,11 +15,11 @@ describe("a link's view", () => {
 
   it("is what was shared", () => {
     const scene = {
-      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", whole: [0, 9], range: [1, 2.5],
+      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", pins: [{ name: "Soft", shown: { runId: "s" } }], whole: [0, 9], range: [1, 2.5],
     } as unknown as Scene;
     const shared = viewToShare(scene, 2);
     expect(shared).toEqual({
-      strategies: ["lv", "lqr", "passive"], hidden: ["lqr"], baseline: "lv", axis: "time", zoom: [1, 2.5], cursor: 2,
+      strategies: ["lv", "lqr", "passive"], hidden: ["lqr"], baseline: "lv", axis: "time", zoom: [1, 2.5], cursor: 2, pins: [{ name: "Soft", run: "s" }],
     });
     expect(read(shared)).toEqual({
       view: { axis: "time", baseline: "lv", hidden: ["lqr"], zoom: [1, 2.5] }, strategies: ["lv", "passive"], at: 2,

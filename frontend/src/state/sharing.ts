@@ -37,7 +37,7 @@ function readZoom(zoom: SharedView["zoom"]): ViewZoom {
   return low !== undefined && high !== undefined && low < high ? [low, high] : "whole";
 }
 
-export function viewToShare({ summaries, ids, baseline, axis, whole, range }: Scene, at: number | null): SharedView {
+export function viewToShare({ summaries, ids, baseline, axis, whole, range, pins }: Scene, at: number | null): SharedView {
   const computed = Object.keys(summaries);
   return {
     strategies: computed,
@@ -46,5 +46,6 @@ export function viewToShare({ summaries, ids, baseline, axis, whole, range }: Sc
     axis,
     zoom: range === whole ? null : [...range],
     cursor: at,
+    ...(pins.length > 0 ? { pins: pins.flatMap(({ name, shown: { runId } }) => (runId === null ? [] : [{ name, run: runId }])) } : {}),
   };
 }

@@ -38,6 +38,7 @@ export function headingOf({ window, statistic }: WindowView, catalogue: Catalogu
 }
 
 export function ComparisonTable({ scene, catalogue, figures, signals, caption }: Props) {
+  const groups = entryGroups(scene);
   const labels = Object.fromEntries(catalogue.signals.map(({ key, label }) => [key, label]));
   return (
     <ScrollTable label={caption} className={classes.table}>
@@ -65,9 +66,9 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
           )}
         </tr>
       </thead>
-      {entryGroups(scene).map(({ name, entries }) => (
+      {groups.map(({ name, entries }) => (
         <tbody key={entries[0]?.key ?? name} data-pinned={name ?? undefined}>
-          {scene.pins.length > 0 && <GroupRow name={name} columns={1 + VIEWS.length * signals.length} />}
+          {groups.length > 1 && <GroupRow name={name} columns={1 + VIEWS.length * signals.length} />}
           {entries.map((entry) => (
             <tr key={entry.key} data-baseline={entry.isReference || undefined} {...{ [name === null ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id }}>
               <th scope="row" className={classes.rowHeader}>

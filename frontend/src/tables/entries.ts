@@ -34,7 +34,8 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Sc
         isReference: reference === null ? strategy.id === baseline : of.runId !== null && of.runId === reference.shown.runId,
       })),
   });
-  return [group(null, shown), ...pins.map(({ name, shown: pinned }) => group(name, pinned))];
+  const others = pins.filter((pin) => pin.shown.runId !== shown.runId);
+  return [group(null, shown), ...others.map(({ name, shown: pinned }) => group(name, pinned))];
 }
 
 /**

@@ -1,0 +1,51 @@
+/** The pinned variants: one's own, or those of the link that is shown; each with its result once that is there. */
+
+import { useQueries, useQueryClient, type QueryClient } from "@tanstack/react-query";
+import { api } from "../api/client";
+import type { Run } from "../api/types";
+import { useLab } from "../state/context";
+import { historiesOf } from "../state/histories";
+import { createPins, type Pin } from "../state/pins";
+import { runKey } from "../state/queries";
+import { fromRun, type Shown } from "../state/shown";
+import { useStore } from "../state/store";
+
+function ownStorage(): Storage | null {
+  try {
+    return window.localStorage;
+  } catch {
+    return null; // the browser forbids it
+  }
+}
+
+/** Those of this browser. */
+export const ownPins = createPins(ownStorage());
+
+export interface PinnedRun extends Pin {
+  /** `null` until it is there. */
+  readonly shown: Shown | null;
+  /** It could not be had. */
+  readonly isGone: boolean;
+}
+
+async function load(id: string, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
+  const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
+  queries.setQueryData(runKey(id), run);
+  return fromRun(run, await historiesOf(run, queries, api.series, signal), 0, true);
+}
+
+export function usePins(): readonly PinnedRun[] {
+  const queries = useQueryClient();
+  const own = useStore(ownPins);
+  const shared = useLab((state) => state.shared);
+  const pins: readonly Pin[] = shared ? (shared.view.pins ?? []) : own;
+  return useQueries({
+    queries: pins.map(({ run }) => ({
+      queryKey: ["pinned", run],
+      queryFn: ({ signal }: { readonly signal: AbortSignal }) => load(run, queries, signal),
+      staleTime: Infinity,
+      structuralSharing: false,
+    })),
+    combine: (results) => pins.map((pin, index): PinnedRun => ({ ...pin, shown: results[index]?.data ?? null, isGone: results[index]?.isError ?? false })),
+  });
+}
