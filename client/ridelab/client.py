@@ -237,7 +237,8 @@ class Ridelab:
             scenario: What every run starts from.
             strategies: Ids; each point runs under all of them.
             sweep: One of `{"grid": {field: values}}`, `{"latin_hypercube": {"ranges": {field: [lo, hi]}, "samples":
-                n, "seed": s}}` and `{"list": [{field: value}, ..]}`, fields by dotted name.
+                n, "seed": s}}` and `{"list": [{field: value}, ..]}`, fields by dotted name; with any of them
+                `"linked": {field: [field, ..]}`, whose fields take the swept one's value.
             idempotency_key: The same key never makes a second batch; None is a key of this call's own.
             label: What to call it; lists find it by that.
         """

@@ -3,7 +3,7 @@
 from types import EllipsisType
 from typing import Annotated, Any, ClassVar
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
 from pydantic_core import PydanticCustomError
 
 
@@ -16,16 +16,16 @@ def quantity(
     soft: tuple[float, float],
     ge: float,
     le: float,
+    shown: str | None = None,
 ) -> Any:
-    """A number with a unit: hard limits `ge` to `le`, slider range `soft`; `...` has no default."""
-    return Field(
-        default,
-        ge=ge,
-        le=le,
-        title=title,
-        description=description,
-        json_schema_extra={"unit": unit, "soft_range": list(soft)},
-    )
+    """A number with a unit: hard limits `ge` to `le`, slider range `soft`; `...` has no default.
+
+    `shown` is the unit people think of it in, where that is another one: forms show and read it so.
+    """
+    extra: dict[str, JsonValue] = {"unit": unit, "soft_range": list(soft)}
+    if shown is not None:
+        extra["shown_unit"] = shown
+    return Field(default, ge=ge, le=le, title=title, description=description, json_schema_extra=extra)
 
 
 class Part(BaseModel):

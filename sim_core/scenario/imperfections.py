@@ -97,6 +97,7 @@ class Mismatch(Part):
         soft=(0, 0.005),
         ge=0,
         le=0.1,
+        shown="mm",
     )
     preview_resolution: float = quantity(
         0,
@@ -157,6 +158,7 @@ class Estimation(Part):
         soft=(0.0001, 0.005),
         ge=1e-6,
         le=0.1,
+        shown="mm",
     )
     pitch_rate_noise: float = quantity(
         0.002,

@@ -34,7 +34,14 @@ class Bump(Part):
         "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
     )
     height: float = quantity(
-        0.1, "m", "Height", "Crest height; 0 is no bump, negative a pothole.", soft=(-0.15, 0.2), ge=-1, le=1
+        0.1,
+        "m",
+        "Height",
+        "Crest height; 0 is no bump, negative a pothole.",
+        soft=(-0.15, 0.2),
+        ge=-1,
+        le=1,
+        shown="cm",
     )
     width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
     start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=3000)
@@ -257,9 +264,17 @@ class Mpc(Part):
         soft=(0, 0.005),
         ge=0,
         le=0.1,
+        shown="mm",
     )
     deflection_limit: float = quantity(
-        0.08, "m", "Travel limit", "Suspension deflection limit, soft (ours).", soft=(0.03, 0.15), ge=0.005, le=1
+        0.08,
+        "m",
+        "Travel limit",
+        "Suspension deflection limit, soft (ours).",
+        soft=(0.03, 0.15),
+        ge=0.005,
+        le=1,
+        shown="mm",
     )
     force_limit: float = quantity(
         5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000

@@ -98,6 +98,7 @@ class Vehicle(Part):
         soft=(0.04, 0.12),
         ge=0.005,
         le=1,
+        shown="mm",
     )
     bump_stop_stiffness: float = quantity(
         200_000,

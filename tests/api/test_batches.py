@@ -192,6 +192,11 @@ def hypercube(name: str, low: float, high: float, **more: int) -> dict[str, Any]
         (hypercube("road.seed", 3, 1), ["latin_hypercube/ranges/road.seed"]),
         (hypercube("road.bump.height", 0, 7), ["latin_hypercube/ranges/road.bump.height/1"]),
         (hypercube("road.bump.height", 0, 1, samples=0), ["latin_hypercube/samples"]),
+        ({"grid": {"road.seed": [1]}, "linked": {"road.length": ["road.bump.start"]}}, ["linked/road.length"]),
+        ({"grid": {"road.length": [150]}, "linked": {"road.length": ["road.lenght"]}}, ["linked/road.length/0"]),
+        ({"grid": {"road.length": [150]}, "linked": {"road.length": ["road.seed"]}}, ["linked/road.length/0"]),
+        ({"grid": {"road.length": [2000]}, "linked": {"road.length": ["road.bump.width"]}}, ["linked/road.length/0"]),
+        ({"grid": {"road.length": [150]}, "linked": {"road.length": ["road.length"]}}, ["linked"]),
         ({"grid": {}}, ["grid"]),
         ({"list": []}, ["list"]),
         ({}, [""]),
@@ -247,6 +252,29 @@ def test_a_dry_run_tells_size_and_time_and_stores_nothing(client: httpx.Client) 
     assert estimate["estimated_seconds"] > 0
     assert estimate["estimated_cost"] > 0
     assert listed(client) == before
+
+
+def test_fields_that_are_linked_take_the_same_value_at_each_point(client: httpx.Client) -> None:
+    initial, target = "speed.initial_speed_kmh", "speed.target_speed_kmh"
+    answer = submit(client, {"grid": {initial: [20, 30.5]}, "linked": {initial: [target]}})
+    batch = wait_for(client, answer.json()["id"])
+    assert [(field["name"], field["linked_to"]) for field in batch["fields"]] == [(initial, None), (target, initial)]
+    runs = rows(client, batch["id"])
+    assert [(row[initial], row[target], row["strategy"]) for row in runs] == [
+        (speed, speed, strategy) for speed in (20, 30.5) for strategy in ("lv", "passive")
+    ]
+    assert runs[0]["arrival_speed_kmh"] == pytest.approx(20, abs=0.5)
+    assert batch["notes"] == []
+
+
+def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> None:
+    grid = {"speed.target_speed_kmh": [20, 40, 60], "speed.initial_speed_kmh": [30, 50], "lqr.weights.0": [1, 2]}
+    estimate = submit(client, {"grid": grid}, dry_run=True).json()
+    assert estimate["notes"] == [
+        "LV control does not use weights: Body acceleration: its 12 runs give 6 results",
+        "Passive does not use target speed and weights: Body acceleration: its 12 runs give 2 results",
+        "At 6 of 12 points the target speed is above the initial speed, which LV control then keeps",
+    ]
 
 
 def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: httpx.Client) -> None:

@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.browser.dashboard import Dashboard
@@ -21,9 +22,9 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
 
     expect(dashboard.results).to_have_attribute("data-source", "exact")
     expect(dashboard.page).not_to_have_url(address)
-    height = float(dashboard.entry("Height").input_value())
-    assert height > 0.1
-    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == height
+    height = float(dashboard.entry("Height").input_value())  # in cm
+    assert height > 10
+    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == pytest.approx(height / 100)
     dashboard.expect_table_to_be_the_stored_run()
     key = "passive bump.body_acceleration.peak"
     assert dashboard.shown_values()[key] > before[key]
@@ -61,7 +62,7 @@ def test_address_table_and_curves_change_together(dashboard: Dashboard) -> None:
     first, paper = dashboard.address(), shown()
     with dashboard.held(series):
         with page.expect_request(series):
-            dashboard.type_into("Height", "0.06")
+            dashboard.type_into("Height", "0.06 m")
         expect(dashboard.results).to_have_attribute("data-stale", "true")
         assert (dashboard.address(), shown()) == (first, paper)
     expect(page).not_to_have_url(first)
@@ -84,16 +85,16 @@ def test_address_table_and_curves_change_together(dashboard: Dashboard) -> None:
 def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
     dashboard.open()
     page, first, paper = dashboard.page, dashboard.address(), dashboard.shown_values()
-    dashboard.type_into("Height", "0.06")
+    dashboard.type_into("Height", "0.06 m")
     expect(page).not_to_have_url(first)
     second, low = dashboard.address(), dashboard.shown_values()
 
     page.go_back()
     expect(page).to_have_url(first)
-    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("0.1", paper)
+    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("10", paper)
     page.go_forward()
     expect(page).to_have_url(second)
-    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("0.06", low)
+    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("6", low)
 
     # The browser changes the address before a run that has to be fetched is there: until then what is shown is one run,
     # form and view included, and says that it is not the address's.
@@ -104,23 +105,25 @@ def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
         with page.expect_request("**/series?*"):
             page.go_back()
         assert (dashboard.address(), dashboard.results.get_attribute("data-stale")) == (first, "true")
-        assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("0.06", low)
+        assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("6", low)
         expect(page.get_by_role("radio", name="Time")).to_be_checked()
     expect(page.get_by_role("radio", name="Distance")).to_be_checked()
-    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("0.1", paper)
+    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("10", paper)
 
 
 def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
-    dashboard.type_into("Height", "3")
-    expect(page.get_by_role("alert")).to_have_text("Must be from −1 to 1 m")
-    expect(dashboard.entry("Height")).to_have_value("3")
+    dashboard.type_into("Height", "3 kg")
+    expect(page.get_by_role("alert")).to_have_text("Takes cm (also without a unit), m, mm, km, in or ft")
+    dashboard.type_into("Height", "3 m")
+    expect(page.get_by_role("alert")).to_have_text("Must be from −100 to 100 cm")
+    expect(dashboard.entry("Height")).to_have_value("3 m")
     dashboard.type_into("Width", "5")  # another edit goes through, and the wrong one stays as typed
     expect(page).not_to_have_url(address)
-    expect(dashboard.entry("Height")).to_have_value("3")
+    expect(dashboard.entry("Height")).to_have_value("3 m")
     address = page.url
-    dashboard.type_into("Height", "0.08")
+    dashboard.type_into("Height", "80mm")
     expect(page.get_by_role("alert")).to_have_count(0)
     expect(page).not_to_have_url(address)
     dashboard.expect_curves()
@@ -181,7 +184,7 @@ def test_presets_open_their_scenario(dashboard: Dashboard) -> None:
     page, address = dashboard.page, dashboard.page.url
     page.get_by_role("button", name="Presets").click()
     page.get_by_role("menuitem", name="Pothole").click()
-    expect(dashboard.entry("Height")).to_have_value("-0.06")
+    expect(dashboard.entry("Height")).to_have_value("-6")
     expect(page).not_to_have_url(address)
     expect(page).to_have_title(re.compile("60 mm pothole"))
 

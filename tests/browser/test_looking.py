@@ -72,9 +72,22 @@ def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:
     dashboard.slider("Height").focus()
     page.keyboard.press("ArrowRight")
     expect(page).not_to_have_url(address)
-    expect(dashboard.entry("Height")).to_have_value("0.102")
+    expect(dashboard.entry("Height")).to_have_value("10.2")
     page.keyboard.press("Control+z")
-    expect(dashboard.entry("Height")).to_have_value("0.1")
+    expect(dashboard.entry("Height")).to_have_value("10")
+    dashboard.expect_curves()
+    address = dashboard.address()
+    dashboard.entry("Height").focus()
+    page.keyboard.press("Shift+ArrowUp")
+    page.locator("aside").get_by_role("button", name="Bump").click()  # at once: the edit is not lost with its control
+    expect(dashboard.entry("Height")).to_have_count(0)
+    expect(page).not_to_have_url(address)
+    dashboard.expect_curves()
+    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == 0.12
+    page.get_by_role("textbox", name="Find a field").fill("bump hei")
+    expect(dashboard.entry("Height")).to_have_value("12")
+    expect(page.locator("aside button[aria-expanded]")).to_have_count(1)
+    page.get_by_role("textbox", name="Find a field").press("Escape")
 
     dashboard.chip("LQR").focus()
     page.keyboard.press("Space")
@@ -110,10 +123,10 @@ def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) ->
         expect(counts).to_contain_text(re.compile(r"^[1-9]\d* of 8000 runs finished"), timeout=LONG_MS)
         server.stop()
         try:
-            dashboard.type_into("Height", "0.11")
+            dashboard.type_into("Height", "0.11 m")
             notice = page.get_by_test_id("connection")
             expect(notice).to_contain_text("The server does not answer")
-            expect(dashboard.entry("Height")).to_have_value("0.11")
+            expect(dashboard.entry("Height")).to_have_value("11")
             expect(dashboard.results).to_have_attribute("data-stale", "true")
             assert dashboard.address() == address
             expect(interrupted).to_be_visible(timeout=LONG_MS)

@@ -24,7 +24,7 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     page.get_by_label("Name").fill("As printed")
     page.get_by_label("Name").press("Enter")
     page.keyboard.press("Escape")
-    dashboard.type_into("Height", "0.12")
+    dashboard.type_into("Height", "0.12 m")
     expect(page).not_to_have_url(first)
     dashboard.expect_curves()
     pinned = "[data-pinned='As printed'] [data-pinned-strategy=lv] [data-cell='bump.body_acceleration.peak']"
@@ -35,7 +35,7 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     expect(dashboard.row("lv").locator("[data-cell='bump.body_acceleration.peak']")).to_contain_text(
         f"+{change:.1f}\u2009%"
     )
-    expect(page.get_by_test_id("differences")).to_have_text("Against As printed: Bump height 0.1 → 0.12\u00a0m")
+    expect(page.get_by_test_id("differences")).to_have_text("Against As printed: Bump height 10 → 12\u00a0cm")
     page.reload()
     dashboard.expect_curves()
     dashboard.row("lqr").get_by_role("button", name="LQR").click()
@@ -101,7 +101,7 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
         re.compile(r"Shared result, computed on \d+ \w+ 20\d\d by core \d+\.\d+\.\d+\. Read-only\.")
     )
     expect(dashboard.entry("Height")).to_be_disabled()
-    expect(dashboard.entry("Height")).to_have_value("0.1")
+    expect(dashboard.entry("Height")).to_have_value("10")
     expect(page.locator("aside :is(input:not([type=hidden]), select):enabled")).to_have_count(0)
     for name in ("Undo", "Redo", "Presets"):
         expect(page.get_by_role("button", name=name)).to_be_disabled()
@@ -123,13 +123,13 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
     expect(banner).to_have_count(0)
     dashboard.expect_curves()
     copy = page.url
-    dashboard.type_into("Height", "0.05")
+    dashboard.type_into("Height", "0.05 m")
     expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
     expect(page).not_to_have_url(copy)
     edited = page.url
     dashboard.expect_curves()
     page.get_by_role("button", name="Undo").click()
-    expect(dashboard.entry("Height")).to_have_value("0.1")
+    expect(dashboard.entry("Height")).to_have_value("10")
     expect(page.get_by_role("button", name="Undo")).to_be_disabled()
     expect(page).not_to_have_url(edited)
     for address in (edited, copy, link):

@@ -36,8 +36,8 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     dashboard.type_into("Width", "3")
     expect(page).not_to_have_url(first)
     dialog = open_dialog(page)
-    dialog.get_by_label("Height, from", exact=True).fill("0.05")
-    dialog.get_by_label("Height, to", exact=True).fill("0.15")
+    dialog.get_by_label("Height, from", exact=True).fill("5")
+    dialog.get_by_label("Height, to", exact=True).fill("150 mm")
     dialog.get_by_label("Height, number of values").fill("3")
     add_field(dialog, "target_speed", "Target speed")
     dialog.get_by_role("radiogroup", name="Target speed: values by").get_by_text("List").click()
@@ -57,7 +57,7 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     expect(page.locator("tbody tr[data-status=ok]")).to_have_count(12)
     expect(page.locator(".scatterlayer .point")).to_have_count(13)  # each run, and a ring around the lowest
     expect(page.get_by_role("region", name="Plot")).to_contain_text(
-        re.compile(r"Lowest: [\d.]+\s?m/s², LV control at Height 0.05")
+        re.compile(r"Lowest: [\d.]+\s?m/s², LV control at Height 5")
     )
 
     for name in ("CSV", "Parquet", "JSON"):
@@ -82,9 +82,9 @@ def test_the_dialog_says_what_cannot_be_run(dashboard: Dashboard) -> None:
     dialog = open_dialog(dashboard.page)
     start = dialog.get_by_role("button", name="Start")
     expect(start).to_be_enabled()
-    dialog.get_by_label("Height, to", exact=True).fill("3")
+    dialog.get_by_label("Height, to", exact=True).fill("3 m")
     row = dialog.get_by_role("group", name="Height")
-    expect(row.get_by_role("alert")).to_have_text("To: must be from −1 to 1\u00a0m")
+    expect(row.get_by_role("alert")).to_have_text("To: must be from −100 to 100\u00a0cm")
     dashboard.expect_accessible(dialog)
     expect(start).to_be_disabled()
     dialog.get_by_role("button", name="Remove Height").click()
@@ -283,7 +283,7 @@ def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: 
     assert box is not None
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 4)
     tip = page.get_by_test_id("tip")
-    expect(tip).to_contain_text(re.compile(r"LV control.*Height 0\.\d+\sm"))
+    expect(tip).to_contain_text(re.compile(r"LV control.*Height \d+(\.\d+)?\scm"))
     page.mouse.down()
     page.mouse.up()
     dashboard.expect_curves()

@@ -18,8 +18,10 @@ from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
+
+UNITS = {name: field.unit for name, field in dotted.fields().items()}
 
 
 @pytest.fixture
@@ -27,7 +29,7 @@ def services() -> Services:
     services = Services(None, None)
     paper = {"paper": Scenario().model_dump(mode="json")}
     services.names = Names(
-        fields={}, strategies={}, presets=paper, signals={}, windows={}, paper_signals=[], metrics={}
+        fields=UNITS, strategies={}, presets=paper, signals={}, windows={}, paper_signals=[], metrics={}
     )
     return services
 
@@ -35,7 +37,8 @@ def services() -> Services:
 def test_changes_are_set_in_what_is_given(services: Services) -> None:
     scenario_json = {"road": {"length": 130}}
     changes = {
-        "road.bump.height": "0.12",
+        "road.bump.height": "12 cm",
+        "speed.initial_speed_kmh": "10m/s",
         "road.seed": "4",
         "mpc.preview": "none",
         "mpc.stage_weights.cruise": "1,2,3",
@@ -45,6 +48,7 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
     changed = fields.changed(scenario_json, [f"{name}={text}" for name, text in changes.items()], services)
     scenario = Scenario.model_validate(changed)
     assert (scenario.road.length, scenario.road.bump.height, scenario.road.seed) == (130, 0.12, 4)
+    assert scenario.speed.initial_speed_kmh == 36
     assert (scenario.mpc.preview, scenario.mpc.stage_weights.cruise) == ("none", (1, 2, 3))
     assert (scenario.mpc.stage_weights.brake, scenario.actuator.bandwidth) == ((2, 5, 1), None)
     assert scenario_json == {"road": {"length": 130}}
@@ -55,7 +59,7 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
     ("change", "said"),
     [
         ("road.bump.height=NaN", "road.bump.height: NaN is not a finite number"),
-        ("road.bump.height=12 cm", "road.bump.height: 12 cm is not a number: one is written without its unit"),
+        ("road.bump.height=12 kg", "road.bump.height: 12 kg is not understood: it takes m, mm, cm, km, in or ft"),
         ("road.bump.height", "--set takes FIELD=VALUE, and road.bump.height is no such pair"),
         ("road.bump.height=", "--set takes FIELD=VALUE, and road.bump.height= is no such pair"),
     ],
@@ -68,29 +72,37 @@ def test_changes_that_cannot_be_made_name_the_field(change: str, said: str, serv
 
 def test_sweeps() -> None:
     grid = {
-        "road.bump.height": ("0.05:0.15:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
-        "road.bump.width": ("0.1, 0.05", [0.1, 0.05]),
+        "road.bump.height": ("5cm:0.15:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
+        "road.bump.width": ("0.1, 50mm", [0.1, 0.05]),
         "road.seed": ("1:5:3", [1, 3, 5]),
         "mpc.preview": ("lookahead,none", ["lookahead", "none"]),
         "mpc.stage_weights.cruise": ("[8,1,1],[2,6,1]", [[8, 1, 1], [2, 6, 1]]),
     }
-    parsed = fields.grid_of([f"{name}={text}" for name, (text, _) in grid.items()])
+    parsed = fields.grid_of([f"{name}={text}" for name, (text, _) in grid.items()], UNITS)
     assert parsed == {name: values for name, (_, values) in grid.items()}
     assert all(isinstance(value, int) for value in parsed["road.seed"])
-    ranges = fields.ranges_of(["road.bump.height=0.05:0.1", "road.seed=1:9"], "--range")
+    ranges = fields.ranges_of(["road.bump.height=5cm:0.1", "road.seed=1:9"], "--range", UNITS)
     assert ranges == {"road.bump.height": [0.05, 0.1], "road.seed": [1, 9]}
+
+
+def _grid(specs: list[str]) -> object:
+    return fields.grid_of(specs, UNITS)
+
+
+def _range(specs: list[str]) -> object:
+    return fields.ranges_of(specs, "--range", UNITS)
 
 
 @pytest.mark.parametrize(
     ("read", "specs", "said"),
     [
-        (fields.grid_of, ["road.bump.height=0:1:1"], "road.bump.height: LOW:HIGH:COUNT"),
-        (fields.grid_of, ["road.bump.height=0.05:0.15:0.01"], "0.05:0.15:0.01 is neither LOW:HIGH:COUNT, such as"),
-        (fields.grid_of, ["road.bump.height=0.05-0.15"], "0.05-0.15 is not a number: .* several as LOW:HIGH:COUNT"),
-        (fields.grid_of, ["road.bump.height=0:1e999:3"], "1e999 is not a finite number"),
-        (fields.grid_of, ["mpc.stage_weights.cruise=[8,NaN,1]"], "NaN is no number"),
-        (fields.grid_of, ["road.seed=1", "road.seed=2"], "road.seed: given twice"),
-        (lambda specs: fields.ranges_of(specs, "--range"), ["road.bump.height=1"], "a range is LOW:HIGH"),
+        (_grid, ["road.bump.height=0:1:1"], "road.bump.height: LOW:HIGH:COUNT"),
+        (_grid, ["road.bump.height=0.05:0.15:0.01"], "0.05:0.15:0.01 is neither LOW:HIGH:COUNT, such as"),
+        (_grid, ["road.bump.height=0.05-0.15"], "0.05-0.15 is not understood: it takes m, mm"),
+        (_grid, ["road.bump.height=0:1e999:3"], "1e999 is not a finite number"),
+        (_grid, ["mpc.stage_weights.cruise=[8,NaN,1]"], "NaN is no number"),
+        (_grid, ["road.seed=1", "road.seed=2"], "road.seed: given twice"),
+        (_range, ["road.bump.height=1"], "a range is LOW:HIGH"),
     ],
 )
 def test_sweeps_that_cannot_be(read: Callable[[list[str]], object], specs: list[str], said: str) -> None:

@@ -44,6 +44,7 @@ class BatchField(Answer):
     name: str
     title: str
     unit: str
+    linked_to: str | None = Field(None, description="The swept field whose value it takes")
 
 
 class BatchItem(Answer):
@@ -61,6 +62,7 @@ class BatchItem(Answer):
     scenario: JsonObject
     strategies: list[str]
     fields: list[BatchField]
+    notes: list[str] = Field([], description="What its runs do not depend on; empty of old batches")
     estimated_cost: float = Field(description="Estimate [s of one core]")
     created_at: datetime
     started_at: datetime | None
@@ -69,15 +71,17 @@ class BatchItem(Answer):
     @classmethod
     def of(cls, job: StoredJob, position: int) -> Self:
         """A stored sweep with its place in the queue."""
-        described = dotted.fields()
-        fields = [
-            BatchField(name=name, title=described[name].title, unit=described[name].unit)
-            if name in described
-            else BatchField(name=name, title=name, unit="1")
-            for name in job.request["fields"]
-        ]
+        linked = job.request.get("linked", {})
+        leaders = {field: name for name, fields in linked.items() for field in fields}
+        fields = [_field(name, leaders.get(name)) for name in job.request["fields"]]
         own = {name: getattr(job, name) for name in cls.model_fields if hasattr(job, name)}
         return cls(**own, **job.request | {"fields": fields}, position=position)
+
+
+def _field(name: str, leader: str | None) -> BatchField:
+    described = dotted.fields().get(name)
+    title, unit = (name, "1") if described is None else (described.title, described.unit)
+    return BatchField(name=name, title=title, unit=unit, linked_to=leader)
 
 
 class Batch(BatchItem):
@@ -93,6 +97,7 @@ class Estimate(Answer):
     total: int = Field(description="Runs: points times strategies")
     contradictory: int = Field(description="Runs whose fields contradict each other: they would be failed rows")
     estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
+    notes: list[str] = Field(description="What its runs do not depend on: fields a strategy does not read, and such")
     estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
 
 

@@ -11,7 +11,8 @@ from pydantic import ValidationError
 from backend import digest
 from backend.ecu.drive import simulate
 from backend.jobs.chunk import PlannedRun, WaitingRun
-from backend.jobs.sweep.sweeps import Sweep, points
+from backend.jobs.sweep import notes
+from backend.jobs.sweep.sweeps import Sweep, axes, points
 from backend.json_types import JsonObject
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
@@ -30,12 +31,14 @@ class SweepPlan:
 
     Attributes:
         fields: Dotted names of the fields that change.
+        notes: What its runs do not depend on, in sentences.
         runs: A point's strategies side by side; one whose fields contradict each other has failed already.
         cost: Estimated cost of all [s of one core].
         max_run_cost: The greatest of one run [s of one core].
     """
 
     fields: list[str]
+    notes: list[str]
     runs: list[PlannedRun]
     cost: float
     max_run_cost: float
@@ -105,7 +108,8 @@ def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> SweepPlan
             each = estimate(scenario, name)
             cost, max_run_cost = cost + each, max(max_run_cost, each)
             runs.append(PlannedRun(len(runs), text, name, digest.result_key(scenario, name)))
-    return SweepPlan(fields=fields, runs=runs, cost=cost, max_run_cost=max_run_cost)
+    said = notes.notes(base, changes_by_point, axes(sweep, fields), runs)
+    return SweepPlan(fields=fields, notes=said, runs=runs, cost=cost, max_run_cost=max_run_cost)
 
 
 def contradiction(error: ValidationError) -> str:

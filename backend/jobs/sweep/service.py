@@ -81,6 +81,7 @@ class Sweeps:
             points=points,
             total=len(planned.runs),
             contradictory=planned.contradictory,
+            notes=planned.notes,
             estimated_cost=planned.cost,
             estimated_seconds=seconds,
         )
@@ -130,7 +131,13 @@ class Sweeps:
             parent_id=parent_id,
             label=label,
             owner=owner,
-            request={"scenario": base, "strategies": names, "fields": planned.fields},
+            request={
+                "scenario": base,
+                "strategies": names,
+                "fields": planned.fields,
+                "linked": sweep.linked or {},
+                "notes": planned.notes,
+            },
             sweep=sent,
             estimated_cost=planned.cost,
             total=len(planned.runs),

@@ -58,7 +58,7 @@ class LatinHypercube(RequestModel):
 
 
 class Sweep(RequestModel):
-    """Exactly one of its three forms."""
+    """Exactly one of its three forms; `linked` with any of them."""
 
     grid: dict[str, Annotated[list[Value], Field(min_length=1)]] | None = _by_field(
         "Field -> values; every combination, the last field changing fastest", None
@@ -66,6 +66,9 @@ class Sweep(RequestModel):
     latin_hypercube: LatinHypercube | None = None
     points: Annotated[list[dict[str, Value]], Field(min_length=1)] | None = Field(
         None, alias="list", description="Field -> value, point by point; a field a point does not name keeps its value"
+    )
+    linked: dict[str, Annotated[list[str], Field(min_length=1, max_length=32)]] | None = _by_field(
+        "Swept field -> further fields that take its value at each point, such as one speed for both", None
     )
 
     @model_validator(mode="after")
@@ -96,6 +99,13 @@ def size(sweep: Sweep) -> int:
     return len(sweep.points or [])
 
 
+def axes(sweep: Sweep, names: Sequence[str]) -> dict[str, list[str]]:
+    """Of the fields that change, those that are swept -> those that take their value."""
+    linked = sweep.linked or {}
+    follow = {field for fields in linked.values() for field in fields}
+    return {name: linked.get(name, []) for name in names if name not in follow}
+
+
 def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[PointChanges]]:
     """The fields it changes, and every point; `base` is the plain scenario they start from.
 
@@ -111,10 +121,15 @@ def points(sweep: Sweep, base: JsonObject) -> tuple[list[str], list[PointChanges
         listed = sweep.points or []
         names = list(dict.fromkeys(itertools.chain(*listed)))
         draw = _list(listed, names, base, errors)
+    linked = sweep.linked or {}
+    for name, fields in linked.items():
+        _check_link(sweep, name, fields, names, errors)
+    names = [*names, *(field for fields in linked.values() for field in fields)]
     _no_overlap(names, errors)
     if errors:
         raise SweepError(errors[:MOST_ERRORS])
-    return names, list(draw())
+    leaders = {field: name for name, fields in linked.items() for field in fields}
+    return names, [point | {field: point[name] for field, name in leaders.items()} for point in draw()]
 
 
 Errors = list[tuple[list[str | int], str]]
@@ -197,8 +212,34 @@ def _checked(name: str, value: Any, path: list[str | int], errors: Errors) -> An
         return None
 
 
+def _check_link(sweep: Sweep, name: str, fields: Sequence[str], names: Sequence[str], errors: Errors) -> None:
+    path: list[str | int] = ["linked", name]
+    if name not in names:
+        errors.append((path, "Only a field that the sweep changes can be followed by others"))
+        return
+    own = _field(name, path, errors)
+    for index, field in enumerate(fields):
+        other = _field(field, [*path, index], errors)
+        if own is not None and other is not None and own.unit != other.unit:
+            errors.append(([*path, index], f"Has another unit than {name}: {other.unit}, not {own.unit}"))
+        elif other is not None:
+            for value in _values(sweep, name):
+                _checked(field, value, [*path, index], errors)
+
+
+def _values(sweep: Sweep, name: str) -> Sequence[Any]:
+    """What that field is given: every value, or a range's ends."""
+    if sweep.grid is not None:
+        return sweep.grid[name]
+    if sweep.latin_hypercube is not None:
+        return sweep.latin_hypercube.ranges[name]
+    return [point[name] for point in sweep.points or [] if name in point]
+
+
 def _no_overlap(names: Sequence[str], errors: Errors) -> None:
     """A field and one of its own members in one sweep would fight over the value."""
     for name in names:
         if name in dotted.fields() and any(other.startswith(name + ".") for other in names):
             errors.append(([], f"A sweep changes {name} either whole or in parts"))
+    for name in {name for name in names if names.count(name) > 1}:
+        errors.append((["linked"], f"{name} is changed twice"))

@@ -1,6 +1,6 @@
 """Fields and values as they are typed: `--set road.bump.height=0.12`, and the points of a sweep.
 
-Only their form is read here; which fields there are and which values they take the service says.
+A number may have a unit (`12cm`). Which fields there are and which values they take the service says.
 """
 
 import json
@@ -13,9 +13,9 @@ from typing import Any
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document, find
+from ridelab.units import quantity, starts_as_number
 
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
-_SPAN = re.compile(rf"({_NUMBER}):({_NUMBER}):(\d+)", re.IGNORECASE)
+_SPAN = re.compile(r"([^:]+):([^:]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
 VEHICLE = "vehicle"  # the part of a scenario that --set takes whole
@@ -32,10 +32,12 @@ def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Servi
     if not changes:
         return dict(scenario)
     whole = _merged(next(iter(services.names.presets.values())), scenario)
-    pairs = [_pair(change, "--set takes FIELD=VALUE", str) for change in changes]
+    pairs = [_pair(change, "--set takes FIELD=VALUE") for change in changes]
     pairs.sort(key=lambda pair: pair[0] != VEHICLE)  # its fields may be changed, wherever it stands
+    units = services.names.fields
     values = {
-        name: vehicle_of(text, services) if name == VEHICLE else _read(name, text, _value) for name, text in pairs
+        name: vehicle_of(text, services) if name == VEHICLE else _read(name, text, _value, units)
+        for name, text in pairs
     }
     return with_values(whole, values)
 
@@ -70,77 +72,90 @@ def with_values(scenario: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
     return copy
 
 
-def grid_of(specs: Sequence[str]) -> dict[str, list[Any]]:
-    """Each `FIELD=VALUES`."""
-    return _unique(specs, "--grid", "FIELD=VALUES", _values)
+def grid_of(specs: Sequence[str], units: Mapping[str, str]) -> dict[str, list[Any]]:
+    """Each `FIELD=VALUES`; `units` are the fields' own."""
+    return _unique(specs, "--grid", "FIELD=VALUES", _values, units)
 
 
-def ranges_of(specs: Sequence[str], option: str) -> dict[str, list[float]]:
-    """Each `FIELD=LOW:HIGH`."""
-    return _unique(specs, option, "FIELD=LOW:HIGH", _range)
+def links_of(specs: Sequence[str]) -> dict[str, list[str]]:
+    """Each `FIELD=FIELD,FIELD`."""
+    pairs = (_pair(spec, "--link takes FIELD=FIELD,..") for spec in specs)
+    return {name: [field.strip() for field in fields.split(",")] for name, fields in pairs}
 
 
-def _unique(specs: Sequence[str], option: str, form: str, read: Callable[[str], Any]) -> dict[str, Any]:
+def ranges_of(specs: Sequence[str], option: str, units: Mapping[str, str]) -> dict[str, list[float]]:
+    """Each `FIELD=LOW:HIGH`; `units` are the fields' own."""
+    return _unique(specs, option, "FIELD=LOW:HIGH", _range, units)
+
+
+def limit_of(text: str, units: Mapping[str, str], example: str) -> tuple[str, float]:
+    """The metric and the number of `METRIC=MOST`; `units` are the metrics' own."""
+    name, most = _pair(text, f"--limit takes METRIC=MOST, such as {example}")
+    return name, _read(name, most, quantity, units)
+
+
+Read = Callable[[str, str], Any]  # a text, in a unit unless it says another
+
+
+def _unique(specs: Sequence[str], option: str, form: str, read: Read, units: Mapping[str, str]) -> dict[str, Any]:
     values: dict[str, Any] = {}
-    for name, value in (_pair(spec, f"{option} takes {form}", read) for spec in specs):
+    for name, text in (_pair(spec, f"{option} takes {form}") for spec in specs):
         if name in values:
             raise InputError(f"{name}: given twice to {option}")
-        values[name] = value
+        values[name] = _read(name, text, read, units)
     return values
 
 
-def _pair(text: str, form: str, read: Callable[[str], Any]) -> tuple[str, Any]:
+def _pair(text: str, form: str) -> tuple[str, str]:
     """A field's name and what stands behind the sign."""
     name, _, value = (part.strip() for part in text.partition("="))
     if not value:
         raise InputError(f"{form}, and {text or 'nothing'} is no such pair")
-    return name, _read(name, value, read)
+    return name, value
 
 
-def _read(name: str, text: str, read: Callable[[str], Any]) -> Any:
+def _read(name: str, text: str, read: Read, units: Mapping[str, str]) -> Any:
     try:
-        return read(text)
+        return read(text, units.get(name, "1"))
     except ValueError as error:
         raise InputError(f"{name}: {error}") from None
 
 
-def _values(text: str) -> list[Any]:
+def _values(text: str, unit: str) -> list[Any]:
     """`0.05:0.15:11` (both ends, evenly), values with commas, or weights such as `[8,1,1],[2,6,1]`."""
     if text.startswith("["):
         return list(document(f"[{text}]".encode(), "weights"))
     if ":" not in text:
-        return [_value(item.strip()) for item in text.split(",")]
+        return [_value(item.strip(), unit) for item in text.split(",")]
     if (span := _SPAN.fullmatch(text)) is None:
         hint = "LOW:HIGH:COUNT, such as 0.05:0.15:11 for 11 values with both ends, nor values with commas between them"
         raise ValueError(f"{text} is neither {hint}")
-    low, high, count = _value(span[1]), _value(span[2]), int(span[3])
+    low, high, count = quantity(span[1].strip(), unit), quantity(span[2].strip(), unit), int(span[3])
     if not 2 <= count <= _MOST_VALUES:
         raise ValueError(f"LOW:HIGH:COUNT takes a count from 2 to {_MOST_VALUES}")
     steps = [float(f"{low + (high - low) * index / (count - 1):.{_DIGITS}g}") for index in range(count)]
     return [int(step) for step in steps] if all(step.is_integer() for step in steps) else steps
 
 
-def _range(text: str) -> list[Any]:
+def _range(text: str, unit: str) -> list[Any]:
     low, sign, high = text.partition(":")
     if not sign or ":" in high:
-        raise ValueError("a range is LOW:HIGH, without the unit")
-    return [_value(low), _value(high)]
+        raise ValueError("a range is LOW:HIGH, such as 0.05:0.15 or 5cm:15cm")
+    return [_value(low.strip(), unit), _value(high.strip(), unit)]
 
 
-def _value(text: str) -> Any:
+def _value(text: str, unit: str) -> Any:
     """A number, three weights with or without brackets, null where a field may be without a value, or a word."""
     if text in _WORDS:
         return _WORDS[text]
     if "," in text:
-        return [_value(item.strip()) for item in text.removeprefix("[").removesuffix("]").split(",")]
+        return [_value(item.strip(), unit) for item in text.removeprefix("[").removesuffix("]").split(",")]
     try:
         number = float(text)
     except ValueError:
-        if re.match(_NUMBER, text):  # no choice of a field begins with a number
-            raise ValueError(
-                f"{text} is not a number: one is written without its unit, several as LOW:HIGH:COUNT or with commas"
-            ) from None
-        return text
+        if not starts_as_number(text):  # no choice of a field begins with a number
+            return text
+        number = quantity(text, unit)
     if not math.isfinite(number):
         raise ValueError(f"{text} is not a finite number")
     return int(number) if number.is_integer() and abs(number) < 1e15 else number

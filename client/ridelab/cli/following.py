@@ -98,6 +98,8 @@ def show_estimate(estimate: Mapping[str, Any], runs: str, units: str, *, as_json
     seconds = estimate.get("estimated_seconds")
     about = "" if seconds is None else f", about {seconds:.3g} s"
     typer.echo(f"{estimate[runs]} runs, {estimate[units]} {units}{about}")
+    for said in estimate.get("notes", ()):
+        note(said)
 
 
 def _stopped(job: Job, interrupt: KeyboardInterrupt, follow_up: str, *, ours: bool) -> int:

@@ -44,7 +44,7 @@ def robustness(
     if baseline is not None and baseline not in names:
         raise InputError(f"--baseline: {baseline} is not among the strategies {', '.join(names)}")
     varied = {} if only else {each["field"]: [each["low"], each["high"]] for each in usual["ranges"]}
-    varied |= fields.ranges_of(ranges or [], "--range")
+    varied |= fields.ranges_of(ranges or [], "--range", services.names.fields)
     for name in options.listed(exact):
         if varied.pop(name, None) is None:
             raise InputError(f"--exact: {name} is not varied; what is: {', '.join(varied) or 'nothing'}")

@@ -5,7 +5,7 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.reporting import DIFFERENT, InputError, failed, note, print_json
+from ridelab.cli.reporting import DIFFERENT, failed, note, print_json
 from ridelab.cli.service import Services
 from ridelab.errors import RidelabAPIError
 from ridelab.results import Solution
@@ -30,8 +30,8 @@ def solve(
     The range is scanned first, so that a metric that rises and falls is seen and said. Over several roads the mean's
     95 % interval keeps the limit. The exit code is 1 where no value in the range does.
     """
-    ((name, ends),) = fields.ranges_of([field], "--field").items()
-    metric, most = _limit(limit)
+    ((name, ends),) = fields.ranges_of([field], "--field", services.names.fields).items()
+    metric, most = fields.limit_of(limit, services.names.metrics, "bump.body_acceleration.peak=4")
     start = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     try:
@@ -45,14 +45,6 @@ def solve(
         return
     _show(solution, name, metric, roads)
     typer.echo(f"\nrun {solution.run_id}" if services.private else f"\n{ridelab.address}/r/{solution.run_id}")
-
-
-def _limit(text: str) -> tuple[str, float]:
-    metric, _, most = text.partition("=")
-    try:
-        return metric.strip(), float(most)
-    except ValueError:
-        raise InputError("--limit takes METRIC=MOST, such as bump.body_acceleration.peak=4") from None
 
 
 def _show(solution: Solution, name: str, metric: str, roads: int) -> None:

@@ -19,6 +19,7 @@ _FIGURES = ("rough_road.body_acceleration.rms", "bump.body_acceleration.peak", "
 
 _GRID = "road.bump.height=0.05:0.15:11 (evenly, both ends) or =0.05,0.1; repeated: every combination."
 _CUBE = "Evenly spread random points in these ranges."
+_LINK = "Fields that take a swept field's value too: speed.initial_speed_kmh=speed.target_speed_kmh."
 _LIST = 'JSON list of points, [{"road.bump.height": 0.1}, ..].'
 _OUT = "Write every row to .csv, .parquet or .json; - is stdout."
 
@@ -31,6 +32,7 @@ def sweep(
     samples: Annotated[int | None, options.option("N", "Points of the hypercube.", min=1)] = None,
     seed: options.Seed = 0,
     points: Annotated[Path | None, options.option("FILE", _LIST, "--list", exists=True, dir_okay=False)] = None,
+    link: Annotated[list[str] | None, options.option("FIELD=FIELD,..", _LINK, completes="fields =")] = None,
     strategy: options.Strategies = None,
     changes: options.Changes = None,
     out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
@@ -53,10 +55,12 @@ def sweep(
     if points is not None:
         swept = {"list": targets.document(points.read_bytes(), str(points))}
     elif grid:
-        swept = {"grid": fields.grid_of(grid)}
+        swept = {"grid": fields.grid_of(grid, services.names.fields)}
     else:
-        ranges = fields.ranges_of(latin_hypercube or [], "--latin-hypercube")
+        ranges = fields.ranges_of(latin_hypercube or [], "--latin-hypercube", services.names.fields)
         swept = {"latin_hypercube": {"ranges": ranges, "samples": samples, "seed": seed}}
+    if link:
+        swept["linked"] = fields.links_of(link)
     ridelab, names = (
         following.detached_service(services) if detach else services.at(),
         options.listed(strategy) or ["lv"],

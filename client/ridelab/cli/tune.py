@@ -67,10 +67,11 @@ def tune(
         if tuning.state != "done" or trials not in (None, tuning.total):  # else it is only shown
             tuning.resume(trials)
     else:
+        limits = [fields.limit_of(text, services.names.metrics, "events.travel_exceeded_mm=1") for text in limit or []]
         asked = {
             "objectives": [objective_of(text) for text in objective or ["paper"]],
-            "limits": [_limit(text) for text in limit or []],
-            "search": fields.ranges_of(search, "--search") if search else None,
+            "limits": [{"figure": name, "at_most": most} for name, most in limits],
+            "search": fields.ranges_of(search, "--search", {}) if search else None,
             "previews": preview.split(",") if preview is not None else None,
             "uncertain": uncertain or None,
             "quantile": quantile,
@@ -118,14 +119,6 @@ def objective_of(text: str) -> dict[str, Any]:
         except ValueError:
             raise InputError(f"--objective {kind}:Q1,Q2,Q3 takes three numbers") from None
     return objective
-
-
-def _limit(text: str) -> dict[str, Any]:
-    figure, _, most = text.partition("=")
-    try:
-        return {"figure": figure.strip(), "at_most": float(most)}
-    except ValueError:
-        raise InputError("--limit takes FIGURE=MOST, such as events.travel_exceeded_mm=1") from None
 
 
 def seeds_of(text: str | None, option: str) -> list[int] | None:

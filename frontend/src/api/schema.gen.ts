@@ -1051,6 +1051,12 @@ export interface components {
             /** Label */
             label: string | null;
             /**
+             * Notes
+             * @description What its runs do not depend on; empty of old batches
+             * @default []
+             */
+            notes: string[];
+            /**
              * Position
              * @description Runs of batches accepted earlier that wait, until it runs: then they take turns
              */
@@ -1098,6 +1104,11 @@ export interface components {
          * @description A field the sweep changes.
          */
         BatchField: {
+            /**
+             * Linked To
+             * @description The swept field whose value it takes
+             */
+            linked_to: string | null;
             /** Name */
             name: string;
             /** Title */
@@ -1137,6 +1148,12 @@ export interface components {
             id: string;
             /** Label */
             label: string | null;
+            /**
+             * Notes
+             * @description What its runs do not depend on; empty of old batches
+             * @default []
+             */
+            notes: string[];
             /**
              * Position
              * @description Runs of batches accepted earlier that wait, until it runs: then they take turns
@@ -2517,6 +2534,11 @@ export interface components {
              * @description By some runs tried just now [s]; none where trying takes long
              */
             estimated_seconds: number | null;
+            /**
+             * Notes
+             * @description What its runs do not depend on: fields a strategy does not read, and such
+             */
+            notes: string[];
             /** Points */
             points: number;
             /**
@@ -5519,7 +5541,7 @@ export interface components {
         };
         /**
          * Sweep
-         * @description Exactly one of its three forms.
+         * @description Exactly one of its three forms; `linked` with any of them.
          */
         Sweep: {
             /**
@@ -5530,6 +5552,13 @@ export interface components {
                 [key: string]: (number | string | boolean | null | number[])[];
             } | null;
             latin_hypercube?: components["schemas"]["LatinHypercube"] | null;
+            /**
+             * Linked
+             * @description Swept field -> further fields that take its value at each point, such as one speed for both
+             */
+            linked?: {
+                [key: string]: string[];
+            } | null;
             /**
              * List
              * @description Field -> value, point by point; a field a point does not name keeps its value

@@ -3,6 +3,7 @@
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useEffect, useEffectEvent, useMemo } from "react";
 import type { Batch, Catalogue, Strategy } from "../api/types";
+import type { Group } from "../editor/schema";
 import type { Markers } from "../plots/markers";
 import { BatchPlot } from "./BatchPlot";
 import { BatchRows } from "./BatchRows";
@@ -11,12 +12,14 @@ import { cell, lowest, rowsOf, type Columns } from "./table";
 import { CAVEAT_COLUMNS } from "./describeRow";
 import { tableQuery } from "./queries";
 import { useOpenRun } from "./useOpenRun";
+import { shownColumns, shownFields } from "./shownFields";
 import type { BatchView } from "./view";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly batch: Batch;
+  readonly form: Group;
   readonly catalogue: Catalogue;
   /** The batch's, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
@@ -28,13 +31,15 @@ interface Props {
 
 const NOTHING: Columns = {};
 
-export function BatchResults({ batch, catalogue, strategies, markers, figures, view, onView }: Props) {
+export function BatchResults({ batch: stored, form, catalogue, strategies, markers, figures, view, onView }: Props) {
+  const batch = useMemo(() => ({ ...stored, fields: shownFields(stored.fields, form) }), [stored, form]);
   const y = figures.find(({ key }) => key === view.y) ?? figures.find(({ key }) => key === OPENING_FIGURE) ?? figures[0];
   const x = batch.fields.find(({ name }) => name === view.x) ?? batch.fields[0];
   const keys = useMemo(() => [...new Set([...(y ? [y.key] : []), ...paperFigures(catalogue)])], [catalogue, y]);
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
-  const columns = table.data?.columns ?? NOTHING;
+  const given = table.data?.columns ?? NOTHING;
+  const columns = useMemo(() => shownColumns(given, stored.fields, form), [given, stored.fields, form]);
   // The first finished runs are shown as soon as they are known of, not when rows are due again.
   const readFirst = useEffectEvent(() => {
     if (!columns.status?.includes("ok")) void table.refetch();
@@ -52,7 +57,7 @@ export function BatchResults({ batch, catalogue, strategies, markers, figures, v
 
   const opening = useOpenRun(batch);
   const open = (row: number) => {
-    const values = batch.fields.map(({ name }) => [name, cell(columns, name, row)] as const);
+    const values = batch.fields.map(({ name }) => [name, cell(given, name, row)] as const);
     opening.open({ run: row, at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))) });
   };
   const shown = useMemo(

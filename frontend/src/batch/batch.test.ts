@@ -80,7 +80,7 @@ describe("a plot of many points", () => {
     { id: "lv", label: "LV control", description: "", colour: "#00f", dash: "solid", reads: [] },
     { id: "passive", label: "Passive", description: "", colour: "#555", dash: "dot", reads: [] },
   ];
-  const x = { name: "road.bump.height", title: "Height", unit: "m" };
+  const x = { name: "road.bump.height", title: "Height", unit: "m", linked_to: null };
   const y = { key: "peak", label: "Body acceleration", group: "Peak, bump", unit: "m/s^2", scale: 1 };
   const palette = { text: "#000", grid: "#ccc", zero: "#999" };
   const points = (count: number) => {

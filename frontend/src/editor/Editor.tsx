@@ -1,14 +1,15 @@
 /** The form: essentials open, the rest in sections. */
 
-import { Accordion, Badge, Button, Text } from "@mantine/core";
+import { Accordion, Badge, Button, Text, TextInput } from "@mantine/core";
 import { memo, useMemo, useState } from "react";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
 import classes from "./editor.module.css";
 import { changedPointers, resetMember } from "./diff";
-import { sections, type Section } from "./layout";
+import { matching, sections, type Section } from "./layout";
 import { Members } from "./Members";
 import type { Pointer } from "./path";
 import type { Group } from "./schema";
+import { IconSearch } from "../icons";
 import { Fault } from "../ui/Fault";
 import { VehicleChoice } from "./VehicleChoice";
 
@@ -22,9 +23,13 @@ export function Editor({ form }: { readonly form: Group }) {
   const all = useMemo(() => sections(form), [form]);
   const [opened, setOpened] = useState(() => all.filter(({ essential }) => essential).map(({ key }) => key as string));
 
+  const [search, setSearch] = useState("");
+  const searching = search.trim() !== "";
+  const found = useMemo(() => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all), [all, search, searching]);
+
   const wrong = [...Object.keys(rejected), ...Object.keys(refused.fields)] as Pointer[];
   // A section with an error is open whatever was clicked: an error nobody sees helps nobody.
-  const forced = all.filter((section) => contains(section, wrong)).map(({ key }) => key as string);
+  const forced = found.filter((section) => searching || contains(section, wrong)).map(({ key }) => key as string);
   const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
 
   return (
@@ -48,6 +53,20 @@ export function Editor({ form }: { readonly form: Group }) {
           </Button>
         )}
       </div>
+      <TextInput
+        size="xs"
+        className={classes.search ?? ""}
+        aria-label="Find a field"
+        placeholder="Find a field"
+        autoComplete="off"
+        leftSection={<IconSearch size={14} />}
+        value={search}
+        onChange={(event) => setSearch(event.currentTarget.value)}
+        onKeyDown={(event) => {
+          if (event.key === "Escape") setSearch("");
+        }}
+      />
+      {found.length === 0 && <Text className={classes.nothing}>No field has this name.</Text>}
       {refused.general.length > 0 && (
         <Fault px="md" pb="xs">{refused.general.join(". ")}</Fault>
       )}
@@ -57,11 +76,11 @@ export function Editor({ form }: { readonly form: Group }) {
         variant="default"
         order={2}
         value={[...new Set([...opened, ...forced])]}
-        onChange={setOpened}
+        onChange={(next) => !searching && setOpened(next)}
         classNames={{ item: classes.item ?? "", control: classes.control ?? "", label: classes.controlLabel ?? "", content: classes.content ?? "" }}
         transitionDuration={0}
       >
-        {all.map((section) => (
+        {found.map((section) => (
           <SectionItem key={section.key} section={section} isOpen={opened.includes(section.key) || forced.includes(section.key)} />
         ))}
       </Accordion>

@@ -1,12 +1,16 @@
-/** The typed side of a number: keeps what somebody types until it is a value the field can take. */
+/** The typed side of a number: keeps what somebody types until it is a value the field can take; arrow keys step it. */
 
 import { TextInput } from "@mantine/core";
 import { useState } from "react";
-import { formatInput, prettyUnit } from "../units/format";
+import { prettyUnit } from "../units/format";
 import classes from "./editor.module.css";
-import { readTyped } from "./limits";
+import { readTyped, stepped, typedText } from "./limits";
 import type { NumberField } from "./schema";
+import { useKeyRest } from "./useKeyRest";
 import type { LeafState } from "./useLeaf";
+
+/** Slider steps of an arrow key with Shift. */
+const LARGE_STEP = 10;
 
 interface Props {
   readonly id: string;
@@ -19,15 +23,27 @@ interface Props {
 
 export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled = false }: Props) {
   const [draft, setDraft] = useState<string | null>(null);
-  const shown = typeof leaf.value === "number" ? formatInput(leaf.value) : "";
-  const unit = prettyUnit(field.unit);
+  const shown = typeof leaf.value === "number" ? typedText(field, leaf.value) : "";
+  const unit = prettyUnit(field.shown.unit);
+
+  const rest = useKeyRest(leaf.release);
 
   const finish = () => {
+    rest.flush();
     if (draft === null) return;
     const reading = readTyped(field, draft);
     setDraft(null);
     if (reading.ok) leaf.commit(reading.value);
     else leaf.reject({ text: draft, message: reading.message });
+  };
+
+  const step = (steps: number) => {
+    const reading = draft === null ? null : readTyped(field, draft);
+    const from = reading === null ? leaf.value : reading.ok ? reading.value : null;
+    if (typeof from !== "number") return;
+    setDraft(null);
+    leaf.drag(stepped(field, from, steps));
+    rest.begin();
   };
 
   return (
@@ -51,6 +67,10 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
       onBlur={finish}
       onKeyDown={(event) => {
         if (event.key === "Enter") finish();
+        if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+          event.preventDefault();
+          step((event.key === "ArrowUp" ? 1 : -1) * (event.shiftKey ? LARGE_STEP : 1));
+        }
         if (event.key === "Escape") {
           setDraft(null);
           leaf.accept();

@@ -2,10 +2,9 @@
 
 import { Switch } from "@mantine/core";
 import { useId } from "react";
-import { formatExact } from "../units/format";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
-import { typicalValue } from "./limits";
+import { typicalValue, valueText } from "./limits";
 import { NumberEntry } from "./NumberEntry";
 import { NumberSlider } from "./NumberSlider";
 import type { NumberField } from "./schema";
@@ -22,7 +21,7 @@ interface Props {
 export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
   const id = useId();
   const isOff = leaf.value === null;
-  const standard = typeof field.standard === "number" ? formatExact(field.standard, field.unit) : OFF;
+  const standard = typeof field.standard === "number" ? valueText(field, field.standard) : OFF;
   return (
     <FieldFrame
       {...{ id, field, leaf }}

@@ -1,15 +1,13 @@
 /** The dragged side of a number: live while it moves, exact once it rests. */
 
 import { Slider } from "@mantine/core";
-import { useEffect, useRef } from "react";
+import { useRef } from "react";
 import { formatWithUnit } from "../units/format";
 import classes from "./editor.module.css";
-import { sliderScale } from "./limits";
+import { inShownUnit, sliderScale } from "./limits";
 import type { NumberField } from "./schema";
+import { useKeyRest } from "./useKeyRest";
 import type { LeafState } from "./useLeaf";
-
-/** A pause this long ends a change made with the arrow keys, which have no release of their own. */
-const KEY_PAUSE_MS = 350;
 
 interface Props {
   readonly field: NumberField;
@@ -20,14 +18,13 @@ interface Props {
 export function NumberSlider({ field, leaf, label }: Props) {
   const scale = sliderScale(field);
   const byKey = useRef(false);
-  const pause = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  useEffect(() => () => clearTimeout(pause.current), []);
+  const rest = useKeyRest(leaf.release);
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
   const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
   const standard = typeof field.standard === "number" ? scale.toSlider(field.standard) : null;
   const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
-  const spoken = typeof leaf.value === "number" ? formatWithUnit(leaf.value, field.unit, 4) : "";
+  const spoken = typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";
 
   return (
     <div onKeyDownCapture={() => (byKey.current = true)} onPointerDownCapture={() => (byKey.current = false)}>
@@ -50,8 +47,8 @@ export function NumberSlider({ field, leaf, label }: Props) {
           if (next !== leaf.value) leaf.drag(next);
         }}
         onChangeEnd={() => {
-          clearTimeout(pause.current);
-          if (byKey.current) pause.current = setTimeout(leaf.release, KEY_PAUSE_MS);
+          rest.stop();
+          if (byKey.current) rest.begin();
           else leaf.release();
         }}
       />

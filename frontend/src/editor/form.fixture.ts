@@ -12,7 +12,7 @@ export const SCHEMA: JsonObject = {
       description: "The obstacle.",
       properties: {
         shape: { type: "string", enum: ["cosine", "flat_top"], default: "cosine", title: "Shape" },
-        height: { type: "number", minimum: -1, maximum: 1, default: 0.1, title: "Height", unit: "m", soft_range: [-0.15, 0.2] },
+        height: { type: "number", minimum: -1, maximum: 1, default: 0.1, title: "Height", unit: "m", shown_unit: "cm", soft_range: [-0.15, 0.2] },
       },
     },
     Road: {

@@ -1,6 +1,7 @@
 /** Hard limits of typed values, slider steps and slider scales. */
 
-import { formatExact, parseInput } from "../units/format";
+import { formatExact, formatInput } from "../units/format";
+import { readQuantity } from "../units/quantity";
 import type { NumberField } from "./schema";
 
 export type Reading = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
@@ -8,8 +9,9 @@ export type Reading = { readonly ok: true; readonly value: number } | { readonly
 /** Reads and checks a typed value against the field's own limits; the server checks what involves other fields. */
 export function readTyped(field: NumberField, text: string): Reading {
   if (text.trim() === "") return { ok: false, message: "Needs a value" };
-  const value = parseInput(text);
-  if (value === null) return { ok: false, message: "Not a number: a point for decimals, nothing for thousands" };
+  const typed = readQuantity(text, field.shown.unit);
+  if (!typed.ok) return typed;
+  const value = rounded(typed.value / field.shown.scale);
   if (field.integer && !Number.isInteger(value)) return { ok: false, message: "Must be a whole number" };
   const low = field.exclusiveMinimum ? value <= field.minimum : value < field.minimum;
   if (low || value > field.maximum) return { ok: false, message: limitText(field) };
@@ -17,11 +19,23 @@ export function readTyped(field: NumberField, text: string): Reading {
 }
 
 function limitText(field: NumberField): string {
-  const low = formatExact(field.minimum, "1");
-  const high = formatExact(field.maximum, field.unit);
+  const low = formatExact(inShownUnit(field, field.minimum), "1");
+  const high = valueText(field, field.maximum);
   if (field.exclusiveMinimum) return `Must be above ${low} and at most ${high}`;
   return `Must be from ${low} to ${high}`;
 }
+
+// 0.07 m are 7 cm, not 7.000000000000001.
+const rounded = (value: number) => Number(value.toPrecision(12));
+
+/** The number that stands in a field for a value of it. */
+export const inShownUnit = ({ shown }: NumberField, value: number) => rounded(value * shown.scale);
+
+/** A field's value as it would be typed, without its unit. */
+export const typedText = (field: NumberField, value: number) => formatInput(inShownUnit(field, value));
+
+/** A field's value with all its digits and its unit. */
+export const valueText = (field: NumberField, value: number) => formatExact(inShownUnit(field, value), field.shown.unit);
 
 /** The largest of 1, 2, 5 × 10ⁿ that is not above `value`. */
 function roundDown(value: number): number {
@@ -60,6 +74,13 @@ export function sliderScale(field: NumberField): SliderScale {
     // Multiples of the step, without the dust of binary fractions.
     fromSlider: (position) => Number((Math.round(position) * step).toPrecision(10)),
   };
+}
+
+/** The value so many slider steps further, on the slider's own marks, within the hard limits. */
+export function stepped(field: NumberField, value: number, steps: number): number {
+  const scale = sliderScale(field);
+  const next = Math.min(field.maximum, Math.max(field.minimum, scale.fromSlider(scale.toSlider(value) + steps)));
+  return field.exclusiveMinimum && next <= field.minimum ? value : next;
 }
 
 /** What a nullable field starts with when it is switched on: the middle of its soft range, by ratio, rounded. */

@@ -2,7 +2,8 @@ import { describe, expect, it } from "vitest";
 import { changedFields, changedPointers, changesText, leavesOf, resetMember, standardScenario } from "./diff";
 import { fieldFor, placeErrors } from "./errors";
 import { FORM } from "./form.fixture";
-import { readTyped, sliderScale, typicalValue } from "./limits";
+import { matching, sections } from "./layout";
+import { readTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import type { NumberField } from "./schema";
 
@@ -39,6 +40,18 @@ describe("the form from the schema", () => {
       road: { seed: 1, bump: { shape: "cosine", height: 0.1 } },
       mpc: { lag: null, force_weight: 1e-9, weights: [8, 1] },
     });
+  });
+});
+
+describe("a search over all fields", () => {
+  const found = (text: string) => sections(FORM).flatMap((section) => matching(section, text) ?? []).flatMap(({ members }) => members.flatMap((member) => leavesOf(member).map(({ pointer }) => pointer)));
+
+  it("finds by title, by part and by dotted name, every word", () => {
+    expect(found("height")).toEqual(["/road/bump/height"]);
+    expect(found("bump sh")).toEqual(["/road/bump/shape"]);
+    expect(found("mpc.force")).toEqual(["/mpc/force_weight"]);
+    expect(found("pitch")).toEqual(["/mpc/weights/0", "/mpc/weights/1"]);
+    expect(found("bump banana")).toEqual([]);
   });
 });
 
@@ -104,11 +117,26 @@ describe("errors of the server", () => {
 describe("typed values", () => {
   it("are checked against the hard limits", () => {
     const height = numberField("/road/bump/height");
-    expect(readTyped(height, "0.12")).toEqual({ ok: true, value: 0.12 });
-    expect(readTyped(height, "2")).toEqual({ ok: false, message: "Must be from −1 to 1\u00a0m" });
+    expect(readTyped(height, "12")).toEqual({ ok: true, value: 0.12 });
+    expect(readTyped(height, "120 mm")).toEqual({ ok: true, value: 0.12 });
+    expect(readTyped(height, "2 m")).toEqual({ ok: false, message: "Must be from −100 to 100\u00a0cm" });
     expect(readTyped(height, "high").ok).toBe(false);
     expect(readTyped(height, " ").ok).toBe(false);
     expect(readTyped(numberField("/road/seed"), "1.5")).toEqual({ ok: false, message: "Must be a whole number" });
+  });
+});
+
+it("values are typed and read in the unit they are shown in", () => {
+  const height = numberField("/road/bump/height");
+  expect([typedText(height, 0.07), valueText(height, -0.06), typedText(numberField("/road/seed"), 3)]).toEqual(["7", "−6\u00a0cm", "3"]);
+});
+
+describe("steps by arrow keys", () => {
+  it("are the slider's, and end at the hard limits", () => {
+    const height = numberField("/road/bump/height");
+    expect([stepped(height, 0.1, 1), stepped(height, 0.1, -10), stepped(height, 0.999, 10), stepped(height, 0.25, 1)]).toEqual([0.102, 0.08, 1, 0.252]);
+    expect(stepped(numberField("/mpc/force_weight"), 1e-9, 1)).toBe(1.1e-9);
+    expect(stepped(numberField("/road/seed"), 1, 1)).toBe(2);
   });
 });
 

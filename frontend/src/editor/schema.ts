@@ -1,6 +1,7 @@
 /** Turns the scenario's JSON Schema into the fields of the form. Labels, units and limits come from there alone. */
 
 import type { JsonObject, JsonValue } from "../api/types";
+import { shownIn, type ShownUnit } from "../units/quantity";
 import { child, type Pointer } from "./path";
 
 interface Base {
@@ -20,6 +21,8 @@ export interface NumberField extends Base {
   readonly maximum: number;
   readonly exclusiveMinimum: boolean;
   readonly soft: readonly [number, number];
+  /** The unit people think of it in; values stay in `unit`. */
+  readonly shown: ShownUnit;
 }
 
 /** One of several names, or of off and on. */
@@ -139,12 +142,14 @@ class Reader {
     if (body.type !== "number" && body.type !== "integer") return null;
     const minimum = number(body.minimum) ?? number(body.exclusiveMinimum) ?? -Infinity;
     const maximum = number(body.maximum) ?? Infinity;
+    const unit = text(node.unit) || "1";
     return {
       ...base,
       kind: "number",
       integer: body.type === "integer",
       nullable: variants.some((variant) => variant.type === "null"),
-      unit: text(node.unit) || "1",
+      unit,
+      shown: shownIn(unit, text(node.shown_unit) || unit),
       minimum,
       maximum,
       exclusiveMinimum: body.minimum === undefined && body.exclusiveMinimum !== undefined,

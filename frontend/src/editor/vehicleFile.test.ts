@@ -3,7 +3,7 @@ import type { Group } from "./schema";
 import { readVehicleFile, standardVehicle, vehicleFile } from "./vehicleFile";
 
 const number = (name: string, standard: number) =>
-  ({ kind: "number", pointer: `/vehicle/${name}`, title: name, description: "", standard, integer: false, nullable: false, unit: "kg", minimum: 0, maximum: 9, exclusiveMinimum: false, soft: [0, 1] }) as const;
+  ({ kind: "number", pointer: `/vehicle/${name}`, title: name, description: "", standard, integer: false, nullable: false, unit: "kg", shown: { unit: "kg", scale: 1 }, minimum: 0, maximum: 9, exclusiveMinimum: false, soft: [0, 1] }) as const;
 const FORM: Group = { kind: "group", pointer: "/vehicle", title: "Vehicle", description: "", members: [number("body_mass", 3), number("cg_height", 2)] };
 
 test("a vehicle, a scenario and a run hold one, and what is left out is the paper's", () => {

@@ -2,10 +2,10 @@
 
 import type { Scenario } from "../api/types";
 import { isChanged } from "../editor/diff";
+import { valueText } from "../editor/limits";
 import { getAt } from "../editor/path";
 import { optionOf, optionTitle, type Group } from "../editor/schema";
 import { sweepFields } from "../sweep/fields";
-import { formatExact } from "../units/format";
 
 const MOST_NAMED = 6;
 
@@ -17,7 +17,7 @@ export function otherThanPaper(scenario: Scenario, form: Group, swept: readonly 
   if (other.length === 0) return swept.length > 0 ? "All else as in the paper." : "As in the paper.";
   const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
     const value = getAt(scenario, leaf.pointer);
-    const text = typeof value === "number" ? formatExact(value, leaf.kind === "number" ? leaf.unit : "1") : value === null || value === undefined ? "off" : optionTitle(optionOf(value));
+    const text = typeof value === "number" && leaf.kind === "number" ? valueText(leaf, value) : value === null || value === undefined ? "off" : optionTitle(optionOf(value));
     return `${title} ${text}`;
   });
   const more = other.length - named.length;

@@ -5,7 +5,8 @@ import { useMemo } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../api/types";
 import { catalogueQuery, figuresQuery, strategiesQuery } from "../state/queries";
 import { headingOf, type WindowView } from "../tables/ComparisonTable";
-import { shownUnit, type ShownUnit } from "../tables/units";
+import { shownUnit } from "../tables/units";
+import type { ShownUnit } from "../units/quantity";
 import { prettyUnit } from "../units/format";
 
 export interface Words {

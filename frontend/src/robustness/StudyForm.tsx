@@ -107,7 +107,7 @@ interface RowProps {
 
 function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChange }: RowProps) {
   const id = useId();
-  const unit = field.leaf.kind === "number" ? prettyUnit(field.leaf.unit) : "";
+  const unit = field.leaf.kind === "number" ? prettyUnit(field.leaf.shown.unit) : "";
   const end = (key: "from" | "to", value: string) => (
     <TextInput
       size="xs"

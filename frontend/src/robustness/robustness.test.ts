@@ -21,7 +21,7 @@ describe("a study", () => {
   it("is what the server proposes, without fields this form has not", () => {
     const draft = draftStudy(DEFAULTS, FORM);
     expect(draft.ranges.map(({ field, from, to, on }) => [field.name, from, to, on])).toEqual([
-      ["road.bump.height", "0.05", "0.15", true],
+      ["road.bump.height", "5", "15", true],
       ["road.seed", "1", "9", true],
     ]);
     expect(readStudy(draft)).toEqual({
@@ -37,7 +37,7 @@ describe("a study", () => {
   it("begins from one that was made, with fields nobody proposed", () => {
     const draft = draftStudy(DEFAULTS, FORM, batchOf({ latin_hypercube: { ranges: { "road.seed": [3, 9], "mpc.lag": [2, 9] }, samples: 50, seed: 4 } }));
     expect(draft.ranges.map(({ field, from, on }) => [field.name, from, on])).toEqual([
-      ["road.bump.height", "0.05", false],
+      ["road.bump.height", "5", false],
       ["road.seed", "3", true],
       ["mpc.lag", "2", true],
     ]);
@@ -62,8 +62,8 @@ describe("a study", () => {
 
 describe("each field alone", () => {
   const fields = [
-    { name: "a", title: "A", unit: "1" },
-    { name: "b", title: "B", unit: "1" },
+    { name: "a", title: "A", unit: "1", linked_to: null },
+    { name: "b", title: "B", unit: "1", linked_to: null },
   ];
   const batch = { ...batchOf({ list: [{}, { a: 1 }, { a: 2 }, { b: 1 }, { b: 2 }] }), fields } as Batch;
   const columns = {

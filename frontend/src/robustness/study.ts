@@ -1,12 +1,12 @@
 /** A robustness study while somebody puts it together, and the batches that come of it. */
 
 import type { Batch, RobustnessDefaults, Scenario, StrategyId, Sweep } from "../api/types";
+import { typedText, valueText } from "../editor/limits";
 import { getAt } from "../editor/path";
 import type { Group } from "../editor/schema";
 import type { DraftErrors } from "../submission/problems";
 import { draftField, readDraft } from "../sweep/draft";
 import { sweepFields, type SweepField } from "../sweep/fields";
-import { formatExact, formatInput } from "../units/format";
 
 export interface RangeDraft {
   readonly field: SweepField;
@@ -50,7 +50,8 @@ export function draftStudy(defaults: RobustnessDefaults, form: Group, existing?:
       const field = fields.find((each) => each.name === name);
       const [low, high] = ends ?? usual;
       if (field?.leaf.kind !== "number" || low === undefined || high === undefined) return [];
-      return [{ field, why, on: ends !== undefined, from: formatInput(low), to: formatInput(high) }];
+      const { leaf } = field;
+      return [{ field, why, on: ends !== undefined, from: typedText(leaf, low), to: typedText(leaf, high) }];
     }),
     samples: String(cube?.samples ?? defaults.samples),
     seed: String(cube?.seed ?? 0),
@@ -88,5 +89,5 @@ export function exactText({ leaf }: SweepField, scenario: Scenario | undefined):
   const value = scenario && getAt(scenario, leaf.pointer);
   if (value === null) return leaf.title === "Saturation" ? "exact: the force limit" : "exact: ideal";
   if (leaf.pointer.startsWith("/mismatch/") && value === leaf.standard) return "exact";
-  return typeof value === "number" && leaf.kind === "number" ? `always ${formatExact(value, leaf.unit)}` : "exact";
+  return typeof value === "number" && leaf.kind === "number" ? `always ${valueText(leaf, value)}` : "exact";
 }

@@ -7,6 +7,7 @@ import { api } from "../api/client";
 import { explain } from "../api/problem";
 import type { Question, Solution } from "../api/types";
 import { fullName, OPENING_FIGURE, optionsOf, type Figure } from "../batch/figures";
+import { typedText, valueText } from "../editor/limits";
 import { setAt } from "../editor/path";
 import { useEdit, useLab, useReadOnly, useScenario } from "../state/context";
 import type { Catalogues } from "../state/useCatalogues";
@@ -14,7 +15,7 @@ import { pointerOf, sweepFields, type SweepField } from "../sweep/fields";
 import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
-import { formatExact, formatInput, formatResult, prettyUnit } from "../units/format";
+import { formatExact, formatResult, prettyUnit } from "../units/format";
 import { askable, readDraft, type SolveDraft } from "./draft";
 
 const FIRST_FIELD = "road.bump.height";
@@ -56,7 +57,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, onClose
       onChange={(event) => patch({ [key]: event.currentTarget.value })}
     />
   );
-  const unit = prettyUnit(leaf?.unit ?? "1");
+  const unit = prettyUnit(leaf?.shown.unit ?? "1");
   return (
     <Modal opened onClose={onClose} title="How large may it be?" size="lg" closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}>
       <Text size="sm" c="dimmed">
@@ -90,8 +91,9 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, onClose
 
 function rangeOf(fields: readonly SweepField[], name: string): Pick<SolveDraft, "field" | "from" | "to"> {
   const field = fields.find((each) => each.name === name);
-  const [low, high] = field?.leaf.kind === "number" ? field.leaf.soft : [0, 1];
-  return { field: name, from: formatInput(low), to: formatInput(high) };
+  const leaf = field?.leaf.kind === "number" ? field.leaf : null;
+  const [low, high] = leaf?.soft ?? [0, 1];
+  return { field: name, from: leaf ? typedText(leaf, low) : "", to: leaf ? typedText(leaf, high) : "" };
 }
 
 const bySection = (fields: readonly SweepField[]) =>
@@ -111,6 +113,7 @@ function Answer({ found, field, figure, onClose }: AnswerProps) {
   const edit = useEdit();
   const readOnly = useReadOnly();
   const [, above = found.value] = found.bracket;
+  const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, found.unit));
   const take = () => {
     edit.commit(setAt(edit.newest(), pointerOf(field.name), found.value));
     onClose();
@@ -119,7 +122,7 @@ function Answer({ found, field, figure, onClose }: AnswerProps) {
     <div role="status">
       <Group gap="sm">
         <Text fw={600}>
-          {field.title} at most {formatExact(found.value, found.unit)}
+          {field.title} at most {text(found.value)}
         </Text>
         {!readOnly && (
           <Button size="compact-sm" variant="light" onClick={take}>
@@ -130,7 +133,7 @@ function Answer({ found, field, figure, onClose }: AnswerProps) {
       <Text size="sm">
         {fullName(figure)}: {formatResult(found.metric_value * figure.scale)} {prettyUnit(figure.unit)} there
         {found.interval ? ", the upper end of its interval" : ""}.{" "}
-        {above > found.value ? `${formatExact(above, found.unit)} does not keep the limit.` : ""}
+        {above > found.value ? `${text(above)} does not keep the limit.` : ""}
       </Text>
       {found.warnings.length > 0 && (
         <List size="sm">

@@ -3,9 +3,9 @@ import type { Figure } from "../batch/figures";
 import type { NumberField } from "../editor/schema";
 import { readDraft, type SolveDraft } from "./draft";
 
-const FIELD = { kind: "number", integer: false, unit: "m", minimum: -1, maximum: 1, exclusiveMinimum: false, soft: [0, 0.2] } as unknown as NumberField;
+const FIELD = { kind: "number", integer: false, unit: "m", minimum: -1, maximum: 1, exclusiveMinimum: false, soft: [0, 0.2], shown: { unit: "cm", scale: 100 } } as unknown as NumberField;
 const LOAD: Figure = { key: "bump.front_tyre_load.peak", label: "Front tyre dynamic load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
-const DRAFT: SolveDraft = { field: "road.bump.height", from: "0.05", to: "0,2", strategy: "lv", metric: LOAD.key, limit: "4.5" };
+const DRAFT: SolveDraft = { field: "road.bump.height", from: "5", to: "0,2 m", strategy: "lv", metric: LOAD.key, limit: "4.5" };
 
 describe("a question as it is typed", () => {
   it("is asked in SI units", () => {
@@ -15,8 +15,8 @@ describe("a question as it is typed", () => {
 
   it("waits for its limit, and says what is wrong with the rest", () => {
     expect(readDraft({ ...DRAFT, limit: " " }, FIELD, LOAD)).toEqual({ question: null, wrong: null });
-    expect(readDraft({ ...DRAFT, limit: "4 kN" }, FIELD, LOAD).wrong).toBe("At most: not a number");
-    expect(readDraft({ ...DRAFT, to: "0.05" }, FIELD, LOAD).wrong).toBe("From has to be less than to");
-    expect(readDraft({ ...DRAFT, to: "2" }, FIELD, LOAD).wrong).toContain("To: Must be from");
+    expect(readDraft({ ...DRAFT, limit: "4 kg" }, FIELD, LOAD).wrong).toBe("At most: Takes kN (also without a unit) or N");
+    expect(readDraft({ ...DRAFT, to: "50 mm" }, FIELD, LOAD).wrong).toBe("From has to be less than to");
+    expect(readDraft({ ...DRAFT, to: "2 m" }, FIELD, LOAD).wrong).toContain("To: Must be from");
   });
 });

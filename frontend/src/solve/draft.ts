@@ -5,7 +5,7 @@ import type { Figure } from "../batch/figures";
 import { readTyped } from "../editor/limits";
 import type { NumberField } from "../editor/schema";
 import type { SweepField } from "../sweep/fields";
-import { parseInput } from "../units/format";
+import { readQuantity } from "../units/quantity";
 
 export interface SolveDraft {
   /** Its dotted name. */
@@ -32,13 +32,13 @@ export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "n
 export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): Reading {
   const ends = [draft.from, draft.to].map((text) => readTyped(field, text));
   const [from, to] = ends;
-  const limit = parseInput(draft.limit);
+  const limit = readQuantity(draft.limit, figure.unit);
   const wrong = (message: string): Reading => ({ question: null, wrong: message });
   if (from?.ok === false) return wrong(`From: ${from.message}`);
   if (to?.ok === false) return wrong(`To: ${to.message}`);
   if (!from || !to || from.value >= to.value) return wrong("From has to be less than to");
   if (draft.limit.trim() === "") return { question: null, wrong: null };
-  if (limit === null) return wrong("At most: not a number");
+  if (!limit.ok) return wrong(`At most: ${limit.message}`);
   const { strategy, metric } = draft;
-  return { question: { field: draft.field, strategy, metric, range: [from.value, to.value], limit: limit / figure.scale }, wrong: null };
+  return { question: { field: draft.field, strategy, metric, range: [from.value, to.value], limit: Number((limit.value / figure.scale).toPrecision(12)) }, wrong: null };
 }

@@ -3,6 +3,8 @@
 export interface Timer {
   readonly start: () => void;
   readonly stop: () => void;
+  /** Acts now if it would have acted later. */
+  readonly flush: () => void;
 }
 
 export function createTimer(delayMs: number, action: () => void): Timer {
@@ -11,11 +13,20 @@ export function createTimer(delayMs: number, action: () => void): Timer {
     if (handle !== null) clearTimeout(handle);
     handle = null;
   };
+  const act = () => {
+    handle = null;
+    action();
+  };
   return {
     start: () => {
       stop();
-      handle = setTimeout(action, delayMs);
+      handle = setTimeout(act, delayMs);
     },
     stop,
+    flush: () => {
+      if (handle === null) return;
+      stop();
+      action();
+    },
   };
 }

@@ -50,7 +50,7 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
 }
 
 function Option({ field: { title, name, leaf } }: { readonly field: SweepField }) {
-  const unit = leaf.kind === "number" ? prettyUnit(leaf.unit) : "";
+  const unit = leaf.kind === "number" ? prettyUnit(leaf.shown.unit) : "";
   return (
     <span className={classes.option}>
       <span>

@@ -3,7 +3,8 @@
 import { Chip, Group, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { optionTitle, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";
-import { byRatio, type FieldDraft, type Method } from "./draft";
+import { typedText } from "../editor/limits";
+import { byRatio, spread, type FieldDraft, type Method } from "./draft";
 import classes from "./sweep.module.css";
 import ui from "../ui/ui.module.css";
 import { EntryRow } from "../ui/EntryRow";
@@ -32,7 +33,7 @@ export function SweptFieldRow({ draft, method, error, onChange, onRemove }: Prop
 type NumberProps = Pick<Props, "draft" | "method" | "onChange"> & { readonly field: NumberField };
 
 function NumberValues({ field, draft, method, onChange }: NumberProps) {
-  const unit = prettyUnit(field.unit);
+  const unit = prettyUnit(field.shown.unit);
   const name = draft.field.title;
   const end = (key: "from" | "to", label: string) => (
     <TextInput
@@ -69,7 +70,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
           className={classes.list ?? ""}
           label={unit === "" ? "Values" : `Values [${unit}]`}
           aria-label={`${name}, values`}
-          placeholder="0.05, 0.1, 0.15"
+          placeholder={spread(field, ...field.soft, 3).map((value) => typedText(field, value)).join(", ")}
           value={draft.list}
           onChange={(event) => onChange({ list: event.currentTarget.value })}
         />

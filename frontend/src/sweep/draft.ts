@@ -1,10 +1,10 @@
 /** A sweep while somebody puts it together: texts as they are typed, and what becomes of them. */
 
 import type { StrategyId, Sweep } from "../api/types";
-import { readTyped } from "../editor/limits";
+import { readTyped, typedText } from "../editor/limits";
 import { optionValue, type NumberField } from "../editor/schema";
 import type { DraftErrors } from "../submission/problems";
-import { formatInput, parseInput } from "../units/format";
+import { parseInput } from "../units/format";
 import type { SweepField } from "./fields";
 
 export type Method = "grid" | "hypercube";
@@ -42,8 +42,8 @@ export function draftField(field: SweepField): FieldDraft {
   return {
     field,
     by: "steps",
-    from: formatInput(low),
-    to: formatInput(high),
+    from: leaf.kind === "number" ? typedText(leaf, low) : "",
+    to: leaf.kind === "number" ? typedText(leaf, high) : "",
     count: String(leaf.kind === "number" && leaf.integer ? Math.min(DEFAULT_COUNT, high - low + 1) : DEFAULT_COUNT),
     list: "",
     options: leaf.kind === "choice" ? leaf.options : [],
@@ -91,7 +91,7 @@ function gridValues(draft: FieldDraft): readonly (number | string | boolean)[] {
     return leaf.options.filter((option) => draft.options.includes(option)).map((option) => optionValue(leaf, option));
   }
   if (draft.by === "list") {
-    const texts = draft.list.split(/[;,\s]+/).filter((text) => text !== "");
+    const texts = draft.list.split(/[;,\n]|\s+(?=[+\-−.\d])/).map((text) => text.trim()).filter((text) => text !== "");
     if (texts.length === 0) throw new FieldError("Needs at least one value");
     return texts.map((text) => typed(leaf, text, text));
   }

@@ -35,7 +35,7 @@ describe("the fields a sweep can name", () => {
   });
 
   it("start with their soft range", () => {
-    expect(drafted("road.bump.height")).toMatchObject({ from: "-0.15", to: "0.2", count: "5" });
+    expect(drafted("road.bump.height")).toMatchObject({ from: "-15", to: "20", count: "5" });
     expect(drafted("road.bump.shape").options).toEqual(["cosine", "flat_top"]);
   });
 });
@@ -57,7 +57,7 @@ describe("values from here to there", () => {
 describe("what is sent", () => {
   it("is a grid of steps, lists and choices", () => {
     const fields = [
-      drafted("road.bump.height", { from: "0", to: "0.1", count: "3" }),
+      drafted("road.bump.height", { from: "0", to: "10", count: "3" }),
       drafted("road.seed", { by: "list", list: "1, 2; 5" }),
       drafted("road.bump.shape", { options: ["flat_top"] }),
     ];
@@ -69,7 +69,7 @@ describe("what is sent", () => {
 
   it("reads lists as people type them", () => {
     const list = (text: string) => readDraft(draft({ fields: [drafted("road.bump.height", { by: "list", list: text })] }));
-    for (const text of ["0.05 0.1", "0.05,0.1", "0.05, 0.1", "0.05;0.1", "0.05\n0.1,"]) {
+    for (const text of ["5 10", "5,10", "5, 10", "5;10", "5\n10,", "5 cm, 100mm", "5 cm 0.1 m"]) {
       expect(list(text), text).toEqual({ ok: true, sweep: { grid: { "road.bump.height": [0.05, 0.1] } } });
     }
   });
@@ -84,8 +84,8 @@ describe("what is sent", () => {
 
   it("is nothing while a field cannot be used, and the field says why", () => {
     const fields = [
-      drafted("road.bump.height", { from: "0.1", to: "3" }),
-      drafted("road.seed", { by: "list", list: "1 x" }),
+      drafted("road.bump.height", { from: "10", to: "3 m" }),
+      drafted("road.seed", { by: "list", list: "1, x" }),
       drafted("mpc.lag", { from: "9", to: "2" }),
       drafted("mpc.force_weight", { count: "0" }),
       drafted("road.bump.shape", { options: [] }),
@@ -94,8 +94,8 @@ describe("what is sent", () => {
       ok: false,
       errors: {
         strategies: "Choose at least one strategy",
-        "road.bump.height": "To: must be from −1 to 1\u00a0m",
-        "road.seed": "x: not a number: a point for decimals, nothing for thousands",
+        "road.bump.height": "To: must be from −100 to 100\u00a0cm",
+        "road.seed": "x: enter a number, e.g. 0.12; no commas for thousands",
         "mpc.lag": "From has to be less than to",
         "mpc.force_weight": "Values: a whole number from 1 to 10000",
         "road.bump.shape": "Choose at least one",

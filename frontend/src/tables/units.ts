@@ -1,11 +1,7 @@
 /** The unit a signal is shown in: the figures say it, the tables follow. */
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
-
-export interface ShownUnit {
-  readonly unit: string;
-  readonly scale: number;
-}
+import type { ShownUnit } from "../units/quantity";
 
 export function shownUnit(
   signal: SignalKey,

@@ -6,6 +6,7 @@ import type { Figure } from "../batch/figures";
 import type { Group } from "../editor/schema";
 import type { DraftErrors, PlaceOf } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
+import { readQuantity } from "../units/quantity";
 import { readSeeds } from "./seeds";
 import { numberFields, tunableOf } from "./space";
 
@@ -125,9 +126,10 @@ function objectives({ objectives: drafts }: TuningDraft, put: Put): TuningChoice
 
 function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put: Put): TuningChoice["limits"] {
   return drafts.map(({ figure, atMost }, index) => {
-    const scale = figures.find(({ key }) => key === figure)?.scale ?? 1;
-    const value = number(atMost, -1e12, 1e12, () => put(`limits.${index}`, "Needs a number"));
-    return { figure, at_most: Number((value / scale).toPrecision(12)) };
+    const { unit, scale } = figures.find(({ key }) => key === figure) ?? { unit: "1", scale: 1 };
+    const limit = readQuantity(atMost, unit);
+    if (!limit.ok) put(`limits.${index}`, limit.message);
+    return { figure, at_most: limit.ok ? Number((limit.value / scale).toPrecision(12)) : 0 };
   });
 }
 

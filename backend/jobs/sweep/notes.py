@@ -1,0 +1,67 @@
+"""What a sweep's runs do not depend on, in words: fields a strategy does not read, speeds it does not reach."""
+
+from collections.abc import Mapping, Sequence
+
+from backend.jobs.chunk import PlannedRun
+from backend.json_types import JsonObject
+from sim_core.scenario import dotted
+from sim_core.strategies import STRATEGIES, SpeedPolicy
+
+INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
+
+
+def notes(
+    base: JsonObject, points: Sequence[JsonObject], axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]
+) -> list[str]:
+    """Sentences about a sweep; none where every run is one of its own.
+
+    Args:
+        base: The plain scenario it starts from.
+        points: What each point changes.
+        axes: Swept field -> fields that take the same value.
+        runs: A point's strategies side by side.
+    """
+    names = list(dict.fromkeys(run.strategy for run in runs))
+    return [*_unread(names, axes, runs), *_clamped(base, points, names)]
+
+
+def _unread(names: Sequence[str], axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]) -> list[str]:
+    said = []
+    for name in names:
+        unread = [axis for axis, linked in axes.items() if not any(_reads(name, each) for each in (axis, *linked))]
+        keys = [run.key for run in runs if run.strategy == name and run.key is not None]
+        if unread and len(set(keys)) < len(keys):
+            fields = _listed([_inside(dotted.field(axis).title) for axis in unread])
+            counted = f"its {len(keys)} runs give {len(set(keys))} results"
+            said.append(f"{STRATEGIES[name].label} does not use {fields}: {counted}")
+    return said
+
+
+def _reads(strategy: str, field: str) -> bool:
+    """Whether that strategy reads the field, a part of it, or the part it lies in."""
+    reads = STRATEGIES[strategy].reads
+    return any(f"{field}.".startswith(f"{each}.") or each.startswith(f"{field}.") for each in reads)
+
+
+def _clamped(base: JsonObject, points: Sequence[JsonObject], names: Sequence[str]) -> list[str]:
+    """A speed plan only slows down: a target above the initial speed is the initial speed."""
+    planned = [STRATEGIES[name].label for name in names if STRATEGIES[name].speed is SpeedPolicy.PLANNED]
+    if not planned or not any(TARGET in point or INITIAL in point for point in points[:1]):
+        return []
+    initial, target = (dotted.value(base, name) for name in (INITIAL, TARGET))
+    above = sum(point.get(TARGET, target) > point.get(INITIAL, initial) for point in points)
+    if above == 0:
+        return []
+    return [
+        f"At {above} of {len(points)} points the target speed is above the initial speed, which "
+        f"{_listed(planned)} then {'keep' if len(planned) > 1 else 'keeps'}"
+    ]
+
+
+def _inside(title: str) -> str:
+    """A title within a sentence; abbreviations stay."""
+    return title if title[1:2].isupper() else title[:1].lower() + title[1:]
+
+
+def _listed(words: Sequence[str]) -> str:
+    return " and ".join(filter(None, [", ".join(words[:-1]), words[-1]]))

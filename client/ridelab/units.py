@@ -1,0 +1,81 @@
+"""Units as people write them: what a number with a unit is in the unit that the service takes.
+
+The page reads the same table: `UPDATE_DOCS=1 python -m pytest tests/api/test_units.py` writes it there.
+"""
+
+import math
+import re
+from collections.abc import Mapping
+
+# Quantity -> spelling -> how many of the quantity's SI unit it is.
+UNITS: Mapping[str, Mapping[str, float]] = {
+    "ratio": {"1": 1.0, "%": 0.01},
+    "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "in": 0.0254, "ft": 0.3048},
+    "area": {"m^2": 1.0, "mm^2": 1e-6, "cm^2": 1e-4},
+    "volume": {"m^3": 1.0, "cm^3": 1e-6},
+    "time": {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "min": 60.0},
+    "speed": {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704},
+    "acceleration": {"m/s^2": 1.0, "g": 9.80665},
+    "mass": {"kg": 1.0, "t": 1e3, "lb": 0.45359237},
+    "inertia": {"kg·m^2": 1.0},
+    "force": {"N": 1.0, "kN": 1e3},
+    "force rate": {"N/s": 1.0, "kN/s": 1e3, "N/ms": 1e3},
+    "stiffness": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3},
+    "damping": {"N·s/m": 1.0, "kN·s/m": 1e3, "N·s/mm": 1e3},
+    "pressure": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "bar": 1e5},
+    "power": {"W": 1.0, "kW": 1e3},
+    "frequency": {"Hz": 1.0, "kHz": 1e3},
+    "angle": {"rad": 1.0, "mrad": 1e-3, "°": math.pi / 180},
+    "angular speed": {"rad/s": 1.0, "mrad/s": 1e-3, "°/s": math.pi / 180},
+    "angular acceleration": {"rad/s^2": 1.0, "°/s^2": math.pi / 180},
+}
+# Other spellings.
+ALIASES: Mapping[str, str] = {
+    "kmh": "km/h",
+    "kph": "km/h",
+    "deg": "°",
+    "deg/s": "°/s",
+    "deg/s^2": "°/s^2",
+    "inch": "in",
+}
+_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?", re.IGNORECASE)
+_DIGITS = 12  # 7 cm are 0.07 m, not 0.07000000000000001
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻μ", "0123456789-µ")
+
+
+def quantity(text: str, unit: str) -> float:
+    """What a number, with or without a unit behind it, is in `unit`.
+
+    Raises:
+        ValueError: It is no number, or its unit measures something else; the message names the units it takes.
+    """
+    start = _NUMBER.match(text)
+    if start is None:
+        raise ValueError(f"{text} is not a number")
+    number, written = float(start[0]), text[start.end() :].strip()
+    if not math.isfinite(number):
+        raise ValueError(f"{text} is not a finite number")
+    if not written:
+        return number
+    units = _of_same_quantity(unit)
+    by_key = {_key(name): name for name in units}
+    name = by_key.get(_key({_key(alias): full for alias, full in ALIASES.items()}.get(_key(written), written)))
+    if name is None:
+        others = " or".join(", ".join(each for each in units if each != "1").rsplit(",", 1))
+        raise ValueError(f"{text} is not understood: it takes {others or 'a number without a unit'}")
+    return float(f"{number * units[name] / units[unit]:.{_DIGITS}g}")
+
+
+def starts_as_number(text: str) -> bool:
+    """Whether it begins with one, whatever stands behind it."""
+    return _NUMBER.match(text) is not None
+
+
+def _of_same_quantity(unit: str) -> Mapping[str, float]:
+    """Every unit of what this one measures; this one alone where the table does not have it."""
+    return next((units for units in UNITS.values() if unit in units), {unit: 1.0})
+
+
+def _key(unit: str) -> str:
+    """`kg·m²`, `kg*m^2` and `KG m2` are one."""
+    return re.sub(r"[·⋅*^\s]", "", unit.translate(_RAISED)).lower()

@@ -1,0 +1,69 @@
+"""Units as people write them, and the one table that the command line and the page read."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from ridelab.units import ALIASES, UNITS, quantity
+from sim_core.scenario import dotted
+
+PAGE = Path(__file__).parents[2] / "frontend/src/units/units.gen.json"
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("0.12", "m", 0.12),
+        ("12 cm", "m", 0.12),
+        ("12cm", "m", 0.12),
+        ("120MM", "m", 0.12),
+        ("-6 cm", "m", -0.06),
+        ("8.5 m/s", "km/h", 30.6),
+        ("30 km/h", "km/h", 30),
+        ("30kmh", "m/s", 8.33333333333),
+        ("1.2 kN", "N", 1200),
+        ("22 N/mm", "N/m", 22000),
+        ("1.5kN*s/m", "N·s/m", 1500),
+        ("1500 Ns/m", "N·s/m", 1500),
+        ("64 cm³", "m^3", 64e-6),
+        ("25cm2", "m^2", 0.0025),
+        ("2°/s", "rad/s", 0.0349065850399),
+        ("1.5 MPa", "Pa", 1.5e6),
+        ("15 bar", "Pa", 1.5e6),
+        ("0.3 g", "m/s^2", 2.941995),
+        ("60 %", "1", 0.6),
+        ("10 ms", "s", 0.01),
+        ("1e-9 1/N²", "1/N^2", 1e-9),
+    ],
+)
+def test_a_number_with_a_unit_is_converted(text: str, unit: str, value: float) -> None:
+    assert quantity(text, unit) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "message"),
+    [
+        ("12 kg", "m", "12 kg is not understood: it takes m, mm, cm, km, in or ft"),
+        ("3 furlongs", "km/h", "3 furlongs is not understood: it takes m/s, km/h or mph"),
+        ("2 m", "1/N^2", "2 m is not understood: it takes 1/N^2"),
+        ("high", "m", "high is not a number"),
+    ],
+)
+def test_another_quantity_is_refused_with_the_units_there_are(text: str, unit: str, message: str) -> None:
+    with pytest.raises(ValueError, match="^" + message.replace("^", "\\^") + "$"):
+        quantity(text, unit)
+
+
+def test_every_fields_unit_is_known() -> None:
+    known = {unit for units in UNITS.values() for unit in units}
+    assert {field.unit for field in dotted.fields().values()} <= known | {"1/N^2"}
+
+
+def test_the_pages_table_is_this_one() -> None:
+    """UPDATE_DOCS=1 writes it."""
+    text = json.dumps({"units": UNITS, "aliases": ALIASES}, indent=1, ensure_ascii=False) + "\n"
+    if os.environ.get("UPDATE_DOCS"):
+        PAGE.write_text(text, encoding="utf-8")
+    assert PAGE.read_text(encoding="utf-8") == text
