@@ -19,7 +19,7 @@ const shared = createRoute({ getParentRoute: () => lab, path: "/s/$id", validate
 const sweep = createRoute({
   getParentRoute: () => root,
   path: "/b/$id",
-  validateSearch: (raw: Record<string, unknown>) => pick(raw, "x", "y", "hide"),
+  validateSearch: (raw: Record<string, unknown>) => pick(raw, "plot", "x", "y", "hide", "strategy", "against", "at", "versus"),
   component: lazyRouteComponent(() => import("./batch/BatchPage"), "SweepPage"),
 });
 const sweeps = createRoute({

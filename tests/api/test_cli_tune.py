@@ -71,7 +71,7 @@ def test_a_detached_one_goes_on_without_the_command(cli: Cli, scenario: Path, cl
     [
         (["--strategy", "passive"], "strategy: Input should be 'lv', 'suspension_only' or 'lqr'"),
         (["--objective", "paper:a,b,c"], "--objective paper:Q1,Q2,Q3 takes three numbers"),
-        (["--limit", "travel_time"], "--limit takes FIGURE=MOST"),
+        (["--limit", "travel_time"], "--limit takes METRIC=MOST"),
         (["--search", "lqr.weight=1:2"], "search.lqr.weight: Unknown weight lqr.weight, perhaps lqr.weights.2"),
         (["--seeds", "4-1"], "--seeds takes whole numbers and spans of them"),
         (["--resume", "x" * 22], "There is no tuning of this id."),

@@ -43,6 +43,7 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     dialog.get_by_role("radiogroup", name="Target speed: values by").get_by_text("List").click()
     dialog.get_by_label("Target speed, values", exact=True).fill("15, 25")
     dialog.get_by_role("checkbox", name="LQR").uncheck()
+    expect(dialog.get_by_text("Passive does not use target speed: its 6 runs give 3 results.")).to_be_visible()
     expect(dialog.get_by_test_id("estimate")).to_contain_text(
         re.compile(r"^12 runs \(6 points × 2 strategies\), about ")
     )
@@ -54,7 +55,26 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     expect(page.get_by_test_id("batch-counts")).to_have_text("12 of 12 runs finished")
     expect(page.get_by_text("Other than the paper: Width 3\u00a0m.")).to_be_visible()
     expect(page.get_by_role("progressbar", name="Finished runs")).to_have_attribute("aria-valuenow", "100")
+    expect(page.get_by_text("Passive does not use target speed: its 6 runs give 3 results.")).to_be_visible()
     expect(page.locator("tbody tr[data-status=ok]")).to_have_count(12)
+
+    note = page.get_by_test_id("map-note")
+    expect(note).to_contain_text("LV control is at or below Passive at 6 of 6 points.")
+    page.get_by_label("Line at").fill("−80 %")
+    expect(note).to_contain_text(re.compile(r"At or below −80\s%? at [1-5] of 6 points"))
+    expect(page.locator(".contourlayer .contourlevel, .contourlayer .contourlines path").first).to_be_attached()
+    page.get_by_label("Change against", exact=True).select_option("none")
+    page.get_by_label("Line at").fill("0.9")
+    expect(note).to_contain_text("At or below 0.9\u00a0m/s²")
+    expect(page).to_have_url(re.compile(r"\?against=none&at=0\.9$"))
+    page.reload()
+    expect(page.get_by_label("Line at")).to_have_value("0.9")
+
+    kinds = page.get_by_role("radiogroup", name="Plot")
+    kinds.get_by_text("Trade-off").click()
+    expect(page.get_by_text(re.compile(r"Pareto front: \d+ runs? that no other betters"))).to_be_visible()
+    kinds.get_by_text("Curves").click()
+    expect(page.locator(".infolayer .annotation")).to_have_count(4)  # which speed each curve is of
     expect(page.locator(".scatterlayer .point")).to_have_count(13)  # each run, and a ring around the lowest
     expect(page.get_by_role("region", name="Plot")).to_contain_text(
         re.compile(r"Lowest: [\d.]+\s?m/s², LV control at Height 5")
@@ -191,19 +211,19 @@ def test_rows_are_sorted_and_failed_ones_say_why(dashboard: Dashboard, server: S
 def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 5]}}
-    page.goto(server.submit(grid, ["lv", "passive"]))
+    page.goto(f"{server.submit(grid, ['lv', 'passive'])}?plot=points")
     expect_done(page)
     page.get_by_label("Over", exact=True).select_option("road.bump.width")
-    page.get_by_role("combobox", name="Figure").fill("travel time")
+    page.get_by_role("combobox", name="Metric").fill("travel time")
     page.get_by_role("listbox").get_by_role("option", name="Travel time").click()
     page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive").click()
-    expect(page).to_have_url(re.compile(r"x=road.bump.width&y=travel_time&hide=passive"))
+    expect(page).to_have_url(re.compile(r"plot=points&x=road.bump.width&y=travel_time&hide=passive"))
     link = share(page)
 
     page.goto(link)
     expect(page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep, computed on")
     expect(page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
-    expect(page.get_by_role("combobox", name="Figure")).to_have_value("Travel time")
+    expect(page.get_by_role("combobox", name="Metric")).to_have_value("Travel time")
     passive = page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")
     expect(passive).to_have_attribute("aria-pressed", "false")
     expect(page.locator("tbody tr[data-status=ok]")).to_have_count(8)
@@ -294,7 +314,7 @@ def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard:
     page = dashboard.page
     grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 4]}}
     path = server.submit(grid, ["lv", "passive"])
-    page.goto(path)
+    page.goto(f"{path}?plot=points")
     expect_done(page)
     expect(page.locator(".scatterlayer .point")).to_have_count(9)  # each run, and the ring
     expect(page.locator(".scatterlayer .js-line")).to_have_count(4)  # a width and a strategy each
@@ -309,4 +329,4 @@ def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard:
     dashboard.expect_accessible()
 
     page.locator(".scatterlayer .trace").nth(3).locator(".point").last.hover(force=True)
-    expect(page.locator(".hoverlayer")).to_contain_text(re.compile(r"Passive.*Height 0\.1\sm.*Width [34]\sm.*airborne"))
+    expect(page.locator(".hoverlayer")).to_contain_text(re.compile(r"Passive.*Height 10\scm.*Width [34]\sm.*airborne"))

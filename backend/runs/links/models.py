@@ -44,6 +44,9 @@ def _check_column(name: str) -> str:
     return name
 
 
+Column = Annotated[str, AfterValidator(_check_column)]
+
+
 class LinkPin(RequestModel):
     """A run that the shared one is compared with, by a name."""
 
@@ -67,9 +70,16 @@ class LinkView(RequestModel):
         None, description="Of a run only: runs it is compared with. The link keeps them as it keeps its own."
     )
     x: str | None = Field(None, max_length=255, description="Of a batch only: the field on the x axis, dotted.")
-    y: Annotated[str, AfterValidator(_check_column)] | None = Field(
-        None, description="Of a batch only: the figure on the y axis, window.signal.statistic."
+    y: Column | None = Field(None, description="Of a batch only: the metric on the y axis, or of the map.")
+    plot: Literal["points", "map", "trade_off"] | None = Field(
+        None, description="Of a batch only: runs over a field, a metric over two fields, or one metric over another."
     )
+    strategy: StrategyName | None = Field(None, description="Of a batch only: whose map it is.")
+    against: StrategyName | Literal["none"] | None = Field(
+        None, description="Of a batch only: the strategy that map is compared with."
+    )
+    threshold: Finite | None = Field(None, description="Of a batch only: where the map has a line, in the unit shown.")
+    versus: Column | None = Field(None, description="Of a batch only: the metric on the x axis of a trade-off.")
 
 
 class LinkRequest(RequestModel):
@@ -85,7 +95,7 @@ class LinkRequest(RequestModel):
             raise inconsistent("run_id", "Exactly one of run_id and batch_id has to be given")
         if self.run_id is None and self.view.pins is not None:
             raise inconsistent("view.pins", "Only the view of a run has this field")
-        for name in ("x", "y"):
+        for name in ("x", "y", "plot", "strategy", "against", "threshold", "versus"):
             if self.batch_id is None and getattr(self.view, name) is not None:
                 raise inconsistent(f"view.{name}", "Only the view of a batch has this field")
         return self

@@ -38,7 +38,7 @@ def tune(
     services: Services,
     scenario: options.Scenario = "paper",
     objective: Annotated[list[str] | None, options.option("OBJECTIVE", _OBJECTIVE)] = None,
-    limit: Annotated[list[str] | None, options.option("FIGURE=MOST", _LIMIT)] = None,
+    limit: Annotated[list[str] | None, options.option("METRIC=MOST", _LIMIT)] = None,
     strategy: Annotated[str, typer.Option("--strategy", "-s", metavar="ID", help="lv, suspension_only or lqr.")] = "lv",
     search: Annotated[list[str] | None, options.option("WEIGHT=LOW:HIGH", _SEARCH)] = None,
     preview: Annotated[str | None, options.option("KIND,KIND", _PREVIEW)] = None,

@@ -4,7 +4,7 @@ import { Button, Menu } from "@mantine/core";
 import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../icons";
 import { api } from "../api/client";
 import { batches } from "../api/jobs";
-import type { Batch } from "../api/types";
+import type { Batch, SharedView } from "../api/types";
 import { download } from "../export/image";
 import { ShareLink } from "../share/ShareLink";
 import type { BatchView } from "./view";
@@ -52,7 +52,8 @@ export function BatchActions({ batch, view }: Props) {
   );
 }
 
-function toShare({ fields, strategies }: Batch, { x, y, hidden }: BatchView) {
-  const shown = x ?? fields[0]?.name;
-  return { ...(shown === undefined ? {} : { x: shown }), y, hidden: hidden.filter((id) => strategies.some((each) => each === id)) };
+/** How it is looked at, without what the page itself chooses. */
+function toShare({ fields, strategies }: Batch, { x, hidden, ...view }: BatchView): SharedView {
+  const shown = { ...view, x: x ?? fields[0]?.name ?? null, hidden: hidden.filter((id) => strategies.some((each) => each === id)) };
+  return Object.fromEntries(Object.entries(shown).filter(([, value]) => value !== null));
 }

@@ -7,11 +7,12 @@ import type { Group } from "../editor/schema";
 import type { Markers } from "../plots/markers";
 import { BatchPlot } from "./BatchPlot";
 import { BatchRows } from "./BatchRows";
-import { OPENING_FIGURE, paperFigures, type Figure } from "./figures";
+import { paperFigures, type Figure } from "./figures";
 import { cell, lowest, rowsOf, type Columns } from "./table";
 import { CAVEAT_COLUMNS } from "./describeRow";
 import { tableQuery } from "./queries";
 import { useOpenRun } from "./useOpenRun";
+import { shownPlot } from "./shownPlot";
 import { shownColumns, shownFields } from "./shownFields";
 import type { BatchView } from "./view";
 import { Fault } from "../ui/Fault";
@@ -33,9 +34,10 @@ const NOTHING: Columns = {};
 
 export function BatchResults({ batch: stored, form, catalogue, strategies, markers, figures, view, onView }: Props) {
   const batch = useMemo(() => ({ ...stored, fields: shownFields(stored.fields, form) }), [stored, form]);
-  const y = figures.find(({ key }) => key === view.y) ?? figures.find(({ key }) => key === OPENING_FIGURE) ?? figures[0];
-  const x = batch.fields.find(({ name }) => name === view.x) ?? batch.fields[0];
-  const keys = useMemo(() => [...new Set([...(y ? [y.key] : []), ...paperFigures(catalogue)])], [catalogue, y]);
+  const shown = useMemo(() => shownPlot(batch, strategies, figures, view), [batch, strategies, figures, view]);
+  const y = shown?.y;
+  const plotted = shown && [shown.y.key, ...(shown.kind === "trade_off" ? [shown.versus.key] : [])].join(" ");
+  const keys = useMemo(() => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])], [catalogue, plotted]);
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
   const given = table.data?.columns ?? NOTHING;
@@ -60,23 +62,23 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
     const values = batch.fields.map(({ name }) => [name, cell(given, name, row)] as const);
     opening.open({ run: row, at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))) });
   };
-  const shown = useMemo(
+  const listed = useMemo(
     () => keys.flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
     [keys, figures],
   );
 
-  if (!x || !y) return null;
+  if (!shown) return null;
   return (
     <div className={ui.stack} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
       {table.isError && (
         <Fault size="sm">The rows could not be read: {table.error.message}</Fault>
       )}
       {opening.error !== null && <Fault size="sm">This run could not be opened: {opening.error}</Fault>}
-      <BatchPlot {...{ batch, columns, catalogue, strategies, markers, figures, x, y, view, best, onView }} onOpen={open} />
+      <BatchPlot {...{ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView }} onOpen={open} />
       <BatchRows
         {...{ batch, columns, catalogue, strategies, markers, best }}
         loading={table.isPending}
-        figures={shown}
+        figures={listed}
         opening={opening.run}
         onOpen={open}
       />

@@ -11,6 +11,7 @@ import { BATCH, useJobCall } from "../jobs/useJob";
 import { formatDuration, formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
 import { Fault } from "../ui/Fault";
+import classes from "./batch.module.css";
 import ui from "../ui/ui.module.css";
 
 interface Props {
@@ -43,6 +44,13 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
       <Text size="xs" c="dimmed">
         {facts(batch)}. {otherThanPaper(batch.scenario, form, batch.fields.map(({ name }) => name))}
       </Text>
+      {batch.notes.length > 0 && (
+        <ul className={classes.notes} data-testid="batch-notes">
+          {batch.notes.map((note) => (
+            <li key={note}>{note}.</li>
+          ))}
+        </ul>
+      )}
     </JobState>
   );
 }

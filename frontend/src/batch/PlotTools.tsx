@@ -1,64 +1,86 @@
-/** What a sweep's plot shows: which figure, over which field, under which strategies. */
+/** What a sweep's plot shows: of which kind it is, which metric, over which field, under which strategies. */
 
-import { NativeSelect, Select } from "@mantine/core";
-import type { Batch, Strategy } from "../api/types";
+import { NativeSelect, SegmentedControl, Select } from "@mantine/core";
+import type { Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import bar from "../shell/toolbar.module.css";
 import { titleWithUnit } from "../units/format";
+import type { AxisOf } from "./axes";
 import classes from "./batch.module.css";
 import { optionsOf, type Figure } from "./figures";
+import { MapTools } from "./MapTools";
 import { MarkerKey } from "./MarkerKey";
-import type { BatchView } from "./view";
+import type { ShownPlot } from "./shownPlot";
+import type { BatchView, PlotKind } from "./view";
 
 interface Props {
-  readonly batch: Batch;
+  readonly axes: readonly AxisOf[];
   readonly strategies: readonly Strategy[];
   readonly markers: Markers;
   readonly figures: readonly Figure[];
-  readonly x: Batch["fields"][number];
-  readonly y: Figure;
+  readonly shown: ShownPlot;
   readonly view: BatchView;
   readonly onView: (change: Partial<BatchView>) => void;
 }
 
-export function PlotTools({ batch, strategies, markers, figures, x, y, view, onView }: Props) {
+const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
+  { value: "points", label: "Curves" },
+  { value: "map", label: "Map" },
+  { value: "trade_off", label: "Trade-off" },
+];
+
+export function PlotTools({ axes, strategies, markers, figures, shown, view, onView }: Props) {
+  const { kind, mappable } = shown;
+  const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
+  const metric = (label: string, figure: Figure, onPick: (key: string) => void) => (
+    <Select
+      size="xs"
+      label={label}
+      className={classes.figureSelect ?? ""}
+      searchable
+      allowDeselect={false}
+      value={figure.key}
+      maxDropdownHeight={320}
+      data={optionsOf(figures)}
+      onChange={(key) => key !== null && onPick(key)}
+    />
+  );
   return (
     <div className={classes.plotTools}>
-      <NativeSelect
-        size="xs"
-        label="Over"
-        value={x.name}
-        data={batch.fields.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))}
-        onChange={(event) => onView({ x: event.currentTarget.value })}
-      />
-      <Select
-        size="xs"
-        label="Figure"
-        className={classes.figureSelect ?? ""}
-        searchable
-        allowDeselect={false}
-        value={y.key}
-        maxDropdownHeight={320}
-        data={optionsOf(figures)}
-        onChange={(key) => key !== null && onView({ y: key })}
-      />
-      <div className={classes.plotChips} role="group" aria-label="Strategies">
-        {strategies.map((strategy) => {
-          const on = !view.hidden.includes(strategy.id);
-          return (
-            <button
-              key={strategy.id}
-              type="button"
-              className={bar.chip}
-              aria-pressed={on}
-              onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
-            >
-              <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />
-              {strategy.label}
-            </button>
-          );
-        })}
-      </div>
+      <SegmentedControl size="xs" aria-label="Plot" value={kind} data={[...offered]} onChange={(plot) => onView({ plot })} />
+      {kind === "trade_off"
+        ? metric("Metric across", shown.versus, (versus) => onView({ versus }))
+        : axes.length > 1 && (
+            <NativeSelect
+              size="xs"
+              label="Over"
+              value={shown.x.name}
+              data={axes.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))}
+              onChange={(event) => onView({ x: event.currentTarget.value })}
+            />
+          )}
+      {metric(kind === "trade_off" ? "Metric up" : "Metric", shown.y, (y) => onView({ y, threshold: null }))}
+      {kind === "map" ? (
+        <MapTools key={`${shown.y.key} ${shown.against ?? ""}`} {...{ strategies, shown, onView }} />
+      ) : (
+        <div className={classes.plotChips} role="group" aria-label="Strategies">
+          {strategies.map((strategy) => {
+            const on = !view.hidden.includes(strategy.id);
+            return (
+              <button
+                key={strategy.id}
+                type="button"
+                className={bar.chip}
+                aria-pressed={on}
+                onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
+              >
+                <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />
+                {strategy.label}
+              </button>
+            );
+          })}
+        </div>
+      )}
     </div>
   );
 }

@@ -49,7 +49,9 @@ describe("points that differ in x only", () => {
 
   it("are a line for each combination of the others, a point alone is none", () => {
     const points = pointsOf(columns, ["lv"], "height", "peak", 1);
-    expect(linesOf(columns, points, ["speed"])).toEqual([{ strategy: "lv", x: [1, 2, null, 1, 2, null], y: [5, 7, null, 6, 8, null] }]);
+    expect(linesOf(columns, points, ["speed"])).toEqual([
+      { strategy: "lv", x: [1, 2, null, 1, 2, null], y: [5, 7, null, 6, 8, null], ends: [{ x: 2, y: 7, row: 2 }, { x: 2, y: 8, row: 3 }] },
+    ]);
     expect(linesOf(columns, points, [])[0]?.x).toEqual([1, 1, 2, 2, 3, null]);
   });
 
@@ -68,10 +70,12 @@ describe("a strategy's marker", () => {
 
 describe("how a sweep is looked at", () => {
   it("is in the address, and short for the usual view", () => {
-    const view = { x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] };
-    expect(stringifySearch(searchOf(view))).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
+    const usual = viewOf({});
+    expect(stringifySearch(searchOf({ ...usual, x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] }))).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
+    const view = { ...usual, plot: "map", strategy: "lv", against: "none", threshold: -10, versus: "travel_time" } as const;
+    expect(stringifySearch(searchOf(view))).toBe("?plot=map&strategy=lv&against=none&at=-10&versus=travel_time");
     expect(viewOf(searchOf(view))).toEqual(view);
-    expect(searchOf(viewOf({}))).toEqual({});
+    expect(searchOf(usual)).toEqual({});
   });
 });
 
@@ -87,8 +91,8 @@ describe("a plot of many points", () => {
     const list = Array.from({ length: count }, (_, index) => index + 1);
     return [{ strategy: "lv", rows: list, x: list.map((value) => value / count), y: list.map((value) => (value * 7) % 11) }];
   };
-  const rest = { strategies, markers: markersOf(strategies), x, y, lines: [], curves: false, isHollow: (row: number) => row === 2, textOf: (row: number) => [`run ${row}`, "Height"], palette };
-  const figure = (count: number) => scatterFigure({ ...rest, points: points(count), best: 11 });
+  const rest = { strategies, markers: markersOf(strategies), x, y, lines: [], curves: false, labelOf: (row: number) => `run ${row}`, isHollow: (row: number) => row === 2, textOf: (row: number) => [`run ${row}`, "Height"], palette };
+  const figure = (count: number) => scatterFigure({ ...rest, points: points(count), ringed: [11] });
 
   it("is plotly's own while there are few", () => {
     const { data, dots, count } = figure(100);
@@ -113,7 +117,7 @@ describe("a plot of many points", () => {
   it("has decades for a field that spans them, and names for choices", () => {
     const decades = [{ strategy: "lv", rows: [0, 1], x: [1e-6, 1e-3], y: [1, 2] }];
     const names = [{ strategy: "lv", rows: [0, 1], x: ["cosine", "flat_top"], y: [1, 2] }];
-    const figureOf = (list: typeof decades | typeof names) => scatterFigure({ ...rest, points: list, best: null });
+    const figureOf = (list: typeof decades | typeof names) => scatterFigure({ ...rest, points: list, ringed: [] });
     expect(figureOf(decades).layout.xaxis).toMatchObject({ type: "log" });
     expect(figureOf(names).data[0]?.x).toEqual(["Cosine", "Flat top"]);
   });

@@ -8,6 +8,14 @@ export interface Lines {
   readonly strategy: StrategyId;
   readonly x: readonly (number | string | null)[];
   readonly y: readonly (number | null)[];
+  /** Where each line ends, and which of the others' values it has. */
+  readonly ends: readonly LineEnd[];
+}
+
+export interface LineEnd {
+  readonly x: number | string;
+  readonly y: number;
+  readonly row: number;
 }
 
 /** More lines than these are a tangle. */
@@ -25,10 +33,16 @@ export function linesOf(columns: Columns, points: readonly Points[], others: rea
     });
     return [...groups.values()].filter(({ length }) => length >= 2);
   });
+  const rowsAt = (place: number) => points[place]?.rows ?? [];
   if (groups.reduce((sum, { length }) => sum + length, 0) > MOST) return [];
   return points.map(({ strategy, x, y }, place) => ({
     strategy,
     x: (groups[place] ?? []).flatMap((group) => [...group.map((index) => x[index] ?? null), null]),
     y: (groups[place] ?? []).flatMap((group) => [...group.map((index) => y[index] ?? null), null]),
+    ends: (groups[place] ?? []).flatMap((group) => {
+      const index = group.at(-1) ?? 0;
+      const [atX, atY, row] = [x[index], y[index], rowsAt(place)[index]];
+      return atX === undefined || atY === undefined || row === undefined ? [] : [{ x: atX, y: atY, row }];
+    }),
   }));
 }

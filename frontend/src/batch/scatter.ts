@@ -1,13 +1,14 @@
 /** What plotly draws of a sweep. */
 
-import type { Batch, Strategy } from "../api/types";
+import type { Strategy } from "../api/types";
 import type { Palette } from "../plots/figure";
 import type { Markers, MarkerSymbol } from "../plots/markers";
 import type { LineTrace, PlotLayout, PointTrace } from "../plots/plotly";
 import { humanise } from "../editor/schema";
 import { titleWithUnit } from "../units/format";
+import type { AxisOf } from "./axes";
 import { fullName, type Figure } from "./figures";
-import type { Lines } from "./lines";
+import type { LineEnd, Lines } from "./lines";
 import type { Points } from "./table";
 import { chartLayout } from "../plots/chartLayout";
 
@@ -15,13 +16,17 @@ interface Input {
   readonly points: readonly Points[];
   readonly strategies: readonly Strategy[];
   readonly markers: Markers;
-  readonly x: Batch["fields"][number];
+  readonly x: AxisOf;
   readonly y: Figure;
-  /** The table's row to ring. */
-  readonly best: number | null;
+  /** The table's rows to ring. */
+  readonly ringed: readonly number[];
+  /** What joins the ringed ones. */
+  readonly front?: boolean;
   readonly lines: readonly Lines[];
   /** One field only is swept: the lines are curves, a strategy has one. */
   readonly curves: boolean;
+  /** What stands at a line's end, by its row. */
+  readonly labelOf: (row: number) => string;
   /** The rows whose points are hollow. */
   readonly isHollow: (row: number) => boolean;
   /** What a row says of itself, line by line. */
@@ -50,8 +55,8 @@ export const MANY = 2000;
 const SIZE = 7;
 const DECADES_RATIO = 100;
 
-function isLogarithmic(points: readonly Points[]): boolean {
-  const values = points.flatMap(({ x }) => x);
+/** Whether an axis of these values has decades. */
+export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
   const numbers = values.filter((value) => typeof value === "number");
   if (numbers.length === 0 || numbers.length < values.length) return false;
   let [low, high] = [Infinity, -Infinity];
@@ -63,7 +68,7 @@ function isLogarithmic(points: readonly Points[]): boolean {
 }
 
 /** Decades have a line each, and are written as powers. */
-const scaleOf = (points: readonly Points[]) => (isLogarithmic(points) ? { type: "log", dtick: 1, exponentformat: "power" } : { exponentformat: "power" });
+const scaleOf = (points: readonly Points[]) => (isSpreadByRatio(points.flatMap(({ x }) => x)) ? { type: "log", dtick: 1, exponentformat: "power" } : { exponentformat: "power" });
 
 const named = (value: number | string) => (typeof value === "string" ? humanise(value) : value);
 
@@ -129,18 +134,50 @@ function frame(points: readonly Points[]): readonly PointTrace[] {
   return [{ type: "scatter", mode: "markers", name: "", x, y, customdata: [], marker: { opacity: 0, size: SIZE }, hoverinfo: "skip" }];
 }
 
+/** Labels this near to each other [part of the y axis] would be one upon the other. */
+const LABEL_GAP = 0.045;
+const LABEL_PX = 6.5;
+
+interface EndLabel extends LineEnd {
+  readonly text: string;
+}
+
+/** What the lines' ends say, from above, without those that would cover another. */
+function endLabels({ lines, labelOf, curves }: Input): readonly EndLabel[] {
+  if (curves) return [];
+  const ends = lines.flatMap(({ ends: all }) => all).sort((a, b) => b.y - a.y);
+  const gap = LABEL_GAP * Math.max(0, ...ends.map(({ y }) => y));
+  const kept: EndLabel[] = [];
+  for (const end of ends) {
+    const last = kept.at(-1);
+    if (!last || last.y - end.y >= gap) kept.push({ ...end, text: labelOf(end.row) });
+  }
+  return kept;
+}
+
+/** The staircase over the front's members. */
+function staircase({ points, ringed, palette }: Input): readonly LineTrace[] {
+  const places = new Map(points.flatMap(({ rows, x, y }) => rows.map((row, index) => [row, [x[index] ?? 0, y[index] ?? 0]] as const)));
+  const members = ringed.flatMap((row) => (places.has(row) ? [places.get(row) ?? [0, 0]] : []));
+  const [xs, ys] = [members.map(([x = 0]) => x), members.map(([, y = 0]) => y)];
+  return [{ type: "scatter", mode: "lines", name: "Front", x: xs, y: ys, line: { color: palette.text, width: 1.5, shape: "hv" }, opacity: 1, hoverinfo: "skip" }];
+}
+
 export function scatterFigure(input: Input): ScatterFigure {
-  const { points, strategies, markers, isHollow, x, y, best, palette } = input;
+  const { points, strategies, markers, isHollow, x, y, ringed, front = false, palette } = input;
   const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
   const many = count > MANY;
   const data = many ? frame(points) : traces(input);
-  const ring = points.flatMap(({ rows, x: xs, y: ys }): PointTrace[] => {
-    const index = best === null ? -1 : rows.indexOf(best);
-    const [atX, atY] = [xs[index], ys[index]];
-    if (best === null || atX === undefined || atY === undefined) return [];
-    const marker = { color: palette.text, size: SIZE + 9, symbol: "circle-open", line: { width: 2, color: palette.text } };
-    return [{ type: "scatter", mode: "markers", name: "Lowest", x: [named(atX)], y: [atY], customdata: [best], marker, hoverinfo: "skip" }];
-  });
+  const marker = { color: palette.text, size: SIZE + (front ? 6 : 9), symbol: "circle-open", line: { width: 2, color: palette.text } };
+  const ring = points.flatMap(({ rows, x: xs, y: ys }): PointTrace[] =>
+    rows.flatMap((row, index): PointTrace[] => {
+      const [atX, atY] = [xs[index], ys[index]];
+      if (!ringed.includes(row) || atX === undefined || atY === undefined) return [];
+      return [{ type: "scatter", mode: "markers", name: "Lowest", x: [named(atX)], y: [atY], customdata: [row], marker, hoverinfo: "skip" }];
+    }),
+  );
+  const labels = many ? [] : endLabels(input);
+  const logarithmic = isSpreadByRatio(points.flatMap(({ x: xs }) => xs));
   return {
     count,
     dots: many
@@ -153,9 +190,18 @@ export function scatterFigure(input: Input): ScatterFigure {
         }))
       : [],
     data: [...data, ...ring],
-    lines: many ? [] : joints(input),
+    lines: [...(many ? [] : joints(input)), ...(front ? staircase(input) : [])],
     layout: chartLayout(palette, {
-      margin: { l: 56, r: 16, t: 8, b: 52 },
+      margin: { l: 56, r: 16 + LABEL_PX * Math.max(0, ...labels.map(({ text }) => text.length)), t: 8, b: 52 },
+      annotations: labels.map(({ x: atX, y: atY, text }) => ({
+        x: typeof atX === "number" && logarithmic ? Math.log10(atX) : named(atX),
+        y: atY,
+        text,
+        showarrow: false,
+        xanchor: "left",
+        xshift: 7,
+        font: { size: 11, color: palette.text },
+      })),
       // Somebody's zoom stays while rows arrive.
       uirevision: `${x.name} ${y.key}`,
       xaxis: { title: { text: titleWithUnit(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },

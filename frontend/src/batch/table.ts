@@ -58,7 +58,7 @@ const asPlace = (value: Cell): number | string | null =>
   typeof value === "number" || typeof value === "string" ? value : Array.isArray(value) ? value.join(", ") : null;
 
 /** What a plot shows: for each strategy the rows that have both values, in ascending x. */
-export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x: string, y: string, scale: number): readonly Points[] {
+export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x: string, y: string, scale: number, xScale = 1): readonly Points[] {
   return strategies.map((strategy) => {
     const rows = ordered(
       columns,
@@ -68,7 +68,10 @@ export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x:
     return {
       strategy,
       rows,
-      x: rows.map((row) => asPlace(cell(columns, x, row)) ?? ""),
+      x: rows.map((row) => {
+        const place = asPlace(cell(columns, x, row)) ?? "";
+        return typeof place === "number" ? place * xScale : place;
+      }),
       y: rows.map((row) => Number(cell(columns, y, row)) * scale),
     };
   });

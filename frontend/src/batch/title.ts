@@ -1,2 +1,5 @@
-/** What a sweep is called that has no name. */
-export const titleOf = (fields: readonly { readonly title: string }[]) => fields.map(({ title }) => title).join(" × ") || "The scenario alone";
+import type { Batch } from "../api/types";
+import { axesOf } from "./axes";
+
+/** What a sweep is called by the fields it changes. */
+export const titleOf = (fields: Batch["fields"]) => axesOf(fields).map(({ title }) => title).join(" × ") || "The scenario alone";

@@ -6,23 +6,60 @@ import type { SharedView, StrategyId } from "../api/types";
 import { listOf } from "../state/address";
 import { OPENING_FIGURE } from "./figures";
 
+/** Runs over a field, a metric over two fields, or one metric over another. */
+export type PlotKind = "points" | "map" | "trade_off";
+
+export const PLOT_KINDS: readonly PlotKind[] = ["points", "map", "trade_off"];
+
 export interface BatchView {
+  /** `null` for what suits the sweep. */
+  readonly plot: PlotKind | null;
   /** Dotted name of a swept field; `null` for the first one. */
   readonly x: string | null;
   /** Column of a figure. */
   readonly y: string;
   readonly hidden: readonly StrategyId[];
+  /** Whose map is drawn. */
+  readonly strategy: StrategyId | null;
+  /** The strategy it is compared with; `none`, or `null` for what suits the sweep. */
+  readonly against: StrategyId | null;
+  /** Where a map has a line, in the unit shown. */
+  readonly threshold: number | null;
+  /** Column of the figure on the x axis of a trade-off. */
+  readonly versus: string | null;
 }
 
-export type BatchSearch = Partial<Record<"x" | "y" | "hide", string>>;
+/** Its own values, compared with nothing. */
+export const NONE = "none";
+
+export type BatchSearch = Partial<Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>>;
 type Change = (part: Partial<BatchView>) => void;
 
-export const viewOf = ({ x, y, hide }: BatchSearch): BatchView => ({ x: x ?? null, y: y ?? OPENING_FIGURE, hidden: listOf(hide) });
+const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
 
-export const searchOf = ({ x, y, hidden }: BatchView): BatchSearch => ({
+export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: BatchSearch): BatchView {
+  const threshold = at === undefined ? NaN : Number(at);
+  return {
+    plot: kindOf(plot),
+    x: x ?? null,
+    y: y ?? OPENING_FIGURE,
+    hidden: listOf(hide),
+    strategy: strategy ?? null,
+    against: against ?? null,
+    threshold: Number.isFinite(threshold) ? threshold : null,
+    versus: versus ?? null,
+  };
+}
+
+export const searchOf = ({ plot, x, y, hidden, strategy, against, threshold, versus }: BatchView): BatchSearch => ({
+  ...(plot !== null && { plot }),
   ...(x !== null && { x }),
   ...(y !== OPENING_FIGURE && { y }),
   ...(hidden.length > 0 && { hide: hidden.join(",") }),
+  ...(strategy !== null && { strategy }),
+  ...(against !== null && { against }),
+  ...(threshold !== null && { at: String(threshold) }),
+  ...(versus !== null && { versus }),
 });
 
 export function useBatchView(): readonly [BatchView, Change] {
@@ -31,7 +68,16 @@ export function useBatchView(): readonly [BatchView, Change] {
   return [view, (part) => void navigate({ to: ".", search: searchOf({ ...view, ...part }), replace: true, resetScroll: false })];
 }
 
-export function useSharedView({ x, y, hidden }: SharedView): readonly [BatchView, Change] {
-  const [view, setView] = useState<BatchView>({ x: x ?? null, y: y ?? OPENING_FIGURE, hidden: hidden ?? [] });
+export function useSharedView({ plot, x, y, hidden, strategy, against, threshold, versus }: SharedView): readonly [BatchView, Change] {
+  const [view, setView] = useState<BatchView>({
+    plot: kindOf(plot),
+    x: x ?? null,
+    y: y ?? OPENING_FIGURE,
+    hidden: hidden ?? [],
+    strategy: strategy ?? null,
+    against: against ?? null,
+    threshold: threshold ?? null,
+    versus: versus ?? null,
+  });
   return [view, (part) => setView((before) => ({ ...before, ...part }))];
 }

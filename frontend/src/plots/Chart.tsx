@@ -4,12 +4,12 @@ import { useElementSize } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useRef } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
-import type { BarTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
+import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
 import { PlotlyFault } from "./PlotlyFault";
 import { useCharts } from "./usePlotly";
 
 export interface ChartFigure {
-  readonly data: readonly (PointTrace | LineTrace | BarTrace | MadeTrace)[];
+  readonly data: readonly (PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace)[];
   readonly layout: PlotLayout;
 }
 

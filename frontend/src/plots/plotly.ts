@@ -55,6 +55,20 @@ export interface BarTrace {
   readonly hovertemplate?: string;
 }
 
+/** Values over a grid, in colours or as a line where they are equal. */
+export interface GridTrace {
+  readonly type: "heatmap" | "contour";
+  readonly name: string;
+  readonly x: readonly (number | string)[];
+  readonly y: readonly (number | string)[];
+  readonly z: readonly (readonly (number | null)[])[];
+  /** The table's row of each cell. */
+  readonly customdata?: readonly (readonly (number | null)[])[];
+  readonly text?: readonly (readonly string[])[];
+  readonly hovertemplate?: string;
+  readonly [option: string]: unknown;
+}
+
 export interface PlotFigure {
   readonly data: readonly PlotTrace[];
   readonly layout: PlotLayout;
@@ -90,7 +104,7 @@ interface ImageOptions {
 export interface Plotly {
   readonly react: (
     element: HTMLElement,
-    data: readonly (PlotTrace | PointTrace | LineTrace | BarTrace | MadeTrace)[],
+    data: readonly (PlotTrace | PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace)[],
     layout: PlotLayout,
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;

@@ -27,6 +27,11 @@ export function EstimateLine({ estimate, strategies, pending, wrong }: Props) {
       <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
         {estimate ? describe(estimate, strategies) : wrong ? "The fields to change are marked." : pending ? "Counting…" : "\u00a0"}
       </Text>
+      {estimate?.notes.map((note) => (
+        <Text key={note} size="xs" c="dimmed">
+          {note}.
+        </Text>
+      ))}
       {contradictory > 0 && (
         <Text size="xs" c="dimmed">
           In {contradictory === estimate?.total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why.

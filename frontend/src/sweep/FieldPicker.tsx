@@ -3,7 +3,8 @@
 import { Select } from "@mantine/core";
 import { useState } from "react";
 import { prettyUnit } from "../units/format";
-import type { SweepField } from "./fields";
+import { draftField, type FieldDraft } from "./draft";
+import { TOGETHER, type SweepField } from "./fields";
 import classes from "./sweep.module.css";
 import ui from "../ui/ui.module.css";
 
@@ -11,12 +12,16 @@ interface Props {
   readonly fields: readonly SweepField[];
   readonly numbersOnly: boolean;
   readonly error: string | undefined;
-  readonly onPick: (field: SweepField) => void;
+  readonly onPick: (picked: readonly FieldDraft[]) => void;
 }
 
 export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
   const [search, setSearch] = useState("");
   const offered = fields.filter(({ leaf }) => !numbersOnly || leaf.kind === "number");
+  const together = TOGETHER.flatMap(({ title, names }) => {
+    const [first, ...linked] = names.flatMap((name) => offered.find((field) => field.name === name) ?? []);
+    return first && linked.length === names.length - 1 ? [{ title, draft: { ...draftField(first), linked } }] : [];
+  });
   const sections = [...new Set(offered.map(({ section }) => section))];
   return (
     <Select
@@ -31,23 +36,27 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
       nothingFoundMessage="No field of that name"
       maxDropdownHeight={280}
       // The label is what is searched: it holds the section and both names.
-      data={sections.map((section) => ({
-        group: section,
-        items: offered.filter((field) => field.section === section).map(({ name, title }) => ({ value: name, label: `${title} ${name} ${section}` })),
-      }))}
+      data={[
+        { group: "Together", items: together.map(({ title, draft }) => ({ value: title, label: `${title}: ${namesOf(draft)}` })) },
+        ...sections.map((section) => ({
+          group: section,
+          items: offered.filter((field) => field.section === section).map(({ name, title }) => ({ value: name, label: `${title} ${name} ${section}` })),
+        })),
+      ].filter(({ items }) => items.length > 0)}
       renderOption={({ option }) => {
         const field = offered.find(({ name }) => name === option.value);
-        return field && <Option field={field} />;
+        return field ? <Option field={field} /> : option.label;
       }}
       onChange={(name) => {
-        const field = offered.find((candidate) => candidate.name === name);
-        if (!field) return;
+        const picked = [...offered.filter((field) => field.name === name).map(draftField), ...together.filter(({ title }) => title === name).map(({ draft }) => draft)];
         setSearch("");
-        onPick(field);
+        onPick(picked);
       }}
     />
   );
 }
+
+const namesOf = ({ field, linked }: FieldDraft) => [field, ...linked].map(({ title }) => title.toLowerCase()).join(" = ");
 
 function Option({ field: { title, name, leaf } }: { readonly field: SweepField }) {
   const unit = leaf.kind === "number" ? prettyUnit(leaf.shown.unit) : "";

@@ -9,7 +9,7 @@ import { SweepList } from "../batch/SweepList";
 import { draftField, type FieldDraft, type Method, type SweepDraft } from "./draft";
 import { EstimateLine } from "./EstimateLine";
 import { FieldPicker } from "./FieldPicker";
-import { sweepFields } from "./fields";
+import { linkable, sweepFields } from "./fields";
 import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
@@ -40,6 +40,7 @@ export function SweepDialog({ form, scenario, strategies, selected, onClose }: P
   const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
   const patchField = (name: string, change: Partial<FieldDraft>) =>
     patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
+  const free = fields.filter((field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)));
   const { errors, general, estimate, pending, starting, start } = useSweep(draft, scenario);
 
   return (
@@ -70,14 +71,15 @@ export function SweepDialog({ form, scenario, strategies, selected, onClose }: P
             method={draft.method}
             error={errors[each.field.name]}
             onChange={(change) => patchField(each.field.name, change)}
+            linkable={linkable(each, free)}
             onRemove={() => patch({ fields: draft.fields.filter(({ field }) => field !== each.field) })}
           />
         ))}
         <FieldPicker
-          fields={fields.filter((field) => !draft.fields.some((each) => each.field === field))}
+          fields={free}
           numbersOnly={draft.method === "hypercube"}
           error={errors.fields}
-          onPick={(field) => patch({ fields: [...draft.fields, draftField(field)] })}
+          onPick={(picked) => patch({ fields: [...draft.fields, ...picked] })}
         />
       </div>
       {draft.method === "hypercube" && (

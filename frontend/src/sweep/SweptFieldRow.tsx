@@ -1,10 +1,11 @@
 /** One swept field: its values in a grid, or its range. */
 
-import { Chip, Group, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Chip, Group, MultiSelect, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { optionTitle, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";
 import { typedText } from "../editor/limits";
 import { byRatio, spread, type FieldDraft, type Method } from "./draft";
+import type { SweepField } from "./fields";
 import classes from "./sweep.module.css";
 import ui from "../ui/ui.module.css";
 import { EntryRow } from "../ui/EntryRow";
@@ -13,11 +14,13 @@ interface Props {
   readonly draft: FieldDraft;
   readonly method: Method;
   readonly error: string | undefined;
+  /** Fields that may take its value. */
+  readonly linkable: readonly SweepField[];
   readonly onChange: (change: Partial<FieldDraft>) => void;
   readonly onRemove: () => void;
 }
 
-export function SweptFieldRow({ draft, method, error, onChange, onRemove }: Props) {
+export function SweptFieldRow({ draft, method, error, linkable, onChange, onRemove }: Props) {
   const { title, name, leaf } = draft.field;
   return (
     <EntryRow title={title} beside={<code className={classes.name}>{name}</code>} {...{ error, onRemove }}>
@@ -26,6 +29,7 @@ export function SweptFieldRow({ draft, method, error, onChange, onRemove }: Prop
       ) : (
         method === "grid" && <ChoiceValues field={leaf} {...{ draft, onChange }} />
       )}
+      {(linkable.length > 0 || draft.linked.length > 0) && <Links {...{ draft, linkable, onChange }} />}
     </EntryRow>
   );
 }
@@ -93,6 +97,22 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
         </>
       )}
     </div>
+  );
+}
+
+/** Further fields that take the same value at each point. */
+function Links({ draft: { field, linked }, linkable, onChange }: Pick<Props, "draft" | "linkable" | "onChange">) {
+  const offered = [...linked, ...linkable];
+  return (
+    <MultiSelect
+      size="xs"
+      className={classes.links ?? ""}
+      aria-label={`${field.title}, also sets`}
+      placeholder={linked.length === 0 ? "Also sets the same value of …" : ""}
+      data={offered.map(({ name, title }) => ({ value: name, label: title }))}
+      value={linked.map(({ name }) => name)}
+      onChange={(names) => onChange({ linked: offered.filter(({ name }) => names.includes(name)) })}
+    />
   );
 }
 

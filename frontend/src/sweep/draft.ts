@@ -18,6 +18,8 @@ export interface FieldDraft {
   readonly count: string;
   readonly list: string;
   readonly options: readonly string[];
+  /** Further fields that take the same value. */
+  readonly linked: readonly SweepField[];
 }
 
 export interface SweepDraft {
@@ -47,6 +49,7 @@ export function draftField(field: SweepField): FieldDraft {
     count: String(leaf.kind === "number" && leaf.integer ? Math.min(DEFAULT_COUNT, high - low + 1) : DEFAULT_COUNT),
     list: "",
     options: leaf.kind === "choice" ? leaf.options : [],
+    linked: [],
   };
 }
 
@@ -114,7 +117,11 @@ export function readDraft(draft: SweepDraft): Reading {
   };
   if (draft.fields.length === 0) errors.fields = "Add a field to sweep";
   if (draft.strategies.length === 0) errors.strategies = "Choose at least one strategy";
-  const sweep = draft.method === "grid" ? grid(draft, attempt) : hypercube(draft, attempt);
+  const links = draft.fields.filter(({ linked }) => linked.length > 0).map(({ field, linked }) => [field.name, linked.map(({ name }) => name)] as const);
+  const sweep = {
+    ...(draft.method === "grid" ? grid(draft, attempt) : hypercube(draft, attempt)),
+    ...(links.length > 0 ? { linked: Object.fromEntries(links) } : {}),
+  };
   return Object.keys(errors).length > 0 ? { ok: false, errors } : { ok: true, sweep };
 }
 

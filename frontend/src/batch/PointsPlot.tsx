@@ -1,0 +1,141 @@
+/** Runs as points in their strategy's colour: a metric over a swept field, or over another metric. */
+
+import { Text, useComputedColorScheme } from "@mantine/core";
+import { useElementSize } from "@mantine/hooks";
+import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
+import type { Batch, Catalogue, Strategy } from "../api/types";
+import { IconAlertTriangle } from "../icons";
+import { isFinal } from "../jobs/follow";
+import type { Markers } from "../plots/markers";
+import { PALETTES } from "../plots/palettes";
+import type { PlotElement } from "../plots/plotly";
+import { useCharts } from "../plots/usePlotly";
+import { count, formatWhole, formatWithUnit } from "../units/format";
+import { axesOf, type AxisOf } from "./axes";
+import classes from "./batch.module.css";
+import { isAirborne, placeOf } from "./describeRow";
+import { DotLayer } from "./DotLayer";
+import { fullName } from "./figures";
+import { frontOf } from "./front";
+import { linesOf } from "./lines";
+import { scatterFigure } from "./scatter";
+import { showCell } from "./show";
+import type { ShownPlot } from "./shownPlot";
+import { cell, pointsOf, type Columns } from "./table";
+
+interface Props {
+  readonly batch: Batch;
+  readonly columns: Columns;
+  readonly catalogue: Catalogue;
+  readonly strategies: readonly Strategy[];
+  /** Those switched on. */
+  readonly visible: readonly Strategy[];
+  readonly markers: Markers;
+  readonly shown: ShownPlot;
+  readonly best: number | null;
+  readonly height: number;
+  readonly textOf: (row: number) => readonly string[];
+  readonly onOpen: (row: number) => void;
+}
+
+const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
+const NONE: readonly number[] = [];
+
+export function PointsPlot({ batch, columns, catalogue, strategies, visible, markers, shown, best, height, textOf, onOpen }: Props) {
+  const plotly = useCharts();
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const { ref, width } = useElementSize<HTMLDivElement>();
+  const host = useRef<HTMLDivElement>(null);
+
+  const { y, versus } = shown;
+  const tradeOff = shown.kind === "trade_off";
+  const x: AxisOf = useMemo(() => (tradeOff ? { name: versus.key, title: fullName(versus), unit: versus.unit } : shown.x), [tradeOff, versus, shown.x]);
+  const xScale = tradeOff ? versus.scale : 1;
+  const { fields, sweep } = batch;
+  const points = useMemo(() => pointsOf(columns, visible.map(({ id }) => id), x.name, y.key, y.scale, xScale), [columns, visible, x, y, xScale]);
+  const front = useMemo(() => (tradeOff ? frontOf(points).map(({ row }) => row) : NONE), [tradeOff, points]);
+  const axes = useMemo(() => axesOf(fields), [fields]);
+  const curves = axes.length === 1;
+  const joined = !tradeOff && (curves || Boolean(sweep.grid));
+  const figure = useMemo(() => {
+    const others = axes.filter(({ name }) => name !== x.name);
+    const lines = joined ? linesOf(columns, points, others.map(({ name }) => name)) : [];
+    const labelOf = (row: number) => others.map(({ name, unit }) => showCell(cell(columns, name, row), unit)).join(", ");
+    const isHollow = (row: number) => isAirborne(columns, row);
+    const ringed = tradeOff ? front : best === null ? NONE : [best];
+    return scatterFigure({ points, strategies, markers, x, y, ringed, front: tradeOff, lines, curves, labelOf, isHollow, textOf, palette });
+  }, [points, columns, axes, joined, curves, strategies, markers, x, y, best, tradeOff, front, textOf, palette]);
+  const airborne = useMemo(() => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0), [points, columns]);
+
+  const [drawing, setDrawing] = useState(0);
+  useEffect(() => {
+    if (!plotly || !host.current || width === 0) return undefined;
+    let mounted = true;
+    void plotly.react(host.current, [...figure.lines, ...figure.data], { ...figure.layout, width, height }, CONFIG).then(() => {
+      if (mounted) setDrawing((before) => before + 1);
+    });
+    return () => {
+      mounted = false;
+    };
+  }, [plotly, figure, width, height]);
+
+  const openRow = useEffectEvent((row: number) => onOpen(row));
+  useEffect(() => {
+    const element = host.current as PlotElement | null;
+    if (!plotly || !element || width === 0) return undefined;
+    element.on("plotly_click", ({ points }) => {
+      const row = points[0]?.customdata;
+      if (row !== undefined) openRow(row);
+    });
+    return () => element.removeAllListeners?.("plotly_click");
+  }, [plotly, width]);
+  useEffect(() => {
+    const element = host.current;
+    return () => {
+      if (plotly && element) plotly.purge(element);
+    };
+  }, [plotly]);
+
+  const drawn = figure.count;
+  return (
+    <>
+      <div ref={ref} className={classes.plot} style={{ height }}>
+        <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
+        <DotLayer {...{ host, drawing, width, height, onOpen, textOf }} dots={figure.dots} />
+        {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
+      </div>
+      {airborne > 0 && (
+        <Text size="xs" className={classes.warning} data-testid="airborne-note" title={catalogue.events.find(({ key }) => key === "airborne_ms")?.description}>
+          <IconAlertTriangle size={13} stroke={2} aria-hidden /> {formatWhole(airborne)} of the {count(drawn, "run")} shown {airborne === 1 ? "is" : "are"} airborne
+          (hollow points): their linear tyre pulls on the road, which a real one cannot.
+        </Text>
+      )}
+      <Text size="xs" className={classes.best}>
+        {tradeOff ? describeFront(front, columns, visible) : best === null ? "\u00a0" : describeBest(best, { batch, columns, strategies, y })}
+      </Text>
+    </>
+  );
+}
+
+function emptyReason(batch: Batch, strategies: number, columns: Columns): string {
+  if (strategies === 0) return "No strategy is switched on.";
+  if (!isFinal(batch) && batch.done === 0) return "No run has finished yet.";
+  if (batch.done > 0 && !columns.status?.includes("ok")) return "Reading the runs that have finished …";
+  if (!isFinal(batch)) return "No run of the strategies shown has finished with this figure yet.";
+  return "No run of the strategies shown has this figure.";
+}
+
+function describeBest(row: number, { batch, columns, strategies, y }: Pick<Props, "batch" | "columns" | "strategies"> & Pick<ShownPlot, "y">): string {
+  const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "";
+  const place = placeOf(columns, row, batch.fields).join(", ");
+  const value = Number(cell(columns, y.key, row)) * y.scale;
+  return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${place} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run; drag to zoom, double click for all.`;
+}
+
+function describeFront(front: readonly number[], columns: Columns, visible: readonly Strategy[]): string {
+  const parts = visible.flatMap(({ id, label }) => {
+    const own = front.filter((row) => cell(columns, "strategy", row) === id).length;
+    return own === 0 ? [] : [`${label} ${formatWhole(own)}`];
+  });
+  return `○ Pareto front: ${count(front.length, "run")} that no other betters in both metrics (${parts.join(", ")}). Less is better in both. A click on a point opens its run.`;
+}
