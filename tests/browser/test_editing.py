@@ -31,7 +31,7 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     expect(dashboard.status).to_contain_text(re.compile(r"(from store|computed in [\d.]+ ms)"))
 
     expect(drawn).to_have_count(6)  # the state before as thin curves
-    expect(dashboard.page.get_by_test_id("differences")).to_contain_text(f"Bump height 0.1 → {height:g}\u00a0m")
+    expect(dashboard.page.get_by_test_id("differences")).to_contain_text(f"Bump height 10 → {height:g}\u00a0cm")
     dashboard.page.get_by_label("Change against").select_option("Before the last edit")
     values = dashboard.shown_values()
     for strategy in ("lv", "passive"):

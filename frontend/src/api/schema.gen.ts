@@ -3011,6 +3011,11 @@ export interface components {
          */
         LinkView: {
             /**
+             * Against
+             * @description Of a batch only: the strategy that map is compared with.
+             */
+            against?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | "none" | null;
+            /**
              * Axis
              * @description What is on the x axis.
              */
@@ -3036,10 +3041,30 @@ export interface components {
              */
             pins?: components["schemas"]["LinkPin"][] | null;
             /**
+             * Plot
+             * @description Of a batch only: runs over a field, a metric over two fields, or one metric over another.
+             */
+            plot?: ("points" | "map" | "trade_off") | null;
+            /**
              * Strategies
              * @description Shown, in this order.
              */
             strategies?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive")[] | null;
+            /**
+             * Strategy
+             * @description Of a batch only: whose map it is.
+             */
+            strategy?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
+            /**
+             * Threshold
+             * @description Of a batch only: where the map has a line, in the unit shown.
+             */
+            threshold?: number | null;
+            /**
+             * Versus
+             * @description Of a batch only: the metric on the x axis of a trade-off.
+             */
+            versus?: string | null;
             /**
              * X
              * @description Of a batch only: the field on the x axis, dotted.
@@ -3047,7 +3072,7 @@ export interface components {
             x?: string | null;
             /**
              * Y
-             * @description Of a batch only: the figure on the y axis, window.signal.statistic.
+             * @description Of a batch only: the metric on the y axis, or of the map.
              */
             y?: string | null;
             /**

@@ -2,6 +2,7 @@
 
 import type { JsonValue, Scenario } from "../api/types";
 import { formatExact, prettyUnit } from "../units/format";
+import { inShownUnit } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { fieldsOf, optionOf, optionTitle, type Field, type Member, type NumberField, type ChoiceField, type TextField } from "./schema";
 
@@ -31,7 +32,7 @@ export function standardScenario(root: Member): Scenario {
   return fieldsOf(root).reduce<Scenario>((result, field) => setAt(result, field.pointer, field.standard), {});
 }
 
-/** A field that two scenarios give different values: `Bump height`, `0.1 → 0.12 m`. */
+/** A field that two scenarios give different values: `Bump height`, `10 → 12 cm`. */
 export interface FieldChange {
   readonly pointer: Pointer;
   readonly name: string;
@@ -48,7 +49,7 @@ function named(group: string, title: string): string {
 function shown(value: JsonValue | undefined, leaf: Leaf): string {
   if (value === null || value === undefined || value === "") return "none";
   if (leaf.kind === "choice") return optionTitle(optionOf(value)).toLowerCase();
-  return typeof value === "number" ? formatExact(value, "1") : typeof value === "string" ? value : JSON.stringify(value);
+  return typeof value === "number" && leaf.kind === "number" ? formatExact(inShownUnit(leaf, value), "1") : typeof value === "string" ? value : JSON.stringify(value);
 }
 
 /** What two scenarios differ in, in the form's order, by the form's names and units. */
@@ -58,7 +59,7 @@ export function changedFields(form: Member, from: Scenario, to: Scenario, group 
   return leavesOf(form).flatMap((leaf): readonly FieldChange[] => {
     const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
     if (sameValue(one, other)) return [];
-    const unit = leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.unit)}`.trimEnd() : "";
+    const unit = leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
     return [{ pointer: leaf.pointer, name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name, change: `${shown(one, leaf)} → ${shown(other, leaf)}${unit}` }];
   });
 }

@@ -82,9 +82,9 @@ describe("difference between two scenarios", () => {
     const other = setAt(setAt(setAt(paper, "/road/bump/height", 0.12), "/mpc/lag", 8), "/mpc/weights/1", 2);
     const changes = changedFields(FORM, paper, setAt(other, "/road/bump/shape", "flat_top"));
     expect(changes.map(({ name, change }) => `${name} ${change}`)).toEqual([
-      "Bump shape cosine → flat top", "Bump height 0.1 → 0.12\u00a0m", "MPC bandwidth none → 8\u00a0Hz", "MPC cruise, pitch 1 → 2",
+      "Bump shape cosine → flat top", "Bump height 10 → 12\u00a0cm", "MPC bandwidth none → 8\u00a0Hz", "MPC cruise, pitch 1 → 2",
     ]);
-    expect(changesText(changes, 2)).toBe("Bump shape cosine → flat top, Bump height 0.1 → 0.12\u00a0m, 2 more");
+    expect(changesText(changes, 2)).toBe("Bump shape cosine → flat top, Bump height 10 → 12\u00a0cm, 2 more");
     expect(changesText(changes, 3).endsWith("pitch 1 → 2")).toBe(true);
     expect(changedFields(FORM, other, other)).toEqual([]);
   });
