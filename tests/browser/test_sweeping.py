@@ -74,13 +74,7 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     kinds.get_by_text("Trade-off").click()
     expect(page.get_by_text(re.compile(r"Pareto front: \d+ runs? that no other betters"))).to_be_visible()
     kinds.get_by_text("Curves").click()
-<<<<<<< HEAD
-    expect(page.locator(".infolayer .annotation").first).to_have_text(
-        re.compile(r"^(15|25)\skm/h$")
-    )  # whose curve it is
-=======
     expect(page.locator(".infolayer .annotation").first).to_have_text(re.compile(r"^(15|25)\skm/h$"))
->>>>>>> e63f6c9 (The sweep flow's lines are within the limit)
     expect(page.locator(".scatterlayer .point")).to_have_count(13)  # each run, and a ring around the lowest
     expect(page.get_by_role("region", name="Plot")).to_contain_text(
         re.compile(r"Lowest: [\d.]+\s?m/s², LV control at Height 5")
