@@ -13,7 +13,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from backend.json_types import JsonObject
-from backend.runs.series import ROWS, packed
+from backend.runs.series import ROWS, SeriesArray, packed
 from backend.runs.work import ComputedResult
 from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
 from sim_core.strategies import STRATEGIES
@@ -46,6 +46,9 @@ STYLES: dict[str, Style] = {
 SHOWN_UNITS = {"m": ("mm", 1000.0), "m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
 NEUTRAL = "#868E96"  # reference lines and stages: 3:1 on white and on #1a1b1e
 STAGE_FILLS = {"brake": "rgba(213, 94, 0, 0.10)", "bump": "rgba(0, 114, 178, 0.13)"}  # cruise stays clear
+BRAKING = 0.02e6  # the brakes are on from this pressure [Pa]
+# An axis spans at least this, in SI by SI unit: what nobody feels must not look like an event.
+LEAST_SPANS = {"m/s": 10 / 3.6, "Pa": 0.5e6, "m/s^2": 1.0, "rad/s^2": 1.0, "N": 500.0, "m": 0.01}
 BAND_FILL = "rgba(134, 142, 150, 0.2)"
 AXES = ("position", "time")
 _AXIS = {"zeroline": True, "gridcolor": "rgba(134, 142, 150, 0.25)", "zerolinecolor": "rgba(134, 142, 150, 0.5)"}
@@ -112,7 +115,7 @@ def filled(name: str, outcomes: Mapping[str, ComputedResult], axis: str) -> Json
         for trace in template["data"]
         if (strategy := trace["meta"]["strategy"]) in members
     ]
-    shapes = [*_stages(summaries, axis), *_references(panel, summaries)]
+    shapes = [*stage_shapes(summaries, members, axis), *_references(panel, summaries)]
     x_axis = {**template["layout"]["xaxis"], "title": {"text": _axis_title(axis)}}
     return {"data": traces, "layout": {**template["layout"], "xaxis": x_axis, "shapes": shapes}}
 
@@ -138,6 +141,8 @@ def _template(panel: Panel) -> JsonObject:
             "unit": unit,
             "scale": scale,
             "signal": panel.signal,
+            "least_span": scale * LEAST_SPANS.get(SIGNALS[panel.signal].unit, 0.0),
+            "braking": BRAKING,
             "reference": [key for key, _ in panel.references],
             "reference_factors": {key: list(factors) for key, factors in panel.references},
             "reference_labels": {key: REFERENCES[key].label for key, _ in panel.references},
@@ -164,26 +169,46 @@ def _axis_title(axis: str) -> str:
     return f"{SIGNALS[axis].label} [{SIGNALS[axis].unit}]"
 
 
-def _stages(summaries: Mapping[str, JsonObject], axis: str) -> list[JsonObject]:
-    """Shaded bands, from the strategy with most stages: the positions are the same for all, the times are not."""
-    spans: list[JsonObject] = max((summary["stages"] for summary in summaries.values()), key=len, default=[])
+def stage_shapes(
+    summaries: Mapping[str, JsonObject], members: Mapping[str, SeriesArray], axis: str
+) -> list[JsonObject]:
+    """Shaded bands: the stages of the first strategy that brakes, else of the first; they lie at the same places.
+
+    Braking is shaded only where there is pressure. The page has the same rule (frontend/src/plots/shapes.ts).
+    """
+    staged = next((name for name in summaries if "brake" in _names(summaries[name])), next(iter(summaries), None))
+    if staged is None:
+        return []
+    spans = [(span["stage"], (span[f"start_{axis}"], span[f"end_{axis}"])) for span in summaries[staged]["stages"]]
+    bounded = [(stage, _pressed(members[staged], axis, ends) if stage == "brake" else ends) for stage, ends in spans]
     return [
         {
             "type": "rect",
             "xref": "x",
             "yref": "paper",
-            "x0": span[f"start_{axis}"],
-            "x1": span[f"end_{axis}"],
+            "x0": ends[0],
+            "x1": ends[1],
             "y0": 0,
             "y1": 1,
             "layer": "below",
             "line": {"width": 0},
-            "fillcolor": STAGE_FILLS[span["stage"]],
-            "name": STAGES[span["stage"]].label,
+            "fillcolor": STAGE_FILLS[stage],
+            "name": STAGES[stage].label,
         }
-        for span in spans
-        if span["stage"] in STAGE_FILLS
+        for stage, ends in bounded
+        if stage in STAGE_FILLS and ends is not None
     ]
+
+
+def _names(summary: JsonObject) -> list[str]:
+    return [span["stage"] for span in summary["stages"]]
+
+
+def _pressed(series: SeriesArray, axis: str, ends: tuple[float, float]) -> tuple[float, float] | None:
+    """From the first to the last sample between the ends at which the brakes are on; None where there is none."""
+    x, pressure = series[ROWS[axis]], series[ROWS["brake_pressure"]]
+    at = x[(x >= ends[0]) & (x <= ends[1]) & (pressure >= BRAKING)]
+    return (float(at[0]), float(at[-1])) if len(at) else None
 
 
 def _references(panel: Panel, summaries: Mapping[str, JsonObject]) -> list[JsonObject]:

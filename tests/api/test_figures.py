@@ -1,6 +1,8 @@
 """Figure templates and filled figures."""
 
 import base64
+import json
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -9,7 +11,8 @@ import plotly.graph_objects as go
 import pytest
 
 from backend.models import Figures
-from backend.runs.figures import PANELS, STYLES
+from backend.runs.figures import PANELS, STAGE_FILLS, STYLES, stage_shapes
+from backend.runs.series import ROWS
 from sim_core.catalogue import REFERENCES, SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -91,6 +94,21 @@ def test_filled_figures_shade_the_stages_and_draw_the_references(client: httpx.C
     target = entry["reference"]["target_speed"] * 3.6
     assert round(target, 6) in lines("speed")
     assert lines("body_acceleration") == set()
+
+
+@pytest.mark.parametrize("axis", ["position", "time"])
+def test_stages_are_shaded_by_the_rule_the_page_has(axis: str) -> None:
+    """The same file holds the page's renderer to it (frontend/src/plots/plots.test.ts)."""
+    case = json.loads((Path(__file__).parents[1] / "data" / "stage_shapes.json").read_text())
+    series = {}
+    for name, strategy in case["strategies"].items():
+        series[name] = np.zeros((len(ROWS), len(strategy["time"])), dtype=np.float32)
+        for key in ("time", "position", "brake_pressure"):
+            series[name][ROWS[key]] = strategy[key]
+    shapes = stage_shapes(case["strategies"], series, axis)
+    assert [(shape["fillcolor"], shape["x0"], shape["x1"]) for shape in shapes] == [
+        (STAGE_FILLS[stage], low, high) for stage, low, high in case["shaded"][axis]
+    ]
 
 
 def test_an_unknown_figure_is_404_and_names_those_there_are(client: httpx.Client, run: dict[str, Any]) -> None:

@@ -28,6 +28,8 @@ def framed(figure: JsonObject) -> JsonObject:
     for shape in figure["layout"].get("shapes", ()):
         if shape["yref"] == "y" and low - margin <= shape["y0"] and shape["y1"] <= high + margin:
             low, high = min(low, shape["y0"]), max(high, shape["y1"])
+    missing = max(0.0, figure["layout"]["meta"]["least_span"] - (high - low)) / 2
+    low, high = low - missing, high + missing
     room = PADDING * (high - low) if high > low else max(abs(high), 1.0)
     y_axis = {**figure["layout"]["yaxis"], "range": [low - room, high + room], "title": None}
     return {**figure, "layout": {**figure["layout"], "yaxis": y_axis}}

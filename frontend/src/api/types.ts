@@ -165,6 +165,10 @@ export interface FigureMeta {
   /** Factor from SI to `unit`. */
   readonly scale: number;
   readonly signal: SignalKey;
+  /** Its axis spans at least this, in `unit`. */
+  readonly least_span: number;
+  /** The brakes are on from this pressure [Pa]. */
+  readonly braking: number;
   /** Reference lines: each stands at these multiples of its value. */
   readonly reference_factors: Readonly<Record<string, readonly number[]>>;
   readonly reference_labels: Readonly<Record<string, string>>;

@@ -83,7 +83,7 @@ function wholeSpan({ template, series, strategies }: FigureInput): number {
 
 const NOTHING = new Float32Array();
 
-function verticalRange(data: readonly PlotTrace[], references: readonly number[], whole: number): readonly [number, number] {
+function verticalRange(data: readonly PlotTrace[], references: readonly number[], whole: number, leastSpan: number): readonly [number, number] {
   const spans = data.map(({ y }) => extent(y)).filter((span) => span !== null);
   if (spans.length === 0) return [-1, 1];
   let low = Math.min(...spans.map(([bottom]) => bottom));
@@ -94,7 +94,7 @@ function verticalRange(data: readonly PlotTrace[], references: readonly number[]
   high = Math.max(high, ...near);
   const size = Math.max(Math.abs(low), Math.abs(high));
   // A curve that never moves still gets an axis with room around it.
-  const least = LEAST_SPAN * whole || (size > 0 ? size : 1);
+  const least = Math.max(leastSpan, LEAST_SPAN * whole) || (size > 0 ? size : 1);
   const missing = Math.max(0, least - (high - low)) / 2;
   const span = high - low + 2 * missing;
   return rounded(low - missing - PADDING * span, high + missing + PADDING * span);
@@ -128,11 +128,11 @@ export function buildFigure(input: FigureInput): PanelFigure {
   const ids = strategies.map(({ id }) => id);
   const used = ids.flatMap((id) => summaries[id] ?? []);
   const shapes: readonly Shape[] = [
-    ...stageShapes(template, summaries, ids, axis),
+    ...stageShapes(input),
     ...airborneShapes(input),
     ...referenceShapes(meta, used),
   ];
-  const vertical = verticalRange(data, referenceValues(meta, used), wholeSpan(input));
+  const vertical = verticalRange(data, referenceValues(meta, used), wholeSpan(input), meta.least_span);
   const axisStyle = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, tickfont: { size: 11 }, tickmode: "array" };
   return {
     data,

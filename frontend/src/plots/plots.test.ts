@@ -4,6 +4,8 @@ import { buildFigure, type FigureInput } from "./figure";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
 import { ticksFor } from "./ticks";
 import { keepsRange } from "./painter";
+import { stageShapes } from "./shapes";
+import CASE from "../../../tests/data/stage_shapes.json";
 import { covering, extent, stretchesBelow, valueAt } from "./samples";
 
 const X = new Float32Array([0, 1, 2, 3, 4]);
@@ -37,7 +39,7 @@ const template: FigureTemplate = {
       stage_fills: { bump: "rgba(0, 0, 255, 0.1)" },
       band_fill: "grey",
       neutral: "grey",
-      title: "Load", unit: "kN", scale: 1e-3, signal: "load", band: null, axes: {}, reference_labels: {},
+      title: "Load", unit: "kN", scale: 1e-3, signal: "load", least_span: 0, braking: 20_000, band: null, axes: {}, reference_labels: {},
       reference_factors: { front_static_load: [-1] },
     },
   },
@@ -91,6 +93,32 @@ describe("an axis zoomed into stillness", () => {
     expect(high - low).toBeGreaterThan(0.1);
     expect(high - low).toBeLessThan(1);
   });
+});
+
+describe("the stages", () => {
+  const { strategies, shaded } = CASE;
+  const series = Object.fromEntries(
+    Object.entries(strategies).map(([id, { time, position, brake_pressure: pressure }]) => [
+      id,
+      { time: new Float32Array(time), position: new Float32Array(position), brake_pressure: new Float32Array(pressure) },
+    ]),
+  );
+  const fills = { brake: "orange", bump: "blue" } as const;
+  const meta = { ...template.layout.meta, stage_fills: fills };
+  const drawn = (axis: "distance" | "time") =>
+    stageShapes({ template: { ...template, layout: { meta } }, series, summaries: strategies as unknown as FigureInput["summaries"], strategies: [{ id: "passive" }, { id: "lv" }], axis })
+      .filter(({ y0 }) => y0 === 0)
+      .map(({ fillcolor, x0, x1 }) => [fillcolor, x0, x1]);
+
+  it.each([["distance", shaded.position], ["time", shaded.time]] as const)("are shaded over %s by the rule the service has", (axis, expected) => {
+    expect(drawn(axis)).toEqual(expected.map(([stage, low, high]) => [fills[stage as "brake" | "bump"], low, high]));
+  });
+});
+
+it("an axis spans at least what somebody could feel", () => {
+  const meta = { ...template.layout.meta, least_span: 10 };
+  const [low, high] = buildFigure({ ...input, template: { ...template, layout: { meta } }, range: [3.2, 4] }).layout.yaxis.range;
+  expect(high - low).toBeGreaterThanOrEqual(10);
 });
 
 describe("ticks", () => {

@@ -1,8 +1,10 @@
 /** What stands behind the curves: driving stages, airborne stretches, reference lines. */
 
 import type { FigureMeta, FigureTemplate, StrategyId, Summary } from "../api/types";
+import type { Series } from "../api/decode";
 import type { Axis } from "../state/address";
 import type { FigureInput } from "./figure";
+import { axisKey } from "../state/scene";
 import { stretchesBelow } from "./samples";
 
 export type Shape = Readonly<Record<string, unknown>>;
@@ -27,17 +29,24 @@ export function stagedStrategy(
   return shown.find((strategy) => summaries[strategy]?.stages.some(({ stage }) => stage === "brake")) ?? shown[0];
 }
 
-/** Stages agree by distance; over time they are one strategy's, and small marks tell the others' bumps. */
-export function stageShapes(
-  template: FigureTemplate,
-  summaries: Readonly<Record<StrategyId, Summary>>,
-  strategies: readonly StrategyId[],
-  axis: Axis,
-): readonly Shape[] {
+/** From the first to the last sample between the ends at which the brakes are on; `null` where there is none. */
+function pressed(series: Series | undefined, axis: Axis, [from, to]: readonly [number, number], braking: number): readonly [number, number] | null {
+  const samples = series?.[axisKey(axis)];
+  const on = samples?.filter((x, index) => x >= from && x <= to && (series?.brake_pressure?.[index] ?? 0) >= braking);
+  const [first, last] = [on?.[0], on?.at(-1)];
+  return first === undefined || last === undefined ? null : [first, last];
+}
+
+/** As backend/runs/figures.py shades them. Stages agree by distance; over time they are one strategy's, and small marks tell the others' bumps. */
+export function stageShapes({ template, series, summaries, strategies: shown, axis }: Omit<FigureInput, "range" | "palette">): readonly Shape[] {
+  const strategies = shown.map(({ id }) => id);
   const staged = stagedStrategy(summaries, strategies);
+  const { stage_fills: fills, braking } = template.layout.meta;
   const shading = (staged === undefined ? [] : (summaries[staged]?.stages ?? [])).flatMap((span): Shape[] => {
-    const fill = template.layout.meta.stage_fills[span.stage];
-    return fill === undefined ? [] : [upright(...spanEnds(axis, span), fill)];
+    const fill = fills[span.stage];
+    const ends = spanEnds(axis, span);
+    const bounds = span.stage === "brake" ? pressed(series[staged ?? ""], axis, ends, braking) : ends;
+    return fill === undefined || bounds === null ? [] : [upright(...bounds, fill)];
   });
   if (axis === "distance") return shading;
   const marks = strategies.flatMap((strategy, index) => {
