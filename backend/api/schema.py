@@ -37,6 +37,7 @@ class StrategyAnswer(Answer):
     description: str
     reads: list[str]
     colour: str
+    dark_colour: str = Field(description="On a dark background")
     dash: str
 
 

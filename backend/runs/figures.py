@@ -24,22 +24,23 @@ class Style:
     """How one strategy is drawn everywhere."""
 
     colour: str
+    dark_colour: str  # on a dark screen
     dash: str
 
 
 # 0.13 or more apart in OKLab with normal, protan and deutan vision, and each 3:1 or more on white and on #1a1b1e (a
 # search under these bounds; Okabe and Ito's colours come as near as 0.03 there); the three hook laws 0.1 with normal
-# vision. A dash of its own besides.
+# vision. A dash of its own besides. The dark ones: 4.5:1 or more on #1a1b1e and on both stages' shading, 0.13 apart.
 STYLES: dict[str, Style] = {
-    "lv": Style(colour="#1C5FDF", dash="solid"),
-    "lv_hil": Style(colour="#C0300C", dash="longdashdot"),
-    "lqr": Style(colour="#FF5F00", dash="dash"),
-    "skyhook": Style(colour="#C93AA0", dash="9px,3px,2px,3px,2px,3px"),
-    "groundhook": Style(colour="#8B5E3C", dash="2px,5px"),
-    "hybrid": Style(colour="#0090A8", dash="14px,3px,4px,3px"),
-    "suspension_only": Style(colour="#16A87C", dash="dashdot"),
-    "speed_only": Style(colour="#A882D9", dash="longdash"),
-    "passive": Style(colour="#666873", dash="dot"),
+    "lv": Style(colour="#1C5FDF", dark_colour="#7CBEF9", dash="solid"),
+    "lv_hil": Style(colour="#C0300C", dark_colour="#D2744F", dash="longdashdot"),
+    "lqr": Style(colour="#FF5F00", dark_colour="#FE9D3B", dash="dash"),
+    "skyhook": Style(colour="#C93AA0", dark_colour="#F2C2EE", dash="9px,3px,2px,3px,2px,3px"),
+    "groundhook": Style(colour="#8B5E3C", dark_colour="#F4BD9F", dash="2px,5px"),
+    "hybrid": Style(colour="#0090A8", dark_colour="#05A6A7", dash="14px,3px,4px,3px"),
+    "suspension_only": Style(colour="#16A87C", dark_colour="#77E4BA", dash="dashdot"),
+    "speed_only": Style(colour="#A882D9", dark_colour="#9774FE", dash="longdash"),
+    "passive": Style(colour="#666873", dark_colour="#9984B0", dash="dot"),
 }
 
 # SI unit -> the unit a plot shows and the factor to it.

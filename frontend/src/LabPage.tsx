@@ -13,6 +13,7 @@ import classes from "./shell/shell.module.css";
 import { DeskProvider, useDesk } from "./state/context";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./state/queries";
 import { useSelect } from "./state/store";
+import { useSchemeColours } from "./state/useSchemeColours";
 
 const SharedSweep = lazy(() => import("./batch/BatchPage").then((module) => ({ default: module.SharedSweep })));
 
@@ -45,6 +46,7 @@ function Desk() {
   const schema = useQuery(schemaQuery);
   const presets = useQuery(presetsQuery);
   const strategies = useQuery(strategiesQuery);
+  const coloured = useSchemeColours(strategies.data) ?? NONE;
   const catalogue = useQuery(catalogueQuery);
   const figures = useQuery(figuresQuery);
   useHotkeys([
@@ -68,7 +70,7 @@ function Desk() {
       <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />
-        <LabMain strategies={strategies.data ?? NONE} catalogue={catalogue.data} figures={figures.data} fault={failedQuery?.error?.message} />
+        <LabMain strategies={coloured} catalogue={catalogue.data} figures={figures.data} fault={failedQuery?.error?.message} />
       </div>
       <InShell place="notices">
         <Notices strategies={strategies.data ?? NONE} />

@@ -29,11 +29,23 @@ def contrast(one: str, other: str) -> float:
     return (high + 0.05) / (low + 0.05)
 
 
+DARK = "#1a1b1e"
+
+
+def blended(fill: str, background: str) -> str:
+    """The colour of a half transparent fill on a background."""
+    *channels, alpha = (float(part) for part in fill.removeprefix("rgba(").removesuffix(")").split(","))
+    below = [int(background[i : i + 2], 16) for i in (1, 3, 5)]
+    return "#" + "".join(f"{round(low + alpha * (high - low)):02x}" for low, high in zip(below, channels, strict=True))
+
+
 def test_colours_are_legible_on_both_themes_and_dashes_differ() -> None:
     assert list(STYLES) == list(STRATEGIES)
     for style in STYLES.values():
         assert contrast(style.colour, "#ffffff") >= 3
         assert contrast(style.colour, "#1a1b1e") >= 3
+        for background in (DARK, *(blended(fill, DARK) for fill in STAGE_FILLS.values())):
+            assert contrast(style.dark_colour, background) >= 4.5
     assert len({style.dash for style in STYLES.values()}) == len(STYLES)
 
 

@@ -27,7 +27,9 @@ def inside(text: str) -> str:
 
 def key_of(strategy: str) -> dict[str, str]:
     """A strategy's label and line style."""
-    style = figures.STYLES.get(strategy, figures.Style(colour=figures.NEUTRAL, dash="solid"))
+    style = figures.STYLES.get(
+        strategy, figures.Style(colour=figures.NEUTRAL, dark_colour=figures.NEUTRAL, dash="solid")
+    )
     return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
 
 

@@ -5406,6 +5406,11 @@ export interface components {
         StrategyAnswer: {
             /** Colour */
             colour: string;
+            /**
+             * Dark Colour
+             * @description On a dark background
+             */
+            dark_colour: string;
             /** Dash */
             dash: string;
             /** Description */

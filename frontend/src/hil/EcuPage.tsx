@@ -10,6 +10,7 @@ import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { placeErrors } from "../editor/errors";
 import { CouldNotLoad } from "../shell/Blank";
+import { useSchemeColours } from "../state/useSchemeColours";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
@@ -38,7 +39,8 @@ export function EcuPage() {
     if (!error || isTransient(error) || !schema.data) return NO_ERRORS;
     return error instanceof ApiProblem ? placeErrors(schema.data, error.errors, error.message) : { fields: {}, general: [error.message] };
   }, [error, schema.data]);
-  const shown = useMemo(() => STRATEGIES.flatMap((id) => strategies.data?.find((each) => each.id === id) ?? []), [strategies.data]);
+  const coloured = useSchemeColours(strategies.data);
+  const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured?.find((each) => each.id === id) ?? []), [coloured]);
   const { summaries, failures } = useMemo(() => split(run?.strategies ?? {}), [run]);
   const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
   const fault = [schema, strategies, catalogue, figures].find((query) => query.error !== null && !isTransient(query.error))?.error;

@@ -21,7 +21,7 @@ export interface FigureInput {
   readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   /** In the order of drawing. */
-  readonly strategies: readonly Pick<Strategy, "id">[];
+  readonly strategies: readonly Pick<Strategy, "id" | "colour">[];
   readonly axis: Axis;
   /** Range of the shared axis. */
   readonly range: Zoom;
@@ -51,7 +51,8 @@ function tracesOf({ template, strategies, axis, range }: FigureInput, { name, se
     const { strategy, signal } = trace.meta;
     const x = series[strategy]?.[axisSignal(axis)];
     const y = series[strategy]?.[signal];
-    if (!x || !y || !strategies.some(({ id }) => id === strategy)) return [];
+    const drawn = strategies.find(({ id }) => id === strategy);
+    if (!x || !y || !drawn) return [];
     const [from, to] = covering(x, range[0], range[1]);
     return [
       {
@@ -60,7 +61,7 @@ function tracesOf({ template, strategies, axis, range }: FigureInput, { name, se
         ...(trace.name === undefined ? {} : { name: name === "" ? trace.name : `${trace.name}, ${name}` }),
         x: x.subarray(from, to),
         y: scaled(y.subarray(from, to), scale),
-        line: { ...trace.line, ...line, simplify: true },
+        line: { ...trace.line, color: drawn.colour, ...line, simplify: true },
         opacity,
       },
     ];

@@ -55,7 +55,7 @@ const input: FigureInput = {
   template,
   series: { lv: { position: X, time: X, load: LOAD } },
   summaries: { lv: summary },
-  strategies: [{ id: "lv" }, { id: "passive" }],
+  strategies: [{ id: "lv", colour: "#123456" }, { id: "passive", colour: "#666" }],
   axis: "distance",
   range: [0, 4],
   palette: { text: "#000", grid: "#eee", zero: "#ccc" },
@@ -66,6 +66,7 @@ describe("a filled figure", () => {
     const { data } = buildFigure(input);
     expect(data).toHaveLength(1);
     expect(data[0]?.y[2]).toBe(-7);
+    expect(data[0]?.line.color).toBe("#123456"); // the strategy's, which follows the scheme
   });
 
   it("shades the stage, the airborne stretch and the static load", () => {
@@ -106,7 +107,7 @@ describe("the stages", () => {
   const fills = { brake: "orange", bump: "blue" } as const;
   const meta = { ...template.layout.meta, stage_fills: fills };
   const drawn = (axis: "distance" | "time") =>
-    stageShapes({ template: { ...template, layout: { meta } }, series, summaries: strategies as unknown as FigureInput["summaries"], strategies: [{ id: "passive" }, { id: "lv" }], axis })
+    stageShapes({ template: { ...template, layout: { meta } }, series, summaries: strategies as unknown as FigureInput["summaries"], strategies: [{ id: "passive", colour: "#666" }, { id: "lv", colour: "#123456" }], axis })
       .filter(({ y0 }) => y0 === 0)
       .map(({ fillcolor, x0, x1 }) => [fillcolor, x0, x1]);
 

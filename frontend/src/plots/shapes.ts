@@ -1,6 +1,6 @@
 /** What stands behind the curves: driving stages, airborne stretches, reference lines. */
 
-import type { FigureMeta, FigureTemplate, StrategyId, Summary } from "../api/types";
+import type { FigureMeta, StrategyId, Summary } from "../api/types";
 import type { Series } from "../api/decode";
 import type { Axis } from "../state/address";
 import type { FigureInput } from "./figure";
@@ -49,18 +49,12 @@ export function stageShapes({ template, series, summaries, strategies: shown, ax
     return fill === undefined || bounds === null ? [] : [upright(...bounds, fill)];
   });
   if (axis === "distance") return shading;
-  const marks = strategies.flatMap((strategy, index) => {
-    const colour = colourOf(template, strategy);
+  const marks = shown.flatMap(({ id: strategy, colour }, index) => {
     const bump = summaries[strategy]?.stages.find(({ stage }) => stage === "bump");
     const top = 1 - index * MARK * 1.4;
     return bump ? [upright(...spanEnds(axis, bump), colour, { y0: top - MARK, y1: top })] : [];
   });
   return [...shading, ...marks];
-}
-
-function colourOf(template: FigureTemplate, strategy: StrategyId): string {
-  const colour = template.data.find(({ meta }) => meta.strategy === strategy)?.line?.color;
-  return typeof colour === "string" ? colour : template.layout.meta.neutral;
 }
 
 /** Where a tyre's dynamic load falls below minus its static load: there the wheel would leave the road. */
@@ -70,12 +64,11 @@ export function airborneShapes({ template, series, summaries, strategies, axis }
   )?.[0];
   if (lift === undefined) return [];
   const sample = axis === "distance" ? "position" : "time";
-  return strategies.flatMap(({ id: strategy }) => {
+  return strategies.flatMap(({ id: strategy, colour }) => {
     const limit = summaries[strategy]?.reference[lift];
     const x = series[strategy]?.[sample];
     const load = series[strategy]?.[template.layout.meta.signal];
     if (typeof limit !== "number" || !x || !load) return [];
-    const colour = colourOf(template, strategy);
     return stretchesBelow(x, load, -limit).map(([from, to]) => upright(from, to, colour, { opacity: AIRBORNE_OPACITY }));
   });
 }

@@ -4,11 +4,13 @@ import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { isTransient } from "../api/problem";
 import { figuresOf } from "../batch/figures";
+import { useSchemeColours } from "./useSchemeColours";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "./queries";
 
 export function useCatalogues() {
   const { data: form, error: noForm } = useQuery(schemaQuery);
-  const { data: strategies, error: noStrategies } = useQuery(strategiesQuery);
+  const { data: inLight, error: noStrategies } = useQuery(strategiesQuery);
+  const strategies = useSchemeColours(inLight);
   const { data: catalogue, error: noCatalogue } = useQuery(catalogueQuery);
   const { data: templates, error: noTemplates } = useQuery(figuresQuery);
   /** `null` until all are there. */
