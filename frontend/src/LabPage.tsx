@@ -1,10 +1,10 @@
-import { useHotkeys } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { lazy, Suspense, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
 import { standardScenario } from "./editor/diff";
 import { EditorPane } from "./shell/EditorPane";
 import { LabMain } from "./shell/LabMain";
+import { LabCommands } from "./shell/LabCommands";
 import { LabTools } from "./shell/LabTools";
 import { Notices } from "./shell/Notices";
 import { InShell } from "./shell/places";
@@ -49,11 +49,6 @@ function Desk() {
   const coloured = useSchemeColours(strategies.data) ?? NONE;
   const catalogue = useQuery(catalogueQuery);
   const figures = useQuery(figuresQuery);
-  useHotkeys([
-    ["mod+Z", lab.undo],
-    ["mod+shift+Z", lab.redo],
-    ["mod+Y", lab.redo],
-  ]);
   useEffect(() => {
     if (!schema.data || !figures.data) return;
     const drawn = Object.values(figures.data).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
@@ -67,6 +62,7 @@ function Desk() {
       <InShell place="tools">
         <LabTools presets={presets.data ?? NONE} />
       </InShell>
+      <LabCommands form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
       <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />

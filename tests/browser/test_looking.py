@@ -98,6 +98,64 @@ def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:
     expect(page.get_by_role("slider", name="Cursor")).not_to_have_value(before)
 
 
+def test_undo_is_the_scenarios_wherever_the_focus_is(dashboard: Dashboard) -> None:
+    """After a typed value, a select and a switch; text that is not a value yet is the input's own."""
+    dashboard.open()
+    page, paper = dashboard.page, dashboard.address()
+    dashboard.type_into("Height", "0.12")
+    expect(page).not_to_have_url(paper)
+    page.keyboard.press("Control+z")
+    expect(dashboard.entry("Height")).to_have_value("0.1")
+    expect(page).to_have_url(paper)
+    page.keyboard.press("Control+y")
+    expect(dashboard.entry("Height")).to_have_value("0.12")
+    page.keyboard.press("Control+z")
+    expect(page).to_have_url(paper)
+
+    page.get_by_role("combobox", name="Shape").select_option("kerb")
+    expect(page).not_to_have_url(paper)
+    page.get_by_role("combobox", name="Shape").press("Control+z")
+    expect(page).to_have_url(paper)
+
+    kerb = dashboard.entry("Width")
+    kerb.focus()
+    page.keyboard.type("7")
+    page.keyboard.press("Control+z")
+    expect(kerb).not_to_have_value("7")
+    page.keyboard.type("-1")
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("alert")).to_be_visible()
+    page.keyboard.press("Control+z")
+    expect(page.get_by_role("alert")).to_have_count(0)
+    assert dashboard.address() == paper
+
+
+def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    page.keyboard.press("Control+k")
+    search = page.get_by_role("textbox", name="Search commands and fields")
+    search.fill("bandwid actuator")
+    dashboard.expect_accessible(page.get_by_role("dialog"))
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("switch", name="Bandwidth: limited")).to_be_focused()
+    page.keyboard.press("Control+k")
+    search.fill("hide lqr")
+    page.keyboard.press("Enter")
+    expect(dashboard.row("lqr")).to_have_count(0)
+    expect(search).to_have_count(0)
+    page.keyboard.press("?")
+    keys = page.get_by_role("dialog", name="Keys")
+    expect(keys).to_contain_text("Undo")
+    dashboard.expect_accessible(keys)
+    page.keyboard.press("Escape")
+    expect(keys).to_have_count(0)
+    page.keyboard.press("Control+k")
+    search.fill("paper")
+    page.get_by_role("button", name="Paper", exact=True).click()
+    expect(page.get_by_role("heading", name="The paper, checked", level=1)).to_be_visible()
+
+
 def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
     """axe-core's WCAG 2 A and AA rules, both colour schemes, with every section of the form and a tooltip open."""
     dashboard.open()

@@ -1,11 +1,13 @@
 /** The form: essentials open, the rest in sections. */
 
 import { Accordion, Badge, Button, Text, TextInput } from "@mantine/core";
-import { memo, useMemo, useState } from "react";
+import { memo, useEffect, useMemo, useState } from "react";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
 import classes from "./editor.module.css";
 import { changedPointers, resetMember } from "./diff";
 import { matching, sections, type Section } from "./layout";
+import { focusField, revealed } from "../state/reveal";
+import { useStore } from "../state/store";
 import { Members } from "./Members";
 import type { Pointer } from "./path";
 import type { Group } from "./schema";
@@ -26,6 +28,15 @@ export function Editor({ form }: { readonly form: Group }) {
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
   const found = useMemo(() => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all), [all, search, searching]);
+  const sought = useStore(revealed);
+  const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
+  if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
+  if (sought && searching) setSearch("");
+  useEffect(() => {
+    if (sought === null) return;
+    focusField(sought);
+    revealed.set(null);
+  }, [sought]);
 
   const wrong = [...Object.keys(rejected), ...Object.keys(refused.fields)] as Pointer[];
   // A section with an error is open whatever was clicked: an error nobody sees helps nobody.
@@ -33,7 +44,7 @@ export function Editor({ form }: { readonly form: Group }) {
   const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
 
   return (
-    <div className={classes.editor} data-read-only={readOnly || undefined}>
+    <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
         <Text size="sm" c="dimmed">
           {changed === 0 ? "The paper’s scenario" : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}

@@ -18,9 +18,9 @@ interface Props {
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, field: { title, description, standard: reset }, leaf: { changed, readOnly, error, commit }, standard, aside, children }: Props) {
+export function FieldFrame({ id, field: { pointer, title, description, standard: reset }, leaf: { changed, readOnly, error, commit }, standard, aside, children }: Props) {
   return (
-    <div className={classes.field} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
+    <div className={classes.field} data-pointer={pointer} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
       <div className={classes.row}>
         <label className={classes.label} htmlFor={id} id={`${id}-label`}>
           {title}

@@ -49,6 +49,7 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
   return (
     <TextInput
       id={id}
+      data-pointer={field.pointer}
       className={withUnit ? classes.entry : classes.cellEntry}
       classNames={{ input: classes.entryInput ?? "" }}
       size="xs"

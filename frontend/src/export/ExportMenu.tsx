@@ -6,6 +6,7 @@ import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";
 import { useCompared } from "../compare/useCompared";
+import { useCommands } from "../state/commands";
 import { useDesk, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { axisKey, makeScene } from "../state/scene";
@@ -19,6 +20,11 @@ import { compact } from "../ui/compact";
 const FORMATS = [
   { format: "csv", label: "CSV" },
   { format: "parquet", label: "Parquet" },
+] as const;
+
+const FIGURES = [
+  { format: "png", label: "PNG picture" },
+  { format: "svg", label: "SVG drawing" },
 ] as const;
 
 const COPIES = [
@@ -57,6 +63,15 @@ export function ExportMenu() {
     const over = shown?.over && selected.includes(shown.over.baseline) ? { roads: shown.over.roads, baseline: shown.over.baseline } : null;
     copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over }));
   };
+
+  const saveController = () => save(lab.get().history?.present ?? shown?.scenario ?? {});
+
+  useCommands([
+    ...(runId === null ? [] : [{ group: "Lab", label: "Export HTML report", run: saveReport } as const]),
+    ...(shown?.missing === null ? FIGURES.map(({ format, label }) => ({ group: "Lab", label: `Export plots: ${label}`, run: () => saveImage(format) }) as const) : []),
+    { group: "Lab", label: "Export controller (C)", run: saveController },
+    ...COPIES.map(({ label, write }) => ({ group: "Lab", label, run: () => copyAs(write) }) as const),
+  ]);
 
   return (
     <>
@@ -103,13 +118,13 @@ export function ExportMenu() {
             HTML report
           </Menu.Item>
           <Menu.Label>Plots as shown</Menu.Label>
-          {(["png", "svg"] as const).map((format) => (
+          {FIGURES.map(({ format, label }) => (
             <Menu.Item key={format} leftSection={<IconPhoto size={16} />} disabled={shown?.missing !== null} onClick={() => saveImage(format)}>
-              {format === "png" ? "PNG picture" : "SVG drawing"}
+              {label}
             </Menu.Item>
           ))}
           <Menu.Label>As a program</Menu.Label>
-          <Menu.Item leftSection={<IconCpu size={16} />} onClick={() => save(lab.get().history?.present ?? shown?.scenario ?? {})}>
+          <Menu.Item leftSection={<IconCpu size={16} />} onClick={saveController}>
             Export controller (C)
           </Menu.Item>
           <Menu.Label>This run again, elsewhere</Menu.Label>

@@ -6,6 +6,7 @@ import { useRef, useState } from "react";
 import { explain } from "../api/problem";
 import type { NewLink } from "../api/types";
 import { copyWhenThere } from "../export/clipboard";
+import { useCommands } from "../state/commands";
 import { compact } from "../ui/compact";
 import { LinkField } from "./LinkField";
 import classes from "./share.module.css";
@@ -41,6 +42,8 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       .then(async (url) => land({ kind: "created", url, copied: await copied }))
       .catch((error: unknown) => land({ kind: "failed", message: reasonOf(error) }));
   };
+
+  useCommands(obstacle === null ? [{ group: "Lab", label: "Share: make a link", run: share }] : []);
 
   return (
     <Popover

@@ -6,6 +6,8 @@ import { IconAdjustmentsHorizontal } from "../icons";
 import { Editor } from "../editor/Editor";
 import type { Group } from "../editor/schema";
 import { useReadOnly } from "../state/context";
+import { revealed } from "../state/reveal";
+import { useStore } from "../state/store";
 import { EditorLoading } from "./Blank";
 import classes from "./shell.module.css";
 
@@ -13,6 +15,8 @@ export function EditorPane({ form }: { readonly form: Group | undefined }) {
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const readOnly = useReadOnly();
   const [opened, { open, close }] = useDisclosure(false);
+  const isSought = useStore(revealed) !== null;
+  if (narrow && isSought && !opened) open();
   const content = form ? <Editor form={form} /> : <EditorLoading />;
   if (!narrow) {
     return (

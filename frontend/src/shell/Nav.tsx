@@ -1,9 +1,10 @@
 /** Navigation between the pages: links where there is room, else a menu under the name of the page shown. */
 
 import { Button, Menu } from "@mantine/core";
-import { Link, linkOptions, useRouterState, useSearch } from "@tanstack/react-router";
+import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tanstack/react-router";
 import { IconChevronDown } from "../icons";
 import type { Address } from "../state/address";
+import { useCommands } from "../state/commands";
 import { useDesk, useLab } from "../state/context";
 import { labLink } from "../state/router";
 import { useStore } from "../state/store";
@@ -32,6 +33,8 @@ export function Nav() {
   ];
   const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
   const section = path === "b" ? "sweeps" : path;
+  const navigate = useNavigate();
+  useCommands(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
   const current = entries.find((entry) => entry.section === section);
   return (
     <>

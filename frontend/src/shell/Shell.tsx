@@ -5,6 +5,7 @@ import { useMemo, useState } from "react";
 import { useDesk } from "../state/context";
 import { ConnectionBanner } from "./ConnectionBanner";
 import { HeaderEnd } from "./HeaderEnd";
+import { Keyboard } from "./Keyboard";
 import { LoginGate } from "./LoginGate";
 import { Nav } from "./Nav";
 import { PlacesContext } from "./places";
@@ -25,6 +26,7 @@ export function Shell() {
             <HeaderEnd />
           </header>
           <Outlet />
+          <Keyboard />
           <div className={classes.notices}>
             <div className={classes.pageNotices} ref={setNotices} />
             <ConnectionBanner onBack={lab.resume} />

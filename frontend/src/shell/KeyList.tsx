@@ -1,0 +1,31 @@
+/** Which keys there are on this page. */
+
+import { Kbd, Modal, Table } from "@mantine/core";
+import { commands } from "../state/commands";
+import { keyNames } from "./keyNames";
+
+const EVERYWHERE = [
+  { label: "A slider, or the cursor of the plots: a step less, a step more", keys: "← →" },
+  { label: "Take over a typed value", keys: "Enter" },
+  { label: "Leave a typed value, close a window", keys: "Esc" },
+];
+
+export function KeyList({ onClose }: { readonly onClose: () => void }) {
+  const named = commands().flatMap(({ label, keys }) => (keys === undefined ? [] : [{ label, keys: keyNames(keys) }]));
+  return (
+    <Modal opened onClose={onClose} title="Keys" closeButtonProps={{ "aria-label": "Close" }}>
+      <Table>
+        <Table.Tbody>
+          {[...named, ...EVERYWHERE].map(({ label, keys }) => (
+            <Table.Tr key={keys + label}>
+              <Table.Td>
+                <Kbd>{keys}</Kbd>
+              </Table.Td>
+              <Table.Td>{label}</Table.Td>
+            </Table.Tr>
+          ))}
+        </Table.Tbody>
+      </Table>
+    </Modal>
+  );
+}

@@ -1,0 +1,47 @@
+/** What the lab can do by name or by key. */
+
+import type { Preset, Strategy } from "../api/types";
+import type { Group } from "../editor/schema";
+import { useCommands, type Command } from "../state/commands";
+import { useDesk, useLab } from "../state/context";
+import { revealed } from "../state/reveal";
+import { sweepFields } from "../sweep/fields";
+
+interface Props {
+  readonly form: Group | undefined;
+  readonly presets: readonly Preset[];
+  readonly strategies: readonly Strategy[];
+}
+
+export function LabCommands({ form, presets, strategies }: Props) {
+  const { lab } = useDesk();
+  const selected = useLab((state) => state.strategies);
+  const isReadOnly = useLab((state) => state.shared !== null);
+
+  /** A text that is no value is the newest change. */
+  const undo = () => {
+    const rejected = Object.keys(lab.get().rejected);
+    if (rejected.length === 0) lab.undo();
+    for (const pointer of rejected) lab.accept(pointer as `/${string}`);
+  };
+  const toggle = (id: string) => lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => selected.includes(other) !== (other === id)));
+
+  const edits: readonly Command[] = [
+    { group: "Lab", label: "Undo", keys: "mod+Z", run: undo },
+    { group: "Lab", label: "Redo", keys: "mod+shift+Z", run: lab.redo },
+    { group: "Lab", label: "Redo", keys: "mod+Y", run: lab.redo },
+    { group: "Lab", label: "Open the paper’s scenario", run: lab.openPaper },
+    ...presets.map(({ label, description, scenario }): Command => ({ group: "Presets", label, description, run: () => lab.commit(scenario) })),
+  ];
+  useCommands([
+    ...(isReadOnly ? [] : edits),
+    ...strategies.map(({ id, label, description }): Command => ({
+      group: "Strategies",
+      label: `${selected.includes(id) ? "Hide" : "Show"} ${label}`,
+      description,
+      run: () => toggle(id),
+    })),
+    ...(form ? sweepFields(form) : []).map(({ title, section, leaf }): Command => ({ group: "Fields", label: title, description: section, run: () => revealed.set(leaf.pointer) })),
+  ]);
+  return null;
+}
