@@ -16,7 +16,7 @@ def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
     dashboard.open()
     page, paper = dashboard.page, dashboard.address()
     page.evaluate("window.unloaded = false")
-    dashboard.type_into("Height", "0.06")
+    dashboard.type_into("Height", "6")
     expect(page).not_to_have_url(paper)
     low = dashboard.address()
     dashboard.type_into("Width", "3")
@@ -28,19 +28,19 @@ def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
     go(page, "Lab")
     expect(page).to_have_url(low)
     dashboard.expect_curves()
-    assert (dashboard.entry("Height").input_value(), dashboard.entry("Width").input_value()) == ("0.06", "4")
+    assert (dashboard.entry("Height").input_value(), dashboard.entry("Width").input_value()) == ("6", "4")
     expect(page.get_by_role("button", name="Redo")).to_be_enabled()
 
     with dashboard.held("**/series?*"):
         with page.expect_request("**/series?*"):
-            dashboard.type_into("Height", "0.07")
+            dashboard.type_into("Height", "7")
         go(page, "Tuner")
         expect(page).to_have_url(re.compile(r"/tuner\?run="))
     with page.expect_response("**/series?*"):
         pass
     page.go_back()
     dashboard.expect_curves()
-    assert dashboard.entry("Height").input_value() == "0.07"
+    assert dashboard.entry("Height").input_value() == "7"
     assert dashboard.address() != low
     dashboard.expect_table_to_be_the_stored_run()
     assert page.evaluate("window.unloaded") is False
@@ -49,20 +49,20 @@ def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
 def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashboard) -> None:
     dashboard.open()
     page, paper = dashboard.page, dashboard.address()
-    dashboard.type_into("Height", "0.06")
+    dashboard.type_into("Height", "6")
     dashboard.chip("LQR").click()
     expect(dashboard.row("lqr")).to_have_count(0)
     page.get_by_text("Time", exact=True).click()
     expect(page).to_have_url(re.compile("axis=time"))
 
     dashboard.open("/")
-    assert dashboard.entry("Height").input_value() == "0.06"
+    assert dashboard.entry("Height").input_value() == "6"
     expect(dashboard.row("lqr")).to_have_count(0)
     expect(page.get_by_role("radio", name="Time")).to_be_checked()
     expect(page.get_by_text("Your last scenario.")).to_be_visible()
     page.get_by_role("button", name="Open the paper’s scenario").click()
     expect(dashboard.row("lqr")).to_be_visible()
-    assert dashboard.entry("Height").input_value() == "0.1"
+    assert dashboard.entry("Height").input_value() == "10"
     assert dashboard.address().split("?")[0] == paper
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
