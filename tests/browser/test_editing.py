@@ -40,6 +40,12 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
         expect(cell).to_contain_text(f"▲ +{100 * (values[peak] / before[peak] - 1):.1f}\u2009%, worse")
     expect(dashboard.row("passive")).to_contain_text("50.0\u00a0km/h")
     comparison = dashboard.page.get_by_role("region", name="Comparison")
+    comparison.get_by_label("Plot differences").check()
+    expect(drawn).to_have_count(3)
+    expect(dashboard.page.get_by_role("region", name="Body acceleration")).to_contain_text("less before the last edit")
+    dashboard.expect_accessible(comparison)
+    comparison.get_by_label("Plot differences").uncheck()
+    expect(drawn).to_have_count(6)
     comparison.get_by_label("Change against").select_option("Passive")
     expect(dashboard.row("passive")).to_have_attribute("data-baseline", "true")
 

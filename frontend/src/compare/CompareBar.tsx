@@ -1,6 +1,6 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { NativeSelect } from "@mantine/core";
+import { Checkbox, NativeSelect } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { StrategyId } from "../api/types";
 import { changedFields, changesText } from "../editor/diff";
@@ -9,6 +9,8 @@ import { useDesk } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
 import classes from "./compare.module.css";
+import { roadsOf } from "../state/shown";
+import { count } from "../units/format";
 import { PinButton } from "./PinButton";
 import { PinList } from "./PinList";
 import { SpeedSelect } from "./SpeedSelect";
@@ -16,10 +18,17 @@ import { SpeedSelect } from "./SpeedSelect";
 const STRATEGY = "strategy:";
 
 export function CompareBar({ scene }: { readonly scene: Scene }) {
+  const { lab } = useDesk();
   return (
     <div className={classes.bar}>
       <AgainstSelect scene={scene} />
       <SpeedSelect />
+      <Checkbox
+        size="xs"
+        label="Plot differences"
+        checked={scene.residual}
+        onChange={({ currentTarget: { checked } }) => lab.setResidual(checked)}
+      />
       <PinButton />
       <Differences scene={scene} />
       <PinList />
@@ -70,10 +79,11 @@ function Differences({ scene: { shown, before, reference } }: { readonly scene: 
   const form = useQuery(schemaQuery).data;
   const other = reference?.shown ?? before;
   const changes = form && other ? changedFields(form, other.scenario, shown.scenario) : [];
+  const isUnlike = reference !== null && other !== null && roadsOf(other) !== roadsOf(shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
     <p className={classes.differences} title={all} data-testid="differences">
-      {other === null ? "\u00a0" : `${other === before ? "Last edit, thin curves before it" : `Against ${reference?.name ?? ""}`}: ${changesText(changes) || "the same scenario"}`}
+      {other === null ? "\u00a0" : `${other === before ? "Last edit, thin curves before it" : `Against ${reference?.name ?? ""}`}: ${changesText(changes) || "the same scenario"}${isUnlike ? `; over ${count(roadsOf(other), "road")}, so no change is shown` : ""}`}
     </p>
   );
 }

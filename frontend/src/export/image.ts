@@ -4,6 +4,7 @@ import type { FigureTemplate } from "../api/types";
 import { buildFigure, axisUnit, type Palette } from "../plots/figure";
 import { layersOf } from "../plots/layers";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
+import { differences, referenceSeries, subtrahend, withoutReferences } from "../plots/residual";
 import type { Scene } from "../state/scene";
 
 const WIDTH = 1200;
@@ -16,10 +17,13 @@ const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", 
 /** One figure with a row for each panel over one x axis. */
 export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
-  const layers = layersOf(scene);
+  const { residual, axis } = scene;
+  const layers = residual ? [] : layersOf(scene);
+  const series = residual ? differences(scene.series, referenceSeries(scene, scene.series, scene.reference?.shown.series ?? {}), axis) : scene.series;
+  const summaries = residual ? withoutReferences(scene.summaries) : scene.summaries;
   const row = 1 / templates.length;
   const built = templates.map((template) =>
-    buildFigure({ template, series: scene.series, layers, summaries: scene.summaries, strategies: scene.strategies, axis: scene.axis, range: scene.range, palette: ON_PAPER }),
+    buildFigure({ template, series, layers, summaries, strategies: scene.strategies, axis, range: scene.range, palette: ON_PAPER }),
   );
   const name = (letter: "x" | "y", index: number) => (index === 0 ? letter : `${letter}${index + 1}`);
   const axes: Record<string, unknown> = {};
@@ -40,7 +44,7 @@ export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, 
     })),
   );
   const annotations: Readonly<Record<string, unknown>>[] = templates.map(({ layout: { meta } }, index) => ({
-    text: `<b>${meta.title}</b> [${meta.unit}]`,
+    text: `<b>${meta.title}</b> [${meta.unit}]${residual ? `, less ${subtrahend(scene)}` : ""}`,
     xref: "paper", yref: "paper", x: 0, y: 1 - index * row - row * 0.1, xanchor: "left", yanchor: "bottom",
     showarrow: false, font: { size: 13, color: ON_PAPER.text },
   }));

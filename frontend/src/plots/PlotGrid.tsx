@@ -10,6 +10,7 @@ import { layersOf } from "./layers";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
+import { differences, referenceSeries, subtrahend, withoutReferences } from "./residual";
 import { useDetail } from "./useDetail";
 import { usePlotly } from "./usePlotly";
 
@@ -21,13 +22,23 @@ interface Props {
 export function PlotGrid({ templates, scene }: Props) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
-  const series = useDetail(scene);
+  const own = useDetail(scene);
+  const other = useDetail(scene.residual && scene.reference ? { ...scene, shown: scene.reference.shown, series: scene.reference.shown.series } : scene);
   const onZoom = useZoom();
-  const { summaries, strategies, axis, range, shown, before, pins } = scene;
-  const layers = useMemo(() => layersOf({ shown, before, pins }), [shown, before, pins]);
+  const { strategies, axis, range, shown, before, pins, residual, reference, baseline, ids } = scene;
+  // What is drawn: the curves themselves, or what they differ by from what changes are against.
+  const { series, summaries } = useMemo(
+    () =>
+      residual
+        ? { series: differences(own, referenceSeries({ reference, baseline, ids }, own, other), axis), summaries: withoutReferences(scene.summaries) }
+        : { series: own, summaries: scene.summaries },
+    [residual, own, other, reference, baseline, ids, axis, scene.summaries],
+  );
+  const minus = residual ? subtrahend(scene) : undefined;
+  const layers = useMemo(() => (residual ? [] : layersOf({ shown, before, pins })), [residual, shown, before, pins]);
   const curves = useMemo(
-    () => ({ series, layers, summaries, strategies, axis, range, live: shown.source === "live" }),
-    [series, layers, summaries, strategies, axis, range, shown.source],
+    () => ({ series, layers, summaries, strategies, axis, range, live: shown.source === "live", ...(minus === undefined ? {} : { minus }) }),
+    [series, layers, summaries, strategies, axis, range, shown.source, minus],
   );
   return (
     <div className={classes.grid}>

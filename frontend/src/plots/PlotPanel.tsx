@@ -24,6 +24,8 @@ export interface Curves {
   readonly axis: Axis;
   readonly range: Zoom;
   readonly live: boolean;
+  /** What the curves are differences to. */
+  readonly minus?: string;
 }
 
 interface Props {
@@ -42,7 +44,7 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
   const printed = useStore(printing);
   const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
-  const { series, strategies, axis, range, live } = curves;
+  const { series, strategies, axis, range, live, minus } = curves;
   // Off screen nothing is computed: during a drag only what somebody sees is drawn anew.
   const figure = useMemo(() => (inViewport ? buildFigure({ template, palette, ...curves }) : null), [inViewport, template, curves, palette]);
   const drawn = strategies.map(({ label }) => label).join(", ");
@@ -50,7 +52,10 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
     <Card ref={viewRef} className={classes.panel ?? ""} aria-label={meta.title} data-figure={meta.signal}>
       <header className={classes.header}>
         <h3 className={classes.title}>
-          {meta.title} <span className={classes.unit}>{meta.unit}</span>
+          {meta.title} <span className={classes.unit}>
+            {meta.unit}
+            {minus !== undefined && `, less ${minus}`}
+          </span>
         </h3>
         <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
       </header>

@@ -39,7 +39,6 @@ function scaled(values: Numbers, factor: number): Numbers {
   return factor === 1 ? values : values.map((value) => value * factor);
 }
 
-
 function traces(input: FigureInput): readonly PlotTrace[] {
   const layers = [...(input.layers ?? []), { name: "", series: input.series, line: {}, opacity: 1 }];
   return layers.flatMap((layer) => tracesOf(input, layer));

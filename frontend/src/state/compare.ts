@@ -17,9 +17,11 @@ export interface Compared {
   readonly before: Shown | null;
   readonly pins: readonly Variant[];
   readonly against: Against;
+  /** Plots show differences to it. */
+  readonly residual: boolean;
 }
 
-export const NOTHING_COMPARED: Compared = { before: null, pins: [], against: "baseline" };
+export const NOTHING_COMPARED: Compared = { before: null, pins: [], against: "baseline", residual: false };
 
 export const againstPin = (runId: string): Against => `pin:${runId}`;
 

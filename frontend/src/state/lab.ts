@@ -21,6 +21,7 @@ const OPENING: LabState = {
   exact: null,
   before: null,
   against: "baseline",
+  residual: false,
   shared: null,
   busy: false,
   stale: false,
@@ -118,6 +119,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       if (!shared && shown?.over && shown.over.baseline !== baseline) submit("push");
     },
     setAgainst: (against) => patch({ against }),
+    setResidual: (residual) => patch({ residual }),
     resume: asking.resume,
   };
 }

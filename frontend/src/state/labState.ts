@@ -34,6 +34,8 @@ export interface LabState {
   /** The exact result before the last edit. */
   readonly before: Shown | null;
   readonly against: Against;
+  /** Plots show differences to it. */
+  readonly residual: boolean;
   /** The link this page shows: while there is one, nothing can be edited. */
   readonly shared: Link | null;
   readonly busy: boolean;
@@ -63,6 +65,7 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly setBaseline: (strategy: StrategyId) => void;
   /** Compares each strategy with itself before the last edit, or in a pinned run. */
   readonly setAgainst: (against: Against) => void;
+  readonly setResidual: (residual: boolean) => void;
   /** Asks again for what could not be had; does nothing where nothing is missing. */
   readonly resume: () => void;
 }

@@ -18,6 +18,8 @@ export interface Scene {
   readonly pins: readonly Variant[];
   /** What changes are against, where that is not the baseline. */
   readonly reference: Variant | null;
+  /** Plots show differences to what changes are against. */
+  readonly residual: boolean;
   readonly axis: Axis;
   readonly whole: Zoom;
   /** The bump with some road around it; `null` where there is none. */
@@ -43,7 +45,7 @@ export function makeScene(
 }
 
 /** What is drawn, whatever it is compared with. */
-export type PartShown = Omit<Scene, "baseline" | "before" | "pins" | "reference">;
+export type PartShown = Omit<Scene, "baseline" | "before" | "pins" | "reference" | "residual">;
 
 export function partShown(
   shown: Shown,
@@ -66,6 +68,7 @@ export function withBaseline(part: PartShown, baseline: StrategyId, compared: Co
     before: compared.before,
     pins: compared.pins,
     reference: referenceOf(compared),
+    residual: compared.residual,
   };
 }
 

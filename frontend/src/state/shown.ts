@@ -89,6 +89,8 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
   };
 }
 
+export const roadsOf = ({ over }: Shown): number => over?.roads ?? 1;
+
 interface Results {
   readonly shown: Shown | null;
   readonly exact: Shown | null;
@@ -105,10 +107,11 @@ export function landed({ exact, before }: Results, next: Shown): Results {
 export const beforeEdit = ({ shown, exact, before }: Results): Shown | null => (shown?.source === "live" ? exact : before);
 
 /** Whether a result answers this question, for some of its strategies. */
-export function answers({ source, scenario, over, summaries }: Shown, question: { readonly scenario: Scenario | undefined; readonly roads: number; readonly strategies: readonly StrategyId[] }): boolean {
+export function answers(shown: Shown, question: { readonly scenario: Scenario | undefined; readonly roads: number; readonly strategies: readonly StrategyId[] }): boolean {
+  const { source, scenario, summaries } = shown;
   return (
     source === "exact" &&
-    (over?.roads ?? 1) === question.roads &&
+    roadsOf(shown) === question.roads &&
     question.strategies.every((id) => id in summaries) &&
     sameValue(scenario, question.scenario)
   );

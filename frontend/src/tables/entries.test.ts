@@ -14,7 +14,7 @@ const shown = (runId: string, lv: number, passive: number, more: Partial<Shown> 
   ({ runId, source: "exact", summaries: { lv: summary(lv), passive: summary(passive) }, series: {}, over: null, ...more }) as unknown as Shown;
 
 const NOW = shown("now", 1, 8);
-const compared: Compared = { before: shown("old", 2, 8), pins: [{ name: "Soft", shown: shown("soft", 3, 6) }], against: "baseline" };
+const compared: Compared = { before: shown("old", 2, 8), pins: [{ name: "Soft", shown: shown("soft", 3, 6) }], against: "baseline", residual: false };
 
 function changes(choice: Compared) {
   const scene = makeScene(NOW, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, choice);
@@ -32,6 +32,11 @@ describe("the change of each strategy of each variant", () => {
 
   it("is against the same strategy of a pin, which itself has none", () => {
     expect(changes({ ...compared, against: againstPin("soft") })).toEqual([[null, expect.closeTo(-66.7, 1), expect.closeTo(33.3, 1)], ["Soft", null, null]]);
+  });
+
+  it("does not exist between a mean over roads and one road", () => {
+    const over = { roads: 5, baseline: "passive", changes: {}, estimates: {} };
+    expect(changes({ ...compared, before: shown("old", 2, 8, { over }), against: "before" })[0]).toEqual([null, null, null]);
   });
 
   it("falls back to the baseline where what it was against is gone", () => {

@@ -2,7 +2,7 @@
 
 import type { Strategy, Summary } from "../api/types";
 import type { Scene } from "../state/scene";
-import type { Shown } from "../state/shown";
+import { roadsOf, type Shown } from "../state/shown";
 import { changeAgainst, pairedChange, separateChange, type Change } from "./change";
 import { intervalAt, pairedAt, valueAt, type Place } from "./place";
 
@@ -38,6 +38,8 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Sc
   return [group(null, shown), ...others.map(({ name, shown: pinned }) => group(name, pinned))];
 }
 
+const NONE: Change = { percent: null, half: 0, verdict: "none" };
+
 /**
  * The change of an entry's number: against the same strategy in the reference, or against the baseline of its own
  * variant; `null` for what changes are against.
@@ -50,6 +52,8 @@ export function changeOf({ reference, baseline }: Scene, { strategy, shown, summ
     if (paired) return pairedChange(paired);
     return changeAgainst(value, baseline === null ? null : valueAt(shown.summaries[baseline], place), scale);
   }
+  // A mean over roads and one road's number differ by the luck of the road.
+  if (roadsOf(shown) !== roadsOf(reference.shown)) return NONE;
   const [one, other] = [intervalAt(shown, strategy.id, place), intervalAt(reference.shown, strategy.id, place)];
   if (one && other) return separateChange(one, other);
   return changeAgainst(value, valueAt(reference.shown.summaries[strategy.id], place), scale);

@@ -1,0 +1,61 @@
+/** Curves as differences: each strategy's values less those of what changes are against, at the same place. */
+
+import type { Series } from "../api/decode";
+import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import type { Axis } from "../state/address";
+import { axisKey, type Scene } from "../state/scene";
+import type { Numbers } from "./plotly";
+
+const COORDINATES = ["time", "position"];
+
+/** `values` over ascending `samples`, read at ascending places; its end values outside. */
+function resampled(samples: Numbers, values: Numbers, places: Numbers): Numbers {
+  const result = new Float32Array(places.length);
+  let right = 0;
+  for (let i = 0; i < places.length; i++) {
+    const x = places[i] ?? 0;
+    while (right < samples.length - 1 && (samples[right] ?? 0) < x) right++;
+    const left = Math.max(0, right - 1);
+    const [x0, x1, y0, y1] = [samples[left] ?? 0, samples[right] ?? 0, values[left] ?? 0, values[right] ?? 0];
+    const part = x1 > x0 ? Math.min(1, Math.max(0, (x - x0) / (x1 - x0))) : 1;
+    result[i] = y0 + part * (y1 - y0);
+  }
+  return result;
+}
+
+function difference(one: Series, other: Series, axis: Axis): Series {
+  const [places, samples] = [one[axisKey(axis)], other[axisKey(axis)]];
+  if (!places || !samples) return {};
+  const less = (key: string, values: Numbers): Numbers => {
+    const reference = other[key];
+    if (COORDINATES.includes(key) || !reference) return values;
+    const at = resampled(samples, reference, places);
+    return values.map((value, index) => value - (at[index] ?? 0));
+  };
+  return Object.fromEntries(Object.entries(one).map(([key, values]) => [key, less(key, values)]));
+}
+
+/** Of those strategies that both have. */
+export function differences(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis): SeriesByStrategy {
+  return Object.fromEntries(
+    Object.entries(series).flatMap(([id, own]) => {
+      const reference = other[id];
+      return reference ? [[id, difference(own, reference, axis)]] : [];
+    }),
+  );
+}
+
+/** By strategy what its curves are compared with: the same one of the reference, or the baseline. */
+export function referenceSeries({ reference, baseline, ids }: Pick<Scene, "reference" | "baseline" | "ids">, own: SeriesByStrategy, ofReference: SeriesByStrategy): SeriesByStrategy {
+  if (reference !== null) return ofReference;
+  const base = baseline === null ? undefined : own[baseline];
+  return base ? Object.fromEntries(ids.map((id) => [id, base])) : {};
+}
+
+/** A difference has no limits, static loads or targets of its own. */
+export const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Readonly<Record<StrategyId, Summary>> =>
+  Object.fromEntries(Object.entries(summaries).map(([id, summary]) => [id, { ...summary, reference: {} }]));
+
+/** What is taken away, in words. */
+export const subtrahend = ({ reference, baseline, strategies }: Scene): string =>
+  reference?.name ?? strategies.find(({ id }) => id === baseline)?.label ?? "";
