@@ -8,10 +8,15 @@ from tests.browser.dashboard import LONG_MS, Dashboard
 def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page
-    page.get_by_role("button", name="How large may it be?").click()
+    page.get_by_role("button", name="How fast may it go: Body acceleration, bump").click()
     dialog = page.get_by_role("dialog", name="How large may it be?")
     find = dialog.get_by_role("button", name="Find")
     expect(find).to_be_disabled()
+    field = dialog.get_by_role("combobox", name="Field")
+    expect(field).to_have_value("Target speed")
+    expect(dialog.get_by_role("combobox", name="Metric")).to_have_value("Body acceleration, peak, bump")
+    field.click()
+    page.get_by_role("listbox").get_by_role("option", name="Height", exact=True).click()
     dialog.get_by_label("From").fill("20")
     dialog.get_by_label("To", exact=True).fill("10")
     expect(dialog.get_by_role("alert")).to_have_text("From has to be less than to")

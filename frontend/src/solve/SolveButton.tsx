@@ -1,24 +1,33 @@
 /** Opens the dialog that finds how large a field may be; its code is fetched when somebody first does. */
 
-import { Button } from "@mantine/core";
+import { ActionIcon, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { lazy, Suspense } from "react";
+import { IconGauge } from "../icons";
 import { useCatalogues } from "../state/useCatalogues";
-import tables from "../tables/tables.module.css";
+import classes from "./solve.module.css";
 
 const SolveDialog = lazy(() => import("./SolveDialog").then((module) => ({ default: module.SolveDialog })));
 
-export function SolveButton() {
+interface Props {
+  /** The metric that has to keep a limit. */
+  readonly metric: string;
+  readonly label: string;
+}
+
+export function SolveButton({ metric, label }: Props) {
   const [opened, { open, close }] = useDisclosure(false);
   const { catalogues } = useCatalogues();
   return (
     <>
-      <Button className={tables.moreButton ?? ""} size="compact-xs" variant="subtle" disabled={catalogues === null} onClick={open}>
-        How large may it be?
-      </Button>
+      <Tooltip label="How fast may it go so that this stays below a limit?" withArrow>
+        <ActionIcon className={classes.button} size={20} variant="subtle" aria-label={`How fast may it go: ${label}`} disabled={catalogues === null} onClick={open}>
+          <IconGauge size={14} stroke={1.7} />
+        </ActionIcon>
+      </Tooltip>
       {opened && catalogues && (
         <Suspense>
-          <SolveDialog catalogues={catalogues} onClose={close} />
+          <SolveDialog {...{ catalogues, metric }} onClose={close} />
         </Suspense>
       )}
     </>

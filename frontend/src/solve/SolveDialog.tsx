@@ -5,8 +5,8 @@ import { useMutation } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import { api } from "../api/client";
 import { explain } from "../api/problem";
-import type { Question, Solution } from "../api/types";
-import { fullName, OPENING_FIGURE, optionsOf, type Figure } from "../batch/figures";
+import type { Question, Solution, Strategy } from "../api/types";
+import { fullName, optionsOf, type Figure } from "../batch/figures";
 import { typedText, valueText } from "../editor/limits";
 import { setAt } from "../editor/path";
 import { useEdit, useLab, useReadOnly, useScenario } from "../state/context";
@@ -18,22 +18,28 @@ import ui from "../ui/ui.module.css";
 import { formatExact, formatResult, prettyUnit } from "../units/format";
 import { askable, readDraft, type SolveDraft } from "./draft";
 
-const FIRST_FIELD = "road.bump.height";
+const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
+
+/** The speed that a strategy meets the bump at: its target where it has one. */
+const speedOf = (strategy: Strategy | undefined) => (strategy?.reads.includes(TARGET) === true ? TARGET : INITIAL);
 
 interface Props {
   readonly catalogues: Catalogues;
+  /** Asked about first. */
+  readonly metric: string;
   readonly onClose: () => void;
 }
 
-export function SolveDialog({ catalogues: { form, strategies, figures }, onClose }: Props) {
+export function SolveDialog({ catalogues: { form, strategies, figures }, metric: first, onClose }: Props) {
   const fields = useMemo(() => sweepFields(form).filter(askable), [form]);
   const scenario = useScenario();
   const selected = useLab((state) => state.strategies);
   const roads = useLab((state) => state.roads);
+  const byId = (id: string | undefined) => strategies.find((each) => each.id === id);
   const [draft, setDraft] = useState<SolveDraft>(() => ({
-    ...rangeOf(fields, FIRST_FIELD),
+    ...rangeOf(fields, speedOf(byId(selected[0]))),
     strategy: selected[0] ?? strategies[0]?.id ?? "",
-    metric: OPENING_FIGURE,
+    metric: first,
     limit: "",
   }));
   const field = fields.find(({ name }) => name === draft.field);
@@ -70,7 +76,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, onClose
         {entry("to", "To", unit)}
       </Group>
       <Group gap="xs" align="flex-end">
-        <Select size="xs" label="Strategy" allowDeselect={false} data={strategies.map(({ id, label }) => ({ value: id, label }))} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id })} />
+        <Select size="xs" label="Strategy" allowDeselect={false} data={strategies.map(({ id, label }) => ({ value: id, label }))} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedOf(byId(draft.strategy)) ? rangeOf(fields, speedOf(byId(id))) : {}) })} />
         <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
         {entry("limit", "At most", prettyUnit(figure?.unit ?? "1"))}
       </Group>

@@ -8,6 +8,7 @@ import { EntryHead } from "./EntryHead";
 import { ResultCell } from "./ResultCell";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
+import { SolveButton } from "../solve/SolveButton";
 import { ScrollTable } from "../ui/ScrollTable";
 
 export interface ComparisonProps {
@@ -56,11 +57,13 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
           <th scope="col" className={classes.corner}>
             Strategy
           </th>
-          {VIEWS.map(({ window }) =>
+          {VIEWS.map(({ window, statistic }) =>
             signals.map((signal, index) => (
               <th key={`${window} ${signal}`} scope="col" className={classes.column} data-first={index === 0 || undefined}>
                 <span className={classes.columnName}>{labels[signal] ?? signal}</span>
-                <span className={classes.columnUnit}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
+                <span className={classes.columnUnit}>
+                  {prettyUnit(shownUnit(signal, figures, catalogue).unit)} <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${labels[signal] ?? signal}, ${window.replace("_", " ")}`} />
+                </span>
               </th>
             )),
           )}

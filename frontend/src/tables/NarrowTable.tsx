@@ -8,6 +8,7 @@ import { ResultCell } from "./ResultCell";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 import { VariantHeads } from "./VariantHeads";
+import { SolveButton } from "../solve/SolveButton";
 import { ScrollTable } from "../ui/ScrollTable";
 
 interface Props extends ComparisonProps {
@@ -38,7 +39,8 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
           return (
             <tr key={signal}>
               <th scope="row" className={classes.quantity}>
-                {catalogue.signals.find(({ key }) => key === signal)?.label ?? signal} <span className={classes.columnUnit}>{prettyUnit(unit)}</span>
+                {catalogue.signals.find(({ key }) => key === signal)?.label ?? signal} <span className={classes.columnUnit}>{prettyUnit(unit)}</span>{" "}
+                <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${catalogue.signals.find(({ key }) => key === signal)?.label ?? signal}, ${window.replace("_", " ")}`} />
               </th>
               {entries.map((entry) => (
                 <ResultCell key={entry.key} name={`${window}.${signal}.${statistic}`} place={{ window, signal, statistic }} marked {...{ scene, entry, scale }} />

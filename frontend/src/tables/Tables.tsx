@@ -9,7 +9,6 @@ import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
 import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
 import { NarrowTable } from "./NarrowTable";
-import { SolveButton } from "../solve/SolveButton";
 import { RunTable } from "./RunTable";
 import classes from "./tables.module.css";
 import { Card } from "../ui/Card";
@@ -57,7 +56,6 @@ export function Tables({ scene, catalogue, figures }: Props) {
       >
         {more ? "Less" : "Travel, forces, comfort, time and events"}
       </Button>
-      <SolveButton />
     </Card>
   );
 }
