@@ -38,6 +38,10 @@ def test_one_cursor_reads_every_plot_and_moves_the_car(dashboard: Dashboard) -> 
     page.get_by_role("button", name="Play").click()
     expect(lane).to_contain_text(re.compile(r"· [1-9]\d*\.\d m"))
     page.get_by_role("button", name="Pause").click()
+    page.evaluate("document.activeElement.blur()")
+    for button in ("Pause", "Play"):  # the space bar does the same
+        page.keyboard.press("Space")
+        expect(page.get_by_role("button", name=button, exact=True)).to_be_visible()
 
 
 def test_opens_on_the_bump_and_every_plot_has_the_same_part(dashboard: Dashboard) -> None:

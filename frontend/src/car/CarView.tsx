@@ -1,7 +1,7 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
 import { ActionIcon, NativeSelect, Tooltip } from "@mantine/core";
-import { useElementSize } from "@mantine/hooks";
+import { useElementSize, useWindowEvent } from "@mantine/hooks";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "../icons";
 import { useEffect, useEffectEvent, useState } from "react";
 import type { StrategyId } from "../api/types";
@@ -46,6 +46,12 @@ export function CarView({ scene }: { readonly scene: Scene }) {
     );
   }, [playing]);
 
+  useWindowEvent("keydown", (event) => {
+    if (event.key !== " " || event.defaultPrevented || takesSpace(event.target)) return;
+    event.preventDefault(); // the page would scroll
+    setPlaying((before) => !before);
+  });
+
   if (!first) return null;
   return (
     <Card className={classes.view ?? ""} aria-label="The moving car">
@@ -55,7 +61,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
         <span className={classes.scale}>heights × {EXAGGERATION}</span>
       </div>
       <div className={classes.controls}>
-        <Tooltip label={playing ? "Pause" : "Play"}>
+        <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
           <ActionIcon variant="light" size={30} aria-label={playing ? "Pause" : "Play"} onClick={() => setPlaying(!playing)}>
             {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
           </ActionIcon>
@@ -74,6 +80,10 @@ export function CarView({ scene }: { readonly scene: Scene }) {
     </Card>
   );
 }
+
+/** Somebody types there, or presses it by the same key. */
+const takesSpace = (target: EventTarget | null) =>
+  target instanceof Element && target.closest("input, textarea, select, button, a, [role=slider], [role=dialog], [role=menu]") !== null;
 
 function Scrubber({ scene }: { readonly scene: Scene }) {
   const [low, high] = scene.range;
