@@ -45,9 +45,11 @@ function readAddress(router: AppRouter): Address | null {
   return route?.id === "/lab/s/$id" ? { ...START, slug: id } : null;
 }
 
-/** `opening` is how a lab is looked at that opens as it was left. */
+/** `opening` is how a lab is looked at that opens as it was left; what an address says goes before. */
 export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Router {
-  const store = createStore<Address>({ ...START, view: opening, ...(startsAnew(router) ? {} : readAddress(router)) });
+  const named = readAddress(router);
+  const saysNothing = named === null || isSame(named, START);
+  const store = createStore<Address>(saysNothing ? { ...START, view: opening } : named);
 
   /** Where a link, back or forward led, until it is shown. */
   let pending: Address | null = null;
