@@ -11,7 +11,7 @@ PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper setup development compiler lock pin clean
+.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -59,6 +59,9 @@ robust: development ## searches the preset `robust` again and drives it at point
 paper: setup ## the paper's tables against ours, cell by cell, both readings also on roads 21 to 60; all in paper-report.html
 	$(BIN)/ridelab paper --report paper-report.html
 	$(BIN)/ridelab paper --seeds 21-60 | tail -6
+
+screenshots: development ## docs/images again: a picture of every page
+	$(BIN)/python -m tests.browser.screenshots
 
 ecu: development ## the ECU's program: C sources in build/ridelab-controller, the program beside them, what it takes on an STM32F103
 	mkdir -p build

@@ -5,10 +5,10 @@ import { useMutation } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import { api } from "../api/client";
 import { explain } from "../api/problem";
-import type { Question, Solution, Strategy } from "../api/types";
+import type { Question, Scenario, Solution, Strategy } from "../api/types";
 import { fullName, optionsOf, type Figure } from "../batch/figures";
 import { typedText, valueText } from "../editor/limits";
-import { setAt } from "../editor/path";
+import { getAt, setAt } from "../editor/path";
 import { useEdit, useLab, useReadOnly, useScenario } from "../state/context";
 import type { Catalogues } from "../state/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../sweep/fields";
@@ -20,8 +20,12 @@ import { askable, readDraft, type SolveDraft } from "./draft";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
 
-/** The speed that a strategy meets the bump at: its target where it has one. */
-const speedOf = (strategy: Strategy | undefined) => (strategy?.reads.includes(TARGET) === true ? TARGET : INITIAL);
+/** The speed that a strategy meets the bump at: the target where it slows down for it. */
+function speedField(strategy: Strategy | undefined, scenario: Scenario): string {
+  const policy = getAt(scenario, "/speed/policy");
+  if (policy === "constant") return INITIAL;
+  return policy === "planned" || strategy?.reads.includes(TARGET) === true ? TARGET : INITIAL;
+}
 
 interface Props {
   readonly catalogues: Catalogues;
@@ -37,7 +41,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const roads = useLab((state) => state.roads);
   const byId = (id: string | undefined) => strategies.find((each) => each.id === id);
   const [draft, setDraft] = useState<SolveDraft>(() => ({
-    ...rangeOf(fields, speedOf(byId(selected[0]))),
+    ...rangeOf(fields, speedField(byId(selected[0]), scenario)),
     strategy: selected[0] ?? strategies[0]?.id ?? "",
     metric: first,
     limit: "",
@@ -76,7 +80,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
         {entry("to", "To", unit)}
       </Group>
       <Group gap="xs" align="flex-end">
-        <Select size="xs" label="Strategy" allowDeselect={false} data={strategies.map(({ id, label }) => ({ value: id, label }))} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedOf(byId(draft.strategy)) ? rangeOf(fields, speedOf(byId(id))) : {}) })} />
+        <Select size="xs" label="Strategy" allowDeselect={false} data={strategies.map(({ id, label }) => ({ value: id, label }))} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedField(byId(draft.strategy), scenario) ? rangeOf(fields, speedField(byId(id), scenario)) : {}) })} />
         <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
         {entry("limit", "At most", prettyUnit(figure?.unit ?? "1"))}
       </Group>

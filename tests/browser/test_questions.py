@@ -1,0 +1,24 @@
+"""Each question at one size; `make drill` asks all of them at three."""
+
+from itertools import cycle
+
+import pytest
+
+from tests.browser.dashboard import Dashboard
+from tests.browser.questions import QUESTIONS, Question
+
+SIZES = ((1440, 900), (1024, 768), (390, 844))
+
+
+def answered(dashboard: Dashboard, question: Question, size: tuple[int, int]) -> None:
+    """The page answers it at that size, accessible in both schemes and no wider than the window."""
+    width, height = size
+    dashboard.page.set_viewport_size({"width": width, "height": height})
+    question(dashboard)
+    dashboard.expect_accessible()
+    dashboard.expect_no_wider(width)
+
+
+@pytest.mark.parametrize(("question", "size"), list(zip(QUESTIONS, cycle(SIZES), strict=False)))
+def test_a_question_is_answered(dashboard: Dashboard, question: Question, size: tuple[int, int]) -> None:
+    answered(dashboard, question, size)
