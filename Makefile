@@ -108,7 +108,7 @@ frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
 	cd frontend && $(NODE) npm ci --no-audit --no-fund
 	touch $@
 
-frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html -type f 2>/dev/null)
+frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html frontend/scripts frontend/vite.config.ts -type f 2>/dev/null)
 	cd frontend && $(NODE) npm run build
 
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header

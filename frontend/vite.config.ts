@@ -4,8 +4,15 @@ import { defineConfig } from "vitest/config";
 
 const backend = process.env.RIDELAB_BACKEND ?? "http://127.0.0.1:8000";
 
+// plotly.js describes every attribute for its documentation, 0.2 MB of text; its own builds leave the texts out too.
+const withoutDescriptions = {
+  name: "plotly-without-descriptions",
+  transform: (code: string, id: string) => (/plotly\.js[\\/]src[\\/]/.test(id) ? { code: code.replace(DESCRIPTION, ""), map: null } : null),
+};
+const DESCRIPTION = /\s*description: (?:'.*'|\[[\s\S]*?\]\.join\([\s\S]*?\)),?$/gm;
+
 export default defineConfig({
-  plugins: [react()],
+  plugins: [react(), withoutDescriptions],
   // plotly.js names the styles of its maps, which are not in our bundle.
   resolve: { alias: { "maplibre-gl/dist/maplibre-gl.css": fileURLToPath(new URL("src/plots/no-maps.css", import.meta.url)) } },
   define: { global: "globalThis" }, // plotly.js's parts were written for node's name of it

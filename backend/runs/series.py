@@ -5,7 +5,7 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 
 import base64
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Self
 
@@ -131,6 +131,11 @@ def packed(values: NDArray[np.float32]) -> dict[str, str]:
     """One signal in plotly's typed-array form: little-endian float32 in base64."""
     data = np.ascontiguousarray(values, dtype="<f4")
     return {"dtype": "f4", "bdata": base64.b64encode(data.data).decode("ascii")}
+
+
+def unpacked(values: Mapping[str, str]) -> NDArray[np.float32]:
+    """The values of a typed array."""
+    return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")
 
 
 def as_json(series: SeriesArray, signals: Iterable[str], encoding: str) -> JsonObject:

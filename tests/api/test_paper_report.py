@@ -39,6 +39,7 @@ def page(client: httpx.Client, answers: dict[str, Any]) -> Element:
     assert response.status_code == 200, response.text[:300]
     assert "script-src 'sha256-" in response.headers["content-security-policy"]
     assert response.headers["content-disposition"] == 'inline; filename="ridelab-paper.html"'
+    assert len(response.content) <= 1.5e6
     root = read(response.text)
     check(root)
     return root

@@ -4,6 +4,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
+import numpy as np
 import pytest
 
 from backend.runs.reports import inputs, numbers
@@ -11,6 +12,7 @@ from backend.runs.reports.caveats import caveats
 from backend.runs.reports.run import RunFacts, report
 from backend.runs.work import ComputedResult, run
 from sim_core.scenario import Scenario, dotted
+from sim_core.strategies import STRATEGIES
 from tests.html import check, read
 
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'&{{7*7}}"
@@ -153,3 +155,10 @@ def test_text_never_becomes_markup(outcomes: dict[str, ComputedResult]) -> None:
     assert not list(root.all("img"))
     assert root.text.count("alert(1)") >= 10, "it is there, as text"
     assert "{{7*7}}" in next(root.all("h1")).text
+
+
+def test_even_with_every_strategy_it_fits_into_a_mail(outcomes: dict[str, ComputedResult]) -> None:
+    all_of_them = dict.fromkeys(STRATEGIES, outcomes["lv"])
+    longest = {name: replace(each, series=np.tile(each.series, 40)) for name, each in all_of_them.items()}
+    content = report(facts(longest), compressed=False).content
+    assert 1e6 <= len(content) <= 1.5e6

@@ -117,7 +117,7 @@ def _over_speed(number: int, index: int, peaks: Peaks) -> PaperFigure:
             "layout": {
                 **layout,
                 "title": {"text": title},
-                "meta": {"title": title, "unit": unit},
+                "meta": {"title": title, "unit": unit, "least_span": 0.0},
                 "xaxis": {**layout["xaxis"], "title": {"text": "Speed [km/h]"}},
                 "yaxis": {**layout["yaxis"], "title": {"text": f"{title} [{unit}]"}},
             },

@@ -1,14 +1,9 @@
 """Figures of a report: the part of each axis that is shown, and the words below it."""
 
-import base64
-from collections.abc import Mapping
-
-import numpy as np
-from numpy.typing import NDArray
-
 from backend.json_types import JsonObject
 from backend.runs.reports.keys import line_of
 from backend.runs.reports.numbers import NOTHING, significant, with_unit
+from backend.runs.series import unpacked
 
 NEAR = 0.6  # a reference line at most so far beyond the curves is brought into view [spans of the curves]
 PADDING = 0.05
@@ -19,7 +14,7 @@ def framed(figure: JsonObject) -> JsonObject:
 
     The axis has no title: the heading above the figure says signal and unit.
     """
-    values = [_unpacked(trace["y"]) for trace in figure["data"]]
+    values = [unpacked(trace["y"]) for trace in figure["data"]]
     values = [each for each in values if len(each)]
     if not values:
         return figure
@@ -61,7 +56,3 @@ def caption(name: str, figure: JsonObject) -> JsonObject:
         "keys": [line_of(trace) for trace in figure["data"]],
         "notes": "; ".join(notes),
     }
-
-
-def _unpacked(values: Mapping[str, str]) -> NDArray[np.float32]:
-    return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")

@@ -19,13 +19,15 @@ from typing import Any
 import orjson
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
-from plotly.offline import get_plotlyjs
 
 from backend.runs.reports import numbers
 from backend.runs.reports.keys import inside, label
+from backend.runs.reports.thinning import thinned
+from backend.settings import PAGE
 from sim_core.catalogue import STATISTICS, WINDOWS
 
 TEMPLATES = Path(__file__).parent / "templates"
+PLOTLY = PAGE / "report" / "plotly.js"  # with the traces that the lab draws; made with the page
 COMPRESSION = 1  # the same as the service's other answers
 # One thread: a report is mostly compressing, which leaves the event loop alone; the next one waits.
 _thread = ThreadPoolExecutor(1, thread_name_prefix="report")
@@ -62,7 +64,7 @@ def render(template: str, values: Mapping[str, Any], figures: Mapping[str, Any],
     Args:
         template: Its file name.
         values: What it shows; text, escaped there.
-        figures: Plotly figures by name; without any the file has no script.
+        figures: Plotly figures by name, thinned here; without any the file has no script.
         compressed: Whether whoever asked takes gzip.
     """
     text = (
@@ -73,7 +75,7 @@ def render(template: str, values: Mapping[str, Any], figures: Mapping[str, Any],
             policy=policy(bool(figures)),
             style=Markup(_file("report.css")),  # noqa: S704  # our own file
             scripts=[Markup(script) for script in scripts()] if figures else [],  # noqa: S704  # our own, and plotly's
-            data=_data(figures) if figures else None,
+            data=_data(thinned(figures)) if figures else None,
         )
     )
     content = text.encode()
@@ -85,7 +87,7 @@ def render(template: str, values: Mapping[str, Any], figures: Mapping[str, Any],
 @cache
 def scripts() -> tuple[str, str]:
     """Plotly and the drawing script, as text between script tags."""
-    return get_plotlyjs().replace("\r\n", "\n"), _file("report.js")
+    return PLOTLY.read_text(encoding="utf-8"), _file("report.js")
 
 
 @cache
