@@ -76,6 +76,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
   const submit: Asking["submit"] = (mode) => {
     const { history, strategies, roads } = store.get();
     if (strategies.length === 0) return;
+    if (mode === "push") router.stay();
     const { baseline } = router.get().view;
     const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
     ask({
@@ -149,7 +150,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
   /** The address has nothing to show: neither is anything else shown under it. */
   const leaveLink = () => {
     router.arrive();
-    patch({ shared: null });
+    patch({ shared: null, shown: null, exact: null, before: null });
   };
 
   return {
@@ -158,6 +159,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
     openLink,
     preview: (scenario) => {
       exact.cancel();
+      router.stay();
       const some = store.get().strategies.length > 0;
       patch({ busy: some });
       if (some) live.request(scenario);
@@ -166,6 +168,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
       live.cancel();
       unfinished = null;
       exact.cancel();
+      router.stay();
       patch({ busy: false, stale: false, failure: null, refused: NO_ERRORS });
     },
     resume: () => unfinished?.(),

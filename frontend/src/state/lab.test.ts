@@ -30,6 +30,7 @@ function fakeRouter() {
     setView: (change) => store.set((address) => ({ ...address, view: { ...address.view, ...change } })),
     onTravel: () => () => undefined,
     arrive: () => undefined,
+    stay: () => undefined,
   };
   return router;
 }

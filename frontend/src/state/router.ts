@@ -15,6 +15,8 @@ export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
   readonly onTravel: (listener: (address: Address) => void) => void;
   /** What the address bar names is shown now. */
   readonly arrive: () => void;
+  /** What the address bar names is not waited for any more: it names again what is shown, as a new entry. */
+  readonly stay: () => void;
 }
 
 const START: Address = { runId: null, slug: null, view: DEFAULT_VIEW };
@@ -109,6 +111,13 @@ export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Rout
     arrive: () => {
       if (pending) store.set(pending);
       pending = null;
+    },
+    stay: () => {
+      if (pending === null) return;
+      const { runId, slug } = pending;
+      pending = null;
+      const shown = store.get();
+      write(shown, runId === shown.runId && slug === shown.slug);
     },
   };
 }

@@ -1,0 +1,136 @@
+import { QueryClient } from "@tanstack/react-query";
+import { describe, expect, it } from "vitest";
+import { ApiProblem } from "../api/problem";
+import type { Run, Scenario, StrategyId, Summary } from "../api/types";
+import type { AppRouter } from "../router";
+import { parseSearch, stringifySearch } from "./address";
+import type { LabApi } from "./asking";
+import { createLab } from "./lab";
+import type { LabState } from "./labState";
+import { createLabRouter } from "./router";
+
+const OPENING = ["lv", "lqr", "passive"];
+const wait = () => new Promise((resolve) => setTimeout(resolve, 0));
+
+interface Navigation {
+  readonly to: string;
+  readonly params?: { readonly id: string };
+  readonly search?: Readonly<Record<string, unknown>>;
+  readonly replace?: boolean;
+}
+
+/** A browser's history before the page's routes. */
+function browser(path: string) {
+  const entries = [path];
+  let at = 0;
+  const listeners = new Set<() => void>();
+  const tell = () => listeners.forEach((listener) => listener());
+  const href = () => entries[at] ?? "";
+  const navigate = ({ to, params, search = {}, replace = false }: Navigation) => {
+    if (!replace) entries.splice(++at);
+    entries[at] = to.replace("$id", params?.id ?? "") + stringifySearch(search);
+    tell();
+  };
+  const pages = {
+    history: { location: {}, subscribe: (listener: () => void) => listeners.add(listener) },
+    parseLocation: () => ({ pathname: href().split("?")[0], search: parseSearch(href().split("?")[1] ?? "") }),
+    getMatchedRoutes: (pathname: string) => {
+      const [, page = "", id] = pathname.split("/");
+      return [null, id === undefined ? {} : { id }, { id: page === "" ? "/lab/" : page === "r" ? "/lab/r/$id" : pathname }];
+    },
+    navigate,
+  } as unknown as AppRouter;
+  const follow = (to: string) => navigate({ to });
+  const back = () => {
+    at -= 1;
+    tell();
+  };
+  return { entries, href, follow, back, pages };
+}
+
+const summary = { status: "ok", compute_ms: 1, cached: false, metrics: {}, comfort: {}, events: {} } as unknown as Summary;
+const byStrategy = <T>(ids: readonly StrategyId[], value: T) => Object.fromEntries(ids.map((id) => [id, value]));
+const runOf = (scenario: Scenario, ids: readonly StrategyId[]): Run => ({
+  id: `h${JSON.stringify(scenario.height ?? 1)}`,
+  core_version: "1",
+  scenario,
+  strategies: byStrategy(ids, summary),
+  over: null,
+});
+
+/** A lab before a browser and a server whose runs come when a test says so. `h7` is the run of the height 7; over 90 there is none. */
+function harness(path: string, initial: Partial<LabState> = {}) {
+  const held: (() => void)[] = [];
+  const hold = <T>(value: T, signal: AbortSignal | undefined) =>
+    new Promise<T>((resolve, reject) => {
+      signal?.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
+      held.push(() => resolve(value));
+    });
+  const api: LabApi = {
+    createRun: (scenario, ids, signal) => (Number(scenario.height) < 0 ? Promise.reject(new ApiProblem(422, "refused", [])) : hold(runOf("height" in scenario ? scenario : { height: 1 }, ids), signal)),
+    run: (id, signal) => (id > "h90" ? Promise.reject(new ApiProblem(404, "none", [])) : hold(runOf({ height: Number(id.slice(1)) }, OPENING), signal)),
+    series: (_id, ids) => Promise.resolve(byStrategy(ids, {})),
+    live: () => new Promise(() => undefined),
+    link: () => Promise.reject(new Error("no link here")),
+  };
+  const { pages, ...page } = browser(path);
+  const router = createLabRouter(pages);
+  const lab = createLab({ api, router, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) }, initial);
+  router.onTravel(lab.travel);
+  const land = async () => {
+    held.at(-1)?.();
+    await wait();
+  };
+  /** What is shown, once everything that was asked for is there. */
+  const settled = async () => {
+    held.forEach((answer) => answer());
+    await wait();
+    held.forEach((answer) => answer());
+    await wait();
+    return { bar: page.href(), shown: lab.get().shown?.runId };
+  };
+  return { lab, router, ...page, land, settled };
+}
+
+/** A lab with the runs h1 and h2 behind it. */
+async function twoRuns() {
+  const desk = harness("/");
+  await desk.land();
+  desk.lab.commit({ height: 2 });
+  await desk.land();
+  return desk;
+}
+
+describe("an edit while a run that was followed to still loads", () => {
+  it("leaves the address with what is shown, when strategies are switched", async () => {
+    const { lab, follow, entries, settled } = await twoRuns();
+    follow("/r/h7");
+    lab.setStrategies(["lqr", "passive"]);
+    expect(await settled()).toEqual({ bar: "/r/h2?hide=lv", shown: "h2" });
+    expect(entries).toEqual(["/r/h1", "/r/h2", "/r/h7", "/r/h2?hide=lv"]);
+  });
+
+  it("leaves the address with what is shown, under a moving slider", async () => {
+    const { lab, follow, href, settled } = await twoRuns();
+    follow("/r/h7");
+    lab.drag({ height: 3 });
+    expect(href()).toBe("/r/h2");
+    lab.commit({ height: 3 });
+    expect(await settled()).toEqual({ bar: "/r/h3", shown: "h3" });
+  });
+
+  it("leaves the address with what is shown, when it is refused", async () => {
+    const { lab, follow, settled } = await twoRuns();
+    follow("/r/h7");
+    lab.commit({ height: -1 });
+    expect(await settled()).toEqual({ bar: "/r/h2", shown: "h2" });
+  });
+});
+
+it("Nothing is shown under an address with no run, and a strategy asks for one again", async () => {
+  const { lab, follow, settled } = await twoRuns();
+  follow("/r/h99");
+  expect(await settled()).toEqual({ bar: "/r/h99", shown: undefined });
+  lab.setStrategies(["lqr", "passive"]);
+  expect(await settled()).toEqual({ bar: "/r/h2", shown: "h2" });
+});
