@@ -30,12 +30,11 @@ export function useOpenRun(batch: Batch): Opening {
   const opening = useMutation({
     mutationFn: ({ at }: Place) => api.createRun(scenarioAt(batch.scenario, at), batch.strategies),
     networkMode: "always",
-    onSuccess: openInLab,
   });
   const { error } = opening;
   return {
     open: (place) => {
-      if (!opening.isPending) opening.mutate(place);
+      if (!opening.isPending) opening.mutate(place, { onSuccess: openInLab() });
     },
     run: opening.isPending ? opening.variables.run : null,
     error: error && explain(error),

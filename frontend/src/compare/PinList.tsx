@@ -63,7 +63,7 @@ function PinMenu({ pin, index }: Props) {
             if (event.key === "Enter") rename(event.currentTarget.value);
           }}
         />
-        <Menu.Item disabled={pin.isGone} onClick={() => open({ id: pin.run })}>
+        <Menu.Item disabled={pin.isGone} onClick={() => open()({ id: pin.run })}>
           Open
         </Menu.Item>
         <Menu.Item onClick={() => ownPins.remove(pin.run)}>Unpin</Menu.Item>

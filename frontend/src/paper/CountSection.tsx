@@ -102,14 +102,11 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
   const openInLab = useOpenInLab();
   const opening = useMutation({
     mutationFn: () => api.createRun(paper.scenario, strategies),
-    onSuccess: (run) => {
-      queries.setQueryData(runKey(run.id), run);
-      openInLab(run);
-    },
+    onSuccess: (run) => queries.setQueryData(runKey(run.id), run),
   });
   return (
     <div className={classes.actions}>
-      <Button size="xs" variant="default" rightSection={<IconArrowRight size={15} aria-hidden />} loading={opening.isPending} onClick={() => opening.mutate()}>
+      <Button size="xs" variant="default" rightSection={<IconArrowRight size={15} aria-hidden />} loading={opening.isPending} onClick={() => opening.mutate(undefined, { onSuccess: openInLab() })}>
         Open this scenario in the lab
       </Button>
       {opening.error && (

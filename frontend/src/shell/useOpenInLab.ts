@@ -2,8 +2,13 @@
 
 import { useRouter } from "@tanstack/react-router";
 import { useCallback } from "react";
+import { fromHere } from "./fromHere";
 
-export function useOpenInLab(): (run: { readonly id: string }) => void {
+/** To be called at the click, and what it returns with the run. */
+export function useOpenInLab(): () => (run: { readonly id: string }) => void {
   const router = useRouter();
-  return useCallback(({ id }) => void router.navigate({ to: "/r/$id", params: { id }, search: { from: router.latestLocation.href } }), [router]);
+  return useCallback(() => {
+    const { href, go } = fromHere(router);
+    return ({ id }) => go({ to: "/r/$id", params: { id }, search: { from: href } });
+  }, [router]);
 }

@@ -2,9 +2,10 @@
 
 import { useDebouncedValue } from "@mantine/hooks";
 import { useMutation, useQuery } from "@tanstack/react-query";
-import { useNavigate, type NavigateOptions } from "@tanstack/react-router";
+import { useRouter, type NavigateOptions } from "@tanstack/react-router";
 import { useRef } from "react";
 import { ApiProblem } from "../api/problem";
+import { fromHere } from "../shell/fromHere";
 import { placeProblems, type DraftErrors, type PlaceOf } from "./problems";
 
 const REST_MS = 350;
@@ -54,11 +55,10 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     keys.current.set(name, key);
     return key;
   };
-  const navigate = useNavigate();
+  const router = useRouter();
   const started = useMutation({
     mutationFn: (body: Body) => submission.submit(body, keyOf),
     networkMode: "always",
-    onSuccess: (address) => navigate(address),
   });
 
   const problem = started.error ?? (settled ? estimate.error : null);
@@ -73,6 +73,6 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     estimate: text && settled && !estimate.isError ? estimate.data : undefined,
     pending: text !== "" && (!settled || estimate.isFetching),
     starting: started.isPending,
-    start: () => submission.body !== null && started.mutate(submission.body),
+    start: () => submission.body !== null && started.mutate(submission.body, { onSuccess: fromHere(router).go }),
   };
 }

@@ -21,11 +21,10 @@ export function useLoad({ scenario, strategy }: Tuning): Load {
   const opening = useMutation({
     mutationFn: ({ weights }: Trial) => api.createRun(withWeights(scenario, weights), [...new Set([strategy, ...BESIDE])]),
     networkMode: "always",
-    onSuccess: openInLab,
   });
   return {
     load: (trial) => {
-      if (!opening.isPending) opening.mutate(trial);
+      if (!opening.isPending) opening.mutate(trial, { onSuccess: openInLab() });
     },
     loading: opening.isPending ? opening.variables.number : null,
     error: opening.error,
