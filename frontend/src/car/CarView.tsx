@@ -10,7 +10,9 @@ import { cursor } from "../state/cursor";
 import type { Scene } from "../state/scene";
 import { useStore } from "../state/store";
 import classes from "./car.module.css";
-import { EXAGGERATION, Lane } from "./Lane";
+import { Key } from "./Key";
+import { Lane } from "./Lane";
+import { Options } from "./Options";
 import { play } from "./playback";
 import { restingCursor } from "./resting";
 import { Card } from "../ui/Card";
@@ -21,6 +23,8 @@ const SPEEDS = [
   { value: "0.25", label: "1/4 speed" },
   { value: "1", label: "real time" },
 ];
+/** Heights are drawn this much larger than lengths, or nobody would see them. */
+const EXAGGERATIONS = [1, 2, 5, 10].map((factor) => ({ value: String(factor), label: `heights × ${factor}` }));
 const NONE = "";
 
 export function CarView({ scene }: { readonly scene: Scene }) {
@@ -28,6 +32,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
   const [followed, setFollowed] = useState<StrategyId>(NONE);
   const [second, setSecond] = useState<StrategyId>(NONE);
   const [speed, setSpeed] = useState("0.25");
+  const [exaggeration, setExaggeration] = useState("5");
   const [playing, setPlaying] = useState(false);
 
   const first = scene.strategies.find(({ id }) => id === followed) ?? scene.strategies[0];
@@ -56,9 +61,10 @@ export function CarView({ scene }: { readonly scene: Scene }) {
   return (
     <Card className={classes.view ?? ""} aria-label="The moving car">
       <div ref={ref} className={classes.lanes}>
-        <Lane scene={scene} strategy={first} width={width} />
-        {other && <Lane scene={scene} strategy={other} width={width} />}
-        <span className={classes.scale}>heights × {EXAGGERATION}</span>
+        {[first, ...(other ? [other] : [])].map((strategy) => (
+          <Lane key={strategy.id} scene={scene} strategy={strategy} width={width} exaggeration={Number(exaggeration)} />
+        ))}
+        {width > 0 && <Key scene={scene} width={width} exaggeration={Number(exaggeration)} />}
       </div>
       <div className={classes.controls}>
         <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
@@ -67,15 +73,24 @@ export function CarView({ scene }: { readonly scene: Scene }) {
           </ActionIcon>
         </Tooltip>
         <Scrubber scene={scene} />
-        <NativeSelect size="xs" aria-label="Playing speed" data={SPEEDS} value={speed} onChange={(event) => setSpeed(event.currentTarget.value)} />
-        <NativeSelect size="xs" aria-label="Car shown" data={names} value={first.id} onChange={(event) => setFollowed(event.currentTarget.value)} />
-        <NativeSelect
-          size="xs"
-          aria-label="Second car"
-          data={[{ value: NONE, label: "no second car" }, ...names.filter(({ value }) => value !== first.id)]}
-          value={other?.id ?? NONE}
-          onChange={(event) => setSecond(event.currentTarget.value)}
-        />
+        <Options>
+          <NativeSelect size="xs" aria-label="Playing speed" data={SPEEDS} value={speed} onChange={(event) => setSpeed(event.currentTarget.value)} />
+          <NativeSelect
+            size="xs"
+            aria-label="Exaggeration of heights"
+            data={EXAGGERATIONS}
+            value={exaggeration}
+            onChange={(event) => setExaggeration(event.currentTarget.value)}
+          />
+          <NativeSelect size="xs" aria-label="Car shown" data={names} value={first.id} onChange={(event) => setFollowed(event.currentTarget.value)} />
+          <NativeSelect
+            size="xs"
+            aria-label="Second car"
+            data={[{ value: NONE, label: "no second car" }, ...names.filter(({ value }) => value !== first.id)]}
+            value={other?.id ?? NONE}
+            onChange={(event) => setSecond(event.currentTarget.value)}
+          />
+        </Options>
       </div>
     </Card>
   );

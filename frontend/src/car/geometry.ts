@@ -4,12 +4,16 @@ import type { Scenario, Series } from "./inputs";
 import { valueAt } from "../plots/samples";
 import type { Axis } from "../state/address";
 import { axisKey } from "../state/scene";
-import { metres, metresPerSecond, newtons, newtonsPerMetre, springTravel, type Metres, type MetresPerSecond, type Seconds, seconds } from "../units/brands";
+import { metres, metresPerSecond, newtons, newtonsPerMetre, springTravel, type Metres, type MetresPerSecond, type Newtons, type Seconds, seconds } from "../units/brands";
 import { numberAt } from "./inputs";
 
 export interface Axle {
+  readonly road: Metres;
   readonly wheel: Metres;
   readonly body: Metres;
+  /** Of the actuator: it lifts the body and presses the wheel down. */
+  readonly force: Newtons;
+  /** The tyre is off the road, or pulls on it where it cannot lift off. */
   readonly airborne: boolean;
 }
 
@@ -21,6 +25,9 @@ export interface CarPose {
   readonly front: Axle;
   readonly rear: Axle;
 }
+
+/** Of a number, whatever rounding to 32 bits leaves of it. */
+const FLOAT32 = 1 - 1e-6;
 
 export interface StaticLoads {
   readonly front: number | null;
@@ -42,7 +49,8 @@ export function poseAt(series: Series, axis: Axis, at: number, scenario: Scenari
     // A tyre pressed harder is shorter: the wheel lies that much lower over the road.
     const wheel = metres(road - springTravel(newtons(load), stiffness));
     const limit = loads[end];
-    return { wheel, body: metres(wheel + deflection), airborne: limit !== null && load < -limit };
+    const airborne = limit !== null && load <= -limit * FLOAT32;
+    return { road: metres(road), wheel, body: metres(wheel + deflection), force: newtons(read(`${end}_force`) ?? 0), airborne };
   };
   const [time, position, speed, front, rear] = [read("time"), read("position"), read("speed"), axle("front"), axle("rear")];
   if (time === null || position === null || speed === null || !front || !rear) return null;

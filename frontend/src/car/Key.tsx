@@ -1,0 +1,28 @@
+/** The scales of the drawing: how much larger heights are than lengths, and how long the arrow of the largest force is. */
+
+import type { Scene } from "../state/scene";
+import { formatExact } from "../units/format";
+import classes from "./car.module.css";
+import { dimensionsOf, scaleOf } from "./layout";
+import { Arrow } from "./parts";
+
+interface Props {
+  readonly scene: Scene;
+  readonly width: number;
+  readonly exaggeration: number;
+}
+
+export function Key({ scene, width, exaggeration }: Props) {
+  const size = dimensionsOf(scene.shown.scenario, { front: null, rear: null });
+  const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
+  return (
+    <span className={classes.key}>
+      heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
+      <svg width={length} height={8} aria-hidden>
+        <g transform="translate(0 4) rotate(90)">
+          <Arrow length={length} />
+        </g>
+      </svg>
+    </span>
+  );
+}
