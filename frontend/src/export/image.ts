@@ -4,7 +4,7 @@ import type { FigureTemplate } from "../api/types";
 import { buildFigure, axisUnit, type Palette } from "../plots/figure";
 import { layersOf } from "../plots/layers";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
-import { differences, referenceSeries, subtrahend, withoutReferences } from "../plots/residual";
+import { drawnOf, subtrahend } from "../plots/residual";
 import type { Scene } from "../state/scene";
 
 const WIDTH = 1200;
@@ -19,11 +19,10 @@ export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, 
   const templates = Object.values(figures);
   const { residual, axis } = scene;
   const layers = residual ? [] : layersOf(scene);
-  const series = residual ? differences(scene.series, referenceSeries(scene, scene.series, scene.reference?.shown.series ?? {}), axis) : scene.series;
-  const summaries = residual ? withoutReferences(scene.summaries) : scene.summaries;
+  const drawn = drawnOf(scene, scene.series, scene.reference?.shown.series ?? {});
   const row = 1 / templates.length;
   const built = templates.map((template) =>
-    buildFigure({ template, series, layers, summaries, strategies: scene.strategies, axis, range: scene.range, palette: ON_PAPER }),
+    buildFigure({ template, ...drawn, layers, strategies: scene.strategies, axis, range: scene.range, palette: ON_PAPER }),
   );
   const name = (letter: "x" | "y", index: number) => (index === 0 ? letter : `${letter}${index + 1}`);
   const axes: Record<string, unknown> = {};

@@ -10,7 +10,7 @@ import { layersOf } from "./layers";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
-import { differences, referenceSeries, subtrahend, withoutReferences } from "./residual";
+import { drawnOf, subtrahend } from "./residual";
 import { useDetail } from "./useDetail";
 import { usePlotly } from "./usePlotly";
 
@@ -25,20 +25,16 @@ export function PlotGrid({ templates, scene }: Props) {
   const own = useDetail(scene);
   const other = useDetail(scene.residual && scene.reference ? { ...scene, shown: scene.reference.shown, series: scene.reference.shown.series } : scene);
   const onZoom = useZoom();
-  const { strategies, axis, range, shown, before, pins, residual, reference, baseline, ids } = scene;
-  // What is drawn: the curves themselves, or what they differ by from what changes are against.
-  const { series, summaries } = useMemo(
-    () =>
-      residual
-        ? { series: differences(own, referenceSeries({ reference, baseline, ids }, own, other), axis), summaries: withoutReferences(scene.summaries) }
-        : { series: own, summaries: scene.summaries },
-    [residual, own, other, reference, baseline, ids, axis, scene.summaries],
+  const { strategies, axis, range, shown, before, pins, residual, reference, baseline, ids, summaries } = scene;
+  const drawn = useMemo(
+    () => drawnOf({ residual, reference, baseline, ids, axis, summaries }, own, other),
+    [residual, reference, baseline, ids, axis, summaries, own, other],
   );
   const minus = residual ? subtrahend(scene) : undefined;
   const layers = useMemo(() => (residual ? [] : layersOf({ shown, before, pins })), [residual, shown, before, pins]);
   const curves = useMemo(
-    () => ({ series, layers, summaries, strategies, axis, range, live: shown.source === "live", ...(minus === undefined ? {} : { minus }) }),
-    [series, layers, summaries, strategies, axis, range, shown.source, minus],
+    () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", ...(minus === undefined ? {} : { minus }) }),
+    [drawn, layers, strategies, axis, range, shown.source, minus],
   );
   return (
     <div className={classes.grid}>

@@ -18,6 +18,7 @@ import { Card } from "../ui/Card";
 /** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
 export interface Curves {
   readonly series: SeriesByStrategy;
+  readonly driven: SeriesByStrategy;
   readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly strategies: readonly Strategy[];

@@ -24,7 +24,7 @@ export function RoadStrip({ template, scene }: Props) {
   const onZoom = useZoom();
   const { series, summaries, strategies, axis, whole, range, shown } = scene;
   const figure = useMemo(
-    () => buildFigure({ template, series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
+    () => buildFigure({ template, series, driven: series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
     [template, series, summaries, strategies, axis, whole, palette],
   );
   const { meta } = template.layout;

@@ -17,6 +17,8 @@ export interface Palette {
 export interface FigureInput {
   readonly template: FigureTemplate;
   readonly series: SeriesByStrategy;
+  /** What was driven, which shades the stages; `series` where that is no difference. */
+  readonly driven: SeriesByStrategy;
   /** Curves of other variants, under those of `series`. */
   readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;

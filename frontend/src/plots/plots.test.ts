@@ -54,6 +54,7 @@ const summary = {
 const input: FigureInput = {
   template,
   series: { lv: { position: X, time: X, load: LOAD } },
+  driven: {},
   summaries: { lv: summary },
   strategies: [{ id: "lv", colour: "#123456" }, { id: "passive", colour: "#666" }],
   axis: "distance",
@@ -107,7 +108,7 @@ describe("the stages", () => {
   const fills = { brake: "orange", bump: "blue" } as const;
   const meta = { ...template.layout.meta, stage_fills: fills };
   const drawn = (axis: "distance" | "time") =>
-    stageShapes({ template: { ...template, layout: { meta } }, series, summaries: strategies as unknown as FigureInput["summaries"], strategies: [{ id: "passive", colour: "#666" }, { id: "lv", colour: "#123456" }], axis })
+    stageShapes({ template: { ...template, layout: { meta } }, driven: series, summaries: strategies as unknown as FigureInput["summaries"], strategies: [{ id: "passive", colour: "#666" }, { id: "lv", colour: "#123456" }], axis })
       .filter(({ y0 }) => y0 === 0)
       .map(({ fillcolor, x0, x1 }) => [fillcolor, x0, x1]);
 

@@ -1,8 +1,17 @@
 import { describe, expect, it } from "vitest";
-import { differences } from "./residual";
+import type { SeriesByStrategy } from "../api/types";
+import type { Axis } from "../state/address";
+import type { Scene } from "../state/scene";
+import type { FigureInput } from "./figure";
+import { drawnOf } from "./residual";
+import { stageShapes } from "./shapes";
 
 const numbers = (...values: number[]) => new Float32Array(values);
 const now = { lv: { time: numbers(0, 1, 2), position: numbers(0, 10, 20), speed: numbers(5, 7, 9) } };
+
+const BEFORE = { shown: {}, name: "before" } as unknown as Scene["reference"];
+const scene = (axis: Axis) => ({ residual: true, reference: BEFORE, baseline: null, ids: ["lv"], axis, summaries: {} });
+const differences = (own: SeriesByStrategy, other: SeriesByStrategy, axis: Axis) => drawnOf(scene(axis), own, other).series;
 
 describe("curves as differences", () => {
   it("are taken at the same place, whatever the samples", () => {
@@ -16,5 +25,16 @@ describe("curves as differences", () => {
   it("are zero against itself, and there are none of what only one has", () => {
     expect([...(differences(now, now, "time").lv?.speed ?? [])]).toEqual([0, 0, 0]);
     expect(differences(now, { passive: now.lv }, "time")).toEqual({});
+  });
+
+  it("are shaded where the car itself braked", () => {
+    const own = { lv: { ...now.lv, brake_pressure: numbers(0, 4e6, 4e6) } };
+    const { series, driven } = drawnOf(scene("time"), own, own);
+    expect([...(series.lv?.brake_pressure ?? [])]).toEqual([0, 0, 0]);
+    const stage = { stage: "brake", start_time: 0, end_time: 2, start_position: 0, end_position: 20 };
+    const summaries = { lv: { stages: [stage] } } as unknown as FigureInput["summaries"];
+    const template = { layout: { meta: { stage_fills: { brake: "orange" }, braking: 2e4 } } } as unknown as FigureInput["template"];
+    const shapes = stageShapes({ template, driven, summaries, strategies: [{ id: "lv", colour: "#123456" }], axis: "distance" });
+    expect(shapes).toEqual([expect.objectContaining({ fillcolor: "orange", x0: 10, x1: 20 })]);
   });
 });

@@ -4,6 +4,7 @@ import type { Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import type { Axis } from "../state/address";
 import { axisKey, type Scene } from "../state/scene";
+import type { FigureInput } from "./figure";
 import type { Numbers } from "./plotly";
 
 const COORDINATES = ["time", "position"];
@@ -36,7 +37,7 @@ function difference(one: Series, other: Series, axis: Axis): Series {
 }
 
 /** Of those strategies that both have. */
-export function differences(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis): SeriesByStrategy {
+function differences(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis): SeriesByStrategy {
   return Object.fromEntries(
     Object.entries(series).flatMap(([id, own]) => {
       const reference = other[id];
@@ -46,15 +47,24 @@ export function differences(series: SeriesByStrategy, other: SeriesByStrategy, a
 }
 
 /** By strategy what its curves are compared with: the same one of the reference, or the baseline. */
-export function referenceSeries({ reference, baseline, ids }: Pick<Scene, "reference" | "baseline" | "ids">, own: SeriesByStrategy, ofReference: SeriesByStrategy): SeriesByStrategy {
+function referenceSeries({ reference, baseline, ids }: Pick<Scene, "reference" | "baseline" | "ids">, own: SeriesByStrategy, ofReference: SeriesByStrategy): SeriesByStrategy {
   if (reference !== null) return ofReference;
   const base = baseline === null ? undefined : own[baseline];
   return base ? Object.fromEntries(ids.map((id) => [id, base])) : {};
 }
 
 /** A difference has no limits, static loads or targets of its own. */
-export const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Readonly<Record<StrategyId, Summary>> =>
+const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Readonly<Record<StrategyId, Summary>> =>
   Object.fromEntries(Object.entries(summaries).map(([id, summary]) => [id, { ...summary, reference: {} }]));
+
+type Drawn = Pick<FigureInput, "series" | "driven" | "summaries">;
+
+/** What is drawn of a scene: the curves themselves, or what they differ by from what changes are against. */
+export function drawnOf(scene: Pick<Scene, "residual" | "reference" | "baseline" | "ids" | "axis" | "summaries">, own: SeriesByStrategy, ofReference: SeriesByStrategy): Drawn {
+  if (!scene.residual) return { series: own, driven: own, summaries: scene.summaries };
+  const series = differences(own, referenceSeries(scene, own, ofReference), scene.axis);
+  return { series, driven: own, summaries: withoutReferences(scene.summaries) };
+}
 
 /** What is taken away, in words. */
 export const subtrahend = ({ reference, baseline, strategies }: Scene): string =>

@@ -38,14 +38,14 @@ function pressed(series: Series | undefined, axis: Axis, [from, to]: readonly [n
 }
 
 /** As backend/runs/figures.py shades them. Stages agree by distance; over time they are one strategy's, and small marks tell the others' bumps. */
-export function stageShapes({ template, series, summaries, strategies: shown, axis }: Omit<FigureInput, "range" | "palette">): readonly Shape[] {
+export function stageShapes({ template, driven, summaries, strategies: shown, axis }: Omit<FigureInput, "series" | "range" | "palette">): readonly Shape[] {
   const strategies = shown.map(({ id }) => id);
   const staged = stagedStrategy(summaries, strategies);
   const { stage_fills: fills, braking } = template.layout.meta;
   const shading = (staged === undefined ? [] : (summaries[staged]?.stages ?? [])).flatMap((span): Shape[] => {
     const fill = fills[span.stage];
     const ends = spanEnds(axis, span);
-    const bounds = span.stage === "brake" ? pressed(series[staged ?? ""], axis, ends, braking) : ends;
+    const bounds = span.stage === "brake" ? pressed(driven[staged ?? ""], axis, ends, braking) : ends;
     return fill === undefined || bounds === null ? [] : [upright(...bounds, fill)];
   });
   if (axis === "distance") return shading;
