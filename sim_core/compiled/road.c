@@ -63,6 +63,8 @@ static double bump_height(const struct bump *bump, double position)
 static double road_height(const struct road *road, double position)
 {
     double place = within(0, (position - road->first) / road->grid, road->samples - 1.000001);
+    if (!(place >= 0)) /* not a number has no cell */
+        return place;
     int cell = (int)place;
     double low = road->roughness[cell], height = (road->roughness[cell + 1] - low) * (place - cell) + low;
     if (position > road->bump.start && position < road->bump.until)

@@ -275,6 +275,13 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
         "Passive does not use target speed and weights: Body acceleration: its 12 runs give 2 results",
         "At 6 of 12 points the target speed is above the initial speed, which LV control then keeps",
     ]
+    targets = {"grid": {"speed.target_speed_kmh": [20, 40]}}
+    alike = {"scenario": {"speed": {"policy": "constant"}}}
+    assert submit(client, targets, dry_run=True, **alike).json()["notes"] == [
+        f"{strategy} does not use target speed: its 2 runs give 1 result" for strategy in ("LV control", "Passive")
+    ]
+    alike["scenario"]["speed"]["policy"] = "planned"
+    assert submit(client, targets, dry_run=True, **alike).json()["notes"] == []
 
 
 def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: httpx.Client) -> None:

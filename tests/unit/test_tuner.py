@@ -278,6 +278,7 @@ def test_against_zero_the_difference_decides() -> None:
         ({"search": {"lqr.weights.3": [0.1, 1]}}, ("search",)),
         ({"search": {"mpc.stage_weights.bump.0": [0, 1]}}, ("search", "mpc.stage_weights.bump.0", 0)),
         ({"search": {"mpc.prediction_horizon": [10, 40]}}, ()),  # shorter than the scenario's control horizon
+        ({"search": {"mpc.prediction_horizon": [32.6, 34.4]}}, ()),
         ({"search": {"mpc.sample_time": [0.001, 0.01]}}, ()),
         ({"previews": ["obstacle"]}, ("previews",)),
         ({"quantile": 0.4}, ("quantile",)),

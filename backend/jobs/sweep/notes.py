@@ -5,8 +5,10 @@ from collections.abc import Mapping, Sequence
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
-from sim_core.strategies import STRATEGIES, SpeedPolicy
+from sim_core.strategies import STRATEGIES, SpeedPolicy, Strategy, driven
 
+DrivenAs = Mapping[str, Sequence[Strategy]]  # strategy -> it under each speed policy of the points
+POLICY = "speed.policy"
 INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
 
 
@@ -21,31 +23,38 @@ def notes(
         axes: Swept field -> fields that take the same value.
         runs: A point's strategies side by side.
     """
+    policies = {point.get(POLICY, dotted.value(base, POLICY)) for point in points}
     names = list(dict.fromkeys(run.strategy for run in runs))
-    return [*_unread(names, axes, runs), *_clamped(base, points, names)]
+    driven_as = {name: [driven(STRATEGIES[name], policy) for policy in policies] for name in names}
+    return [*_unread(driven_as, axes, runs), *_clamped(base, points, driven_as)]
 
 
-def _unread(names: Sequence[str], axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]) -> list[str]:
+def _unread(driven_as: DrivenAs, axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]) -> list[str]:
     said = []
-    for name in names:
-        unread = [axis for axis, linked in axes.items() if not any(_reads(name, each) for each in (axis, *linked))]
+    for name, strategies in driven_as.items():
+        reads = [read for strategy in strategies for read in strategy.reads]
+        unread = [axis for axis, linked in axes.items() if not any(_reads(reads, each) for each in (axis, *linked))]
         keys = [run.key for run in runs if run.strategy == name and run.key is not None]
         if unread and len(set(keys)) < len(keys):
             fields = _listed([_inside(dotted.field(axis).title) for axis in unread])
-            counted = f"its {len(keys)} runs give {len(set(keys))} results"
+            results = len(set(keys))
+            counted = f"its {len(keys)} runs give {results} result{'s' if results > 1 else ''}"
             said.append(f"{STRATEGIES[name].label} does not use {fields}: {counted}")
     return said
 
 
-def _reads(strategy: str, field: str) -> bool:
-    """Whether that strategy reads the field, a part of it, or the part it lies in."""
-    reads = STRATEGIES[strategy].reads
+def _reads(reads: Sequence[str], field: str) -> bool:
+    """Whether the field, a part of it, or the part it lies in is read."""
     return any(f"{field}.".startswith(f"{each}.") or each.startswith(f"{field}.") for each in reads)
 
 
-def _clamped(base: JsonObject, points: Sequence[JsonObject], names: Sequence[str]) -> list[str]:
+def _clamped(base: JsonObject, points: Sequence[JsonObject], driven_as: DrivenAs) -> list[str]:
     """A speed plan only slows down: a target above the initial speed is the initial speed."""
-    planned = [STRATEGIES[name].label for name in names if STRATEGIES[name].speed is SpeedPolicy.PLANNED]
+    planned = [
+        STRATEGIES[name].label
+        for name, strategies in driven_as.items()
+        if any(strategy.speed is SpeedPolicy.PLANNED for strategy in strategies)
+    ]
     if not planned or not any(TARGET in point or INITIAL in point for point in points[:1]):
         return []
     initial, target = (dotted.value(base, name) for name in (INITIAL, TARGET))

@@ -168,6 +168,8 @@ class TuningRequest(RequestModel):
         plain = self.scenario.model_dump(mode="json")
         for name, ends in self.ranges.items():
             whole = dotted.field(name).kind == "integer"
+            if whole and not all(float(end).is_integer() for end in ends):
+                raise inconsistent("search", "Both ends have to be whole numbers", name)
             for end in ends:
                 try:
                     Scenario.model_validate(dotted.with_changes(plain, {name: int(end) if whole else end}))
