@@ -73,8 +73,10 @@ class HashedFiles(StaticFiles):
 
     async def get_response(self, path: str, scope: Scope) -> Response:
         """The framework's response, immutable."""
+        if path.endswith(".br"):
+            raise HTTPException(HTTPStatus.NOT_FOUND)  # a form of another file, without an address of its own
         response: Response | None = None
-        if "br" in re.findall(r"[\w*]+", Headers(scope=scope).get("accept-encoding", "")):
+        if _takes_brotli(Headers(scope=scope).get("accept-encoding", "")):
             with contextlib.suppress(HTTPException):  # there is no such form: the file as it is
                 response = await super().get_response(f"{path}.br", scope)
         if response is None:
@@ -85,6 +87,13 @@ class HashedFiles(StaticFiles):
         response.headers["Cache-Control"] = IMMUTABLE
         response.headers.add_vary_header("Accept-Encoding")
         return response
+
+
+def _takes_brotli(accepted: str) -> bool:
+    """Whether `br` is in an Accept-Encoding, and not with a weight of 0."""
+    refused = r"q=0(\.0*)?"
+    codings = [[part.strip().lower() for part in coding.split(";")] for coding in accepted.split(",")]
+    return any(name == "br" and not any(re.fullmatch(refused, each) for each in rest) for name, *rest in codings)
 
 
 def add_site(app: FastAPI, dist: Path) -> None:

@@ -164,8 +164,10 @@ async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
         assert (small.headers["content-encoding"], small.headers["vary"]) == ("br", "Accept-Encoding")
         assert small.headers["content-type"].startswith("text/javascript")
         assert "immutable" in small.headers["cache-control"]
-        plain = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": "gzip"})
-        assert plain.text == "export {}"
+        for without in ("gzip", "gzip, br;q=0", "br; q=0.000"):
+            plain = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": without})
+            assert (plain.text, "content-encoding" in plain.headers) == ("export {}", False)
+        assert (await client.get("/assets/index-abc123.js.br")).status_code == 404, "no script"
         assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
         assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
         for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s", "/b"):
