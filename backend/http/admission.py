@@ -9,6 +9,8 @@ from backend.http.limits import ConcurrencyLimit, TokenBucket
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 
+MOST_LINK_TOKENS = 120  # of one client at once; a link takes no more, however much it pins
+
 
 class Admission:
     """Counts open requests that compute (also their estimated seconds) and streams, for each client and in all.
@@ -48,7 +50,7 @@ class Admission:
         )
         self._bodies = ConcurrencyLimit(what="long request bodies", per_client=4, total=16)
         self._backlog = Backlog(workers=workers, max_wait=max_wait)
-        self._links = TokenBucket(what="new links", burst=120, each_second=2)
+        self._links = TokenBucket(what="new links", burst=MOST_LINK_TOKENS, each_second=2)
 
     @property
     def load(self) -> dict[str, float]:
@@ -147,9 +149,9 @@ class Admission:
         """Count a long request body, from its first byte to the answer."""
         return self._bodies.acquired(client)
 
-    def linking(self, client: str, pinned: int) -> None:
-        """Count a new link of that client, and the strategies whose time histories it pins (0.8 MB each).
+    def linking(self, client: str, *, links: int = 1, pinned: int = 0) -> None:
+        """Count new links of that client, and the strategies whose time histories they pin (0.8 MB each).
 
-        Links are kept for ever, so nobody makes them by the thousand.
+        Links are kept for ever, so nobody makes them by the thousand. Whoever has made none lately is never refused.
         """
-        self._links.take(client, 1 + 3 * pinned)
+        self._links.take(client, min(MOST_LINK_TOKENS, links + 3 * pinned))

@@ -119,6 +119,17 @@ def test_links_are_limited_by_rate() -> None:
     assert len(rate._full_at) == 1, "whoever has all again is forgotten"
 
 
+def test_a_link_with_every_pin_can_be_made_from_a_full_bucket() -> None:
+    limits = admission()
+    limits.linking("a", links=9, pinned=9 * 5)
+    with pytest.raises(TooManyRequestsError):
+        limits.linking("a")
+    limits.linking("b", links=9, pinned=30)
+    with pytest.raises(TooManyRequestsError):
+        limits.linking("b", links=9, pinned=30)
+    limits.linking("b", links=9)  # what is refused takes nothing
+
+
 @pytest.mark.parametrize(
     ("address", "key"),
     [

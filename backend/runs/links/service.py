@@ -53,8 +53,8 @@ class Links:
         """
         places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
-        for each in shared:
-            self._admission.linking(client, pinned=len(each.missing))
+        missing = {key for each in shared for key in each.missing.values()}
+        self._admission.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
             await self._save("run", each.stored.id, LinkView(), pinned)
@@ -84,7 +84,7 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
-        self._admission.linking(client, pinned=0)
+        self._admission.linking(client)
         slug = await self._save("batch", batch_id, view, {})
         return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
