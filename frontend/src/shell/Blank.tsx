@@ -85,13 +85,14 @@ interface Failure {
   readonly what?: string;
   readonly message: string;
   readonly onRetry?: () => void;
+  readonly retry?: string;
 }
 
-export function CouldNotLoad({ what = "page", message, onRetry }: Failure) {
+export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try again" }: Failure) {
   const queries = useQueryClient();
   return (
     <Blank title={`This ${what} could not be shown`} text={message}>
-      <Button onClick={onRetry ?? (() => void queries.refetchQueries())}>Try again</Button>
+      <Button onClick={onRetry ?? (() => void queries.refetchQueries())}>{retry}</Button>
     </Blank>
   );
 }

@@ -27,11 +27,13 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   const failure = useLab((state) => state.failure);
   const none = useLab((state) => state.strategies.length === 0);
   const shown = useLab((state) => state.shown !== null);
+  const refused = useLab((state) => [...Object.values(state.refused.fields), ...state.refused.general].join(". "));
   const { lab } = useDesk();
   const stale = useLab((state) => state.stale);
   if (failure?.kind === "notFound") return <NotFound />;
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
+  if (refused && !shown) return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
   if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
   return (
     <div

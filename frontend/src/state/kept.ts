@@ -1,10 +1,12 @@
-/** What a closed tab comes back with: the lab's scenario and how it was looked at. */
+/** What a closed tab comes back with: the last scenario that was computed, and how it was looked at. */
 
 import type { Scenario, StrategyId } from "../api/types";
 import { parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
 import { begin } from "./history";
 import type { Lab, LabState } from "./labState";
+import { hasErrors } from "./problems";
 import type { Router } from "./router";
+import { roadsOf } from "./shown";
 
 const NAME = "ridelab-lab";
 
@@ -45,16 +47,19 @@ export function restore(): Restored | null {
   }
 }
 
-export function keep(lab: Lab, router: Router): void {
+export function keep(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
   let written: readonly unknown[] = [];
   const write = () => {
-    const { history, strategies, roads, shared } = lab.get();
+    const { exact, strategies, shared, busy, failure, refused } = lab.get();
+    // What the server has not taken yet, it may refuse.
+    if (!exact || shared || busy || failure || hasErrors(refused)) return;
+    const { scenario } = exact;
+    const roads = roadsOf(exact);
     const { view } = router.get();
-    const parts = [history?.present, strategies, roads, view];
-    // A moving slider changes none of them.
-    if (!history || shared || parts.every((part, index) => part === written[index])) return;
+    const parts = [scenario, strategies, roads, view];
+    if (parts.every((part, index) => part === written[index])) return;
     written = parts;
-    const kept: Kept = { scenario: history.present, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
+    const kept: Kept = { scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
     try {
       localStorage.setItem(NAME, JSON.stringify(kept));
     } catch {

@@ -1,0 +1,36 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import type { Scenario } from "../api/types";
+import { DEFAULT_VIEW } from "./address";
+import { begin } from "./history";
+import { keep, restore } from "./kept";
+import { createLab } from "./lab";
+import type { LabState } from "./labState";
+import { NO_ERRORS } from "./problems";
+import type { Shown } from "./shown";
+import { createStore } from "./store";
+
+const LOW: Scenario = { height: 0.06 };
+const REFUSED: Scenario = { height: -1 };
+const exactOf = (scenario: Scenario) => ({ source: "exact", scenario, over: null }) as unknown as Shown;
+
+beforeEach(() => {
+  const texts = new Map<string, string>();
+  vi.stubGlobal("localStorage", { getItem: (name: string) => texts.get(name) ?? null, setItem: (name: string, text: string) => texts.set(name, text) });
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+it("A tab comes back with the last scenario that was computed, not with one on its way or refused", () => {
+  const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
+  const opening = createLab({ api: {} as never, router: router as never, queries: {} as never }).get();
+  const store = createStore<LabState>({ ...opening, history: begin(LOW), exact: exactOf(LOW), busy: true });
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+  keep(store, router);
+  patch({ busy: true });
+  expect(restore()).toBeNull();
+  patch({ busy: false });
+  patch({ history: begin(REFUSED), busy: true });
+  patch({ refused: { ...NO_ERRORS, general: ["too low"] }, busy: false });
+  expect(restore()?.lab.history?.present).toEqual(LOW);
+});
