@@ -2,6 +2,7 @@
 
 import { useQueries, useQueryClient, type QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
+import { isNotFound } from "../api/problem";
 import type { Run } from "../api/types";
 import { useLab } from "../state/context";
 import { historiesOf } from "../state/histories";
@@ -24,7 +25,7 @@ export const ownPins = createPins(ownStorage());
 export interface PinnedRun extends Pin {
   /** `null` until it is there. */
   readonly shown: Shown | null;
-  /** It could not be had. */
+  /** The server has it no more. */
   readonly isGone: boolean;
 }
 
@@ -46,6 +47,6 @@ export function usePins(): readonly PinnedRun[] {
       staleTime: Infinity,
       structuralSharing: false,
     })),
-    combine: (results) => pins.map((pin, index): PinnedRun => ({ ...pin, shown: results[index]?.data ?? null, isGone: results[index]?.isError ?? false })),
+    combine: (results) => pins.map((pin, index): PinnedRun => ({ ...pin, shown: results[index]?.data ?? null, isGone: isNotFound(results[index]?.error) })),
   });
 }
