@@ -15,7 +15,7 @@ import { NO_ERRORS, problemOf } from "./problems";
 import { linkKey, runKey } from "./queries";
 import type { Router } from "./router";
 import { readSharedView } from "./sharing";
-import { fromRun, landed } from "./shown";
+import { fromRun, landed, opened } from "./shown";
 import type { Store } from "./store";
 import { createTimer } from "./timer";
 
@@ -110,7 +110,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
         router.arrive();
         if (run.over) router.setView({ baseline: run.over.baseline });
         patch({
-          ...landed(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
+          ...opened(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
           roads: run.over?.roads ?? 1,
           history: history ? record(history, run.scenario) : begin(run.scenario),
           strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),

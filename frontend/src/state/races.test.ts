@@ -134,3 +134,11 @@ it("Nothing is shown under an address with no run, and a strategy asks for one a
   lab.setStrategies(["lqr", "passive"]);
   expect(await settled()).toEqual({ bar: "/r/h2", shown: "h2" });
 });
+
+it("A run that is merely opened has no state before the last edit", async () => {
+  const { lab, follow, settled } = await twoRuns();
+  expect(lab.get().before?.runId).toBe("h1");
+  follow("/r/h7");
+  await settled();
+  expect(lab.get()).toMatchObject({ shown: { runId: "h7" }, before: null });
+});
