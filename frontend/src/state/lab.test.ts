@@ -31,6 +31,7 @@ function fakeRouter() {
     onTravel: () => () => undefined,
     arrive: () => undefined,
     stay: () => undefined,
+    leaveFrom: () => undefined,
   };
   return router;
 }

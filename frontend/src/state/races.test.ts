@@ -135,6 +135,19 @@ it("Nothing is shown under an address with no run, and a strategy asks for one a
   expect(await settled()).toEqual({ bar: "/r/h2", shown: "h2" });
 });
 
+it("An edit and the paper's scenario lead back to no page; other strategies of the opened run do", async () => {
+  const { lab, settled } = harness("/r/h7?from=/paper");
+  await settled();
+  lab.setStrategies([...OPENING, "speed_only"]);
+  expect((await settled()).bar).toBe("/r/h7?from=/paper");
+  lab.commit({ height: 9 });
+  expect((await settled()).bar).toBe("/r/h9");
+  const other = harness("/r/h7?from=/paper");
+  await other.settled();
+  other.lab.openPaper();
+  expect((await other.settled()).bar).toBe("/r/h1");
+});
+
 it("A run that is merely opened has no state before the last edit", async () => {
   const { lab, follow, settled } = await twoRuns();
   expect(lab.get().before?.runId).toBe("h1");

@@ -9,6 +9,8 @@ import { createStore, type Store } from "./store";
 export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
   /** Shows another run; a new entry in the browser's history unless it is the same one. */
   readonly showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => void;
+  /** The next run is no other page's: nothing leads back there. */
+  readonly leaveFrom: () => void;
   /** Changes how the run is looked at; no new entry. */
   readonly setView: (change: Partial<View>) => void;
   /** The address bar names something of the lab that is not shown: at once where it does so already. */
@@ -96,6 +98,7 @@ export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Rout
       store.set(({ from, view: before }) => ({ runId, slug: null, view: { ...before, ...view }, ...(from !== undefined && { from }) }));
       write(store.get(), isSameRun || mode === "replace");
     },
+    leaveFrom: () => store.set(({ runId, slug, view }) => ({ runId, slug, view })),
     setView: (change) => {
       const changed = (address: Address): Address => ({ ...address, view: { ...address.view, ...change } });
       store.set(changed);
