@@ -83,6 +83,23 @@ def test_files_of_every_kind(dashboard: Dashboard) -> None:
     assert files["png"][:4] == b"\x89PNG"
     assert dashboard.run_id in files["svg"].decode()
 
+    page.get_by_role("button", name="Save figure: Body acceleration").click()
+    menu = page.get_by_role("dialog", name="Save figure: Body acceleration")
+    menu.get_by_text("180 mm").click()
+    for name in ("PNG, 300 dpi", "SVG", "CSV"):
+        if not menu.is_visible():
+            page.get_by_role("button", name="Save figure: Body acceleration").click()
+        with page.expect_download() as download:
+            menu.get_by_role("button", name=name).click()
+        suffix = download.value.suggested_filename.rpartition(".")[2]
+        files[suffix] = download.value.path().read_bytes()
+        assert download.value.suggested_filename == f"ridelab-{dashboard.run_id}-body_acceleration.{suffix}"
+        expect(menu).to_be_hidden()
+    assert int.from_bytes(files["png"][16:20]) == pytest.approx(180 / 25.4 * 300, abs=4), "pixels"
+    assert '<svg width="180mm" height="81mm"' in files["svg"].decode()[:200]
+    assert f"# run: {dashboard.run_id}\n" in files["csv"].decode()
+    assert "LV control: position [m],LV control: Body acceleration [m/s²]" in files["csv"].decode()
+
 
 def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> None:
     """The browser fires its events around printing: panels nobody has scrolled to are drawn for them."""

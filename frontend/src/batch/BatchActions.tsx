@@ -5,7 +5,7 @@ import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../icons";
 import { api } from "../api/client";
 import { batches } from "../api/jobs";
 import type { Batch, SharedView } from "../api/types";
-import { download } from "../export/image";
+import { download } from "../ui/download";
 import { ShareLink } from "../share/ShareLink";
 import type { BatchView } from "./view";
 import { compact } from "../ui/compact";

@@ -4,7 +4,7 @@ import { Button, FileButton, NativeSelect, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useRef, useState } from "react";
 import type { JsonObject } from "../api/types";
-import { download } from "../export/image";
+import { download } from "../ui/download";
 import { useEdit, useFromScenario, useReadOnly } from "../state/context";
 import { vehiclesQuery } from "../state/queries";
 import { Fault } from "../ui/Fault";

@@ -2,7 +2,7 @@
 
 import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
 import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "../icons";
-import { useQuery } from "@tanstack/react-query";
+import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { api } from "../api/client";
 import { useCompared } from "../compare/useCompared";
@@ -13,9 +13,10 @@ import { axisKey, makeScene } from "../state/scene";
 import { useController } from "../hil/useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
-import { download, plotsImage } from "./image";
+import { plotsImage } from "./image";
 import { useCopied } from "./useCopied";
 import { compact } from "../ui/compact";
+import { download } from "../ui/download";
 
 const FORMATS = [
   { format: "csv", label: "CSV" },
@@ -37,6 +38,7 @@ export function ExportMenu() {
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
   const view = useView();
+  const client = useQueryClient();
   const compared = useCompared();
   const { lab } = useDesk();
   const figures = useQuery(figuresQuery).data;
@@ -50,7 +52,7 @@ export function ExportMenu() {
   const saveImage = (format: "png" | "svg") => {
     if (!shown || !figures || !strategies) return;
     const scene = makeScene(shown, strategies, selected, view, compared);
-    void plotsImage(figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
+    void plotsImage(client, figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
   };
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;

@@ -1,10 +1,13 @@
 /** All shown plots as one picture. */
 
-import type { FigureTemplate } from "../api/types";
-import { buildFigure, axisUnit, type Palette } from "../plots/figure";
+import type { QueryClient } from "@tanstack/react-query";
+import type { FigureTemplate, SeriesByStrategy } from "../api/types";
+import { buildFigure, axisUnit } from "../plots/figure";
 import { layersOf } from "../plots/layers";
+import { ON_PAPER } from "../plots/palettes";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
 import { drawnOf, subtrahend } from "../plots/residual";
+import { loadDetail, referenceScene } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
 
 const WIDTH = 1200;
@@ -12,14 +15,13 @@ const PANEL_HEIGHT = 190;
 /** Room for the line at the foot that says where the picture comes from. */
 const FOOT = 34;
 const GAP = 0.28; // of a panel, for its title
-const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", zero: "rgba(120, 135, 142, 0.6)" };
 
-/** One figure with a row for each panel over one x axis. */
-export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene): PlotFigure & { readonly height: number } {
+/** One figure with a row for each panel over one x axis; the series are those on the screen, `other` the reference's. */
+export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, own: SeriesByStrategy, other: SeriesByStrategy): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
   const { residual, axis } = scene;
   const layers = residual ? [] : layersOf(scene);
-  const drawn = drawnOf(scene, scene.series, scene.reference?.shown.series ?? {});
+  const drawn = drawnOf(scene, own, other);
   const row = 1 / templates.length;
   const built = templates.map((template) =>
     buildFigure({ template, ...drawn, layers, strategies: scene.strategies, axis, range: scene.range, palette: ON_PAPER }),
@@ -68,15 +70,8 @@ export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, 
   };
 }
 
-export async function plotsImage(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, format: "png" | "svg"): Promise<string> {
-  const plotly = await loadPlotly();
-  const { height, ...figure } = stackFigures(figures, scene);
+export async function plotsImage(client: QueryClient, figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, format: "png" | "svg"): Promise<string> {
+  const [plotly, own, other] = await Promise.all([loadPlotly(), loadDetail(client, scene), loadDetail(client, referenceScene(scene))]);
+  const { height, ...figure } = stackFigures(figures, scene, own, other);
   return plotly.toImage(figure, { format, width: WIDTH, height, scale: format === "png" ? 2 : 1 });
-}
-
-export function download(address: string, name: string): void {
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = name;
-  link.click();
 }

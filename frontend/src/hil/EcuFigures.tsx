@@ -38,7 +38,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
     const shown = fromRun(run, { series: series.data, missing: null }, 0, true);
     return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom: zoom ?? "whole" });
   }, [run, series.data, strategies, ids, axis, zoom]);
-  const curves = useMemo(() => scene && { ...scene, driven: scene.series, live: false }, [scene]);
+  const curves = useMemo(() => scene && { ...scene, driven: scene.series, live: false, runId: scene.shown.runId, coreVersion: scene.shown.coreVersion }, [scene]);
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
     <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>

@@ -3,7 +3,7 @@
 import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
 import type { Scenario } from "../api/types";
-import { download } from "../export/image";
+import { download } from "../ui/download";
 
 /** Long enough for the browser to have taken the file [ms]. */
 const KEEP_MS = 60_000;

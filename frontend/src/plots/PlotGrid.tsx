@@ -11,7 +11,7 @@ import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
 import { drawnOf, subtrahend } from "./residual";
-import { useDetail } from "./useDetail";
+import { referenceScene, useDetail } from "./useDetail";
 import { usePlotly } from "./usePlotly";
 
 interface Props {
@@ -23,7 +23,7 @@ export function PlotGrid({ templates, scene }: Props) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
   const own = useDetail(scene);
-  const other = useDetail(scene.residual && scene.reference ? { ...scene, shown: scene.reference.shown, series: scene.reference.shown.series } : scene);
+  const other = useDetail(referenceScene(scene));
   const onZoom = useZoom();
   const { strategies, axis, range, shown, before, pins, residual, reference, baseline, ids, summaries } = scene;
   const drawn = useMemo(
@@ -33,8 +33,8 @@ export function PlotGrid({ templates, scene }: Props) {
   const minus = residual ? subtrahend(scene) : undefined;
   const layers = useMemo(() => (residual ? [] : layersOf({ shown, before, pins })), [residual, shown, before, pins]);
   const curves = useMemo(
-    () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", ...(minus === undefined ? {} : { minus }) }),
-    [drawn, layers, strategies, axis, range, shown.source, minus],
+    () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", runId: shown.runId, coreVersion: shown.coreVersion, ...(minus === undefined ? {} : { minus }) }),
+    [drawn, layers, strategies, axis, range, shown.source, shown.runId, shown.coreVersion, minus],
   );
   return (
     <div className={classes.grid}>

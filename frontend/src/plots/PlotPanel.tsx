@@ -7,6 +7,7 @@ import type { Axis, Zoom } from "../state/address";
 import { printing } from "../state/printing";
 import { useStore } from "../state/store";
 import { buildFigure, type Palette } from "./figure";
+import { FigureButton } from "./FigureButton";
 import type { Layer } from "./layers";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
@@ -25,6 +26,9 @@ export interface Curves {
   readonly axis: Axis;
   readonly range: Zoom;
   readonly live: boolean;
+  /** `null` while it is a preview. */
+  readonly runId: string | null;
+  readonly coreVersion: string;
   /** What the curves are differences to. */
   readonly minus?: string;
 }
@@ -59,6 +63,7 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
           </span>
         </h3>
         <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
+        <FigureButton template={template} curves={curves} />
       </header>
       <div className={classes.canvas} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
         <Surface plotly={plotly} figure={figure} live={live} />

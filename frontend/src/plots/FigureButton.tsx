@@ -1,0 +1,45 @@
+/** Saves one figure as it is shown; what it takes is loaded at the first click. */
+
+import { ActionIcon } from "@mantine/core";
+import { lazy, Suspense, useState } from "react";
+import type { FigureTemplate } from "../api/types";
+import { IconDownload } from "../icons";
+import type { Curves } from "./PlotPanel";
+import classes from "./plots.module.css";
+
+const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
+
+interface Props {
+  readonly template: FigureTemplate;
+  readonly curves: Curves;
+}
+
+export function FigureButton({ template, curves }: Props) {
+  const [asked, setAsked] = useState(false);
+  const [opened, setOpened] = useState(false);
+  const button = (
+    <ActionIcon
+      size={24}
+      variant="subtle"
+      color="gray"
+      className={classes.save ?? ""}
+      aria-label={`Save figure: ${template.layout.meta.title}`}
+      aria-haspopup="dialog"
+      aria-expanded={opened}
+      onClick={() => {
+        setAsked(true);
+        setOpened(!opened);
+      }}
+    >
+      <IconDownload size={15} />
+    </ActionIcon>
+  );
+  if (!asked) return button;
+  return (
+    <Suspense fallback={button}>
+      <FigureMenu template={template} curves={curves} opened={opened} onChange={setOpened}>
+        {button}
+      </FigureMenu>
+    </Suspense>
+  );
+}

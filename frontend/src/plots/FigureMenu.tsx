@@ -1,0 +1,70 @@
+/** Width, type size and format of one figure's file. */
+
+import { Button, Group, Popover, SegmentedControl, Stack, Text } from "@mantine/core";
+import { useId, useState, type ReactNode } from "react";
+import type { FigureTemplate } from "../api/types";
+import { download } from "../ui/download";
+import { figureCsv } from "./figureCsv";
+import { figureImage, FONT_SIZES, paperFigure, WIDTHS, type FontSize, type Width } from "./paperFigure";
+import type { Curves } from "./PlotPanel";
+
+interface Props {
+  readonly template: FigureTemplate;
+  readonly curves: Curves;
+  readonly opened: boolean;
+  readonly onChange: (opened: boolean) => void;
+  readonly children: ReactNode;
+}
+
+export function FigureMenu({ template, curves, opened, onChange, children }: Props) {
+  const [width, setWidth] = useState<Width>("88");
+  const [font, setFont] = useState<FontSize>("8");
+  const [failed, setFailed] = useState(false);
+  const id = useId();
+  const { signal, title } = template.layout.meta;
+  const save = (suffix: string, make: () => Promise<string>) => {
+    setFailed(false);
+    make().then(
+      (address) => {
+        download(address, `ridelab-${curves.runId ?? "live"}-${signal}.${suffix}`);
+        onChange(false);
+      },
+      () => setFailed(true),
+    );
+  };
+  const image = (format: "png" | "svg") => figureImage(paperFigure(template, curves, { width: Number(width), font: Number(font) }), format);
+  const csv = () => Promise.resolve(`data:text/csv;charset=utf-8,${encodeURIComponent(figureCsv(template, curves, window.location.href))}`);
+  return (
+    <Popover opened={opened} onChange={onChange} position="bottom-end" trapFocus returnFocus withRoles={false} shadow="md">
+      <Popover.Target>{children}</Popover.Target>
+      <Popover.Dropdown role="dialog" aria-label={`Save figure: ${title}`}>
+        <Stack gap="xs">
+          <Text size="xs" fw={600} id={`${id}-width`}>
+            Width
+          </Text>
+          <SegmentedControl size="xs" aria-labelledby={`${id}-width`} value={width} data={[...WIDTHS]} onChange={setWidth} />
+          <Text size="xs" fw={600} id={`${id}-font`}>
+            Font size
+          </Text>
+          <SegmentedControl size="xs" aria-labelledby={`${id}-font`} value={font} data={[...FONT_SIZES]} onChange={setFont} />
+          <Group gap="xs" grow>
+            <Button size="xs" variant="default" onClick={() => save("png", () => image("png"))}>
+              PNG, 300 dpi
+            </Button>
+            <Button size="xs" variant="default" onClick={() => save("svg", () => image("svg"))}>
+              SVG
+            </Button>
+            <Button size="xs" variant="default" onClick={() => save("csv", csv)}>
+              CSV
+            </Button>
+          </Group>
+          {failed && (
+            <Text size="xs" role="alert">
+              The drawing program could not be loaded. Try again.
+            </Text>
+          )}
+        </Stack>
+      </Popover.Dropdown>
+    </Popover>
+  );
+}

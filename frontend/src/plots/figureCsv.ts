@@ -1,0 +1,32 @@
+/** The curves of one figure as a table, with where they come from. */
+
+import type { FigureTemplate } from "../api/types";
+import { axisSignal, axisUnit, buildFigure } from "./figure";
+import { ON_PAPER } from "./palettes";
+import type { Curves } from "./PlotPanel";
+
+const cell = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+
+/**
+ * Lines of `#` say where it comes from; below stand, for each curve, its places and its values.
+ *
+ * Curves have samples of their own: shorter ones end in empty cells.
+ */
+export function figureCsv(template: FigureTemplate, curves: Curves, address: string): string {
+  const { title, unit } = template.layout.meta;
+  const { data } = buildFigure({ template, ...curves, palette: ON_PAPER });
+  const provenance = [
+    `# Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, less ${curves.minus}`}`,
+    `# run: ${curves.runId ?? "none, a live preview"}`,
+    `# core: ${curves.coreVersion}`,
+    `# scenario: ${address}`,
+  ];
+  const names = data.flatMap(({ name = title }) => [`${name}: ${axisSignal(curves.axis)} [${axisUnit(curves.axis)}]`, `${name}: ${title} [${unit}]`]);
+  const columns = data.flatMap(({ x, y }) => [x, y]);
+  const longest = Math.max(0, ...columns.map(({ length }) => length));
+  const rows = Array.from({ length: longest }, (_, row) => columns.map((column) => printed(column[row])).join(","));
+  return [...provenance, names.map(cell).join(","), ...rows, ""].join("\n");
+}
+
+/** As many digits as single precision has. */
+const printed = (value: number | undefined) => (value === undefined ? "" : String(Number(value.toPrecision(7))));

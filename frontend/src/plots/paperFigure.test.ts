@@ -1,0 +1,61 @@
+import { describe, expect, it } from "vitest";
+import type { FigureTemplate, Strategy } from "../api/types";
+import { figureCsv } from "./figureCsv";
+import { paperFigure, sized } from "./paperFigure";
+import type { Curves } from "./PlotPanel";
+
+const template: FigureTemplate = {
+  data: [{ name: "LV, control", meta: { strategy: "lv", signal: "load" }, line: { color: "#1C5FDF" } }],
+  layout: {
+    meta: {
+      stage_fills: {}, band_fill: "grey", neutral: "grey", title: "Load", unit: "kN", scale: 1e-3, signal: "load", least_span: 0,
+      braking: 0, band: null, axes: { position: "Position [m]" }, reference_labels: {}, reference_factors: {},
+    },
+  },
+};
+const x = new Float32Array([0, 1, 2, 3, 4]);
+const load = new Float32Array([0, -6000, -7000.5, 2000, 0]);
+const curves: Curves = {
+  series: { lv: { position: x, load } },
+  driven: {},
+  layers: [{ name: "before the edit", series: { lv: { position: x.subarray(0, 3), load: load.subarray(0, 3) } }, line: {}, opacity: 0.6 }],
+  summaries: {},
+  strategies: [{ id: "lv", colour: "#7CBEF9" } as Strategy],
+  axis: "distance",
+  range: [1, 3],
+  live: false,
+  runId: "ab12",
+  coreVersion: "1.2.3",
+};
+
+describe("a figure for a paper", () => {
+  it("has its width in millimetres, its font in points and the colours of light paper", () => {
+    const figure = paperFigure(template, curves, { width: 88, font: 9 });
+    expect([figure.width, figure.height]).toEqual([88, 63]);
+    expect(figure.layout.font).toMatchObject({ size: 12 });
+    expect(figure.layout.xaxis).toMatchObject({ range: [1, 3], title: { text: "Position [m]" } });
+    expect(figure.data.map(({ line }) => line.color)).toEqual(["#1C5FDF", "#1C5FDF"]);
+  });
+
+  it("is as wide wherever it is placed", () => {
+    expect(sized('<svg class="main-svg" width="333" height="238"><g width="5"/></svg>', 88, 63)).toBe(
+      '<svg width="88mm" height="63mm" viewBox="0 0 333 238" class="main-svg"><g width="5"/></svg>',
+    );
+  });
+});
+
+describe("a figure's table", () => {
+  it("says where it comes from and holds the curves shown, with those before the edit", () => {
+    expect(figureCsv(template, { ...curves, range: [2, 3] }, "http://lab/?x=1").split("\n")).toEqual([
+      "# Ridelab: Load [kN]",
+      "# run: ab12",
+      "# core: 1.2.3",
+      "# scenario: http://lab/?x=1",
+      '"LV, control, before the edit: position [m]","LV, control, before the edit: Load [kN]","LV, control: position [m]","LV, control: Load [kN]"',
+      "1,-6,1,-6",
+      "2,-7.0005,2,-7.0005",
+      ",,3,2",
+      "",
+    ]);
+  });
+});

@@ -1,0 +1,82 @@
+/** One figure as a paper or a slide takes it: a width in millimetres, a font size in points, light colours. */
+
+import type { FigureTemplate } from "../api/types";
+import { axisSignal, buildFigure } from "./figure";
+import { ON_PAPER } from "./palettes";
+import type { Curves } from "./PlotPanel";
+import { loadPlotly, type PlotFigure } from "./plotly";
+
+export const WIDTHS = [
+  { value: "88", label: "88 mm, one column" },
+  { value: "180", label: "180 mm, two columns" },
+  { value: "254", label: "254 mm, slide" },
+] as const;
+export const FONT_SIZES = [
+  { value: "7", label: "7 pt" },
+  { value: "8", label: "8 pt" },
+  { value: "10", label: "10 pt" },
+  { value: "14", label: "14 pt" },
+] as const;
+
+export type Width = (typeof WIDTHS)[number]["value"];
+export type FontSize = (typeof FONT_SIZES)[number]["value"];
+
+export interface PaperFigure extends PlotFigure {
+  /** [mm] */
+  readonly width: number;
+  readonly height: number;
+}
+
+const DPI = 300;
+const MM = 96 / 25.4; // pixels of a style sheet
+const POINT = 96 / 72;
+/** Wider figures are flatter. */
+const heightOf = (width: number) => Math.round(width < 100 ? 0.72 * width : 0.45 * width);
+
+/** The strategies in the colours of light paper, which the template has. */
+const onPaper = ({ data }: FigureTemplate, strategies: Curves["strategies"]) =>
+  strategies.map((strategy) => {
+    const colour = data.find(({ meta }) => meta.strategy === strategy.id)?.line?.color;
+    return typeof colour === "string" ? { ...strategy, colour } : strategy;
+  });
+
+export function paperFigure(template: FigureTemplate, curves: Curves, { width, font }: { readonly width: number; readonly font: number }): PaperFigure {
+  const { meta } = template.layout;
+  const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
+  const axis = { automargin: true, tickmode: "auto", tickfont: { size: font * POINT } };
+  const less = curves.minus === undefined ? "" : `, less ${curves.minus}`;
+  return {
+    width,
+    height: heightOf(width),
+    data,
+    layout: {
+      ...layout,
+      font: { family: "Arial, sans-serif", size: font * POINT, color: ON_PAPER.text },
+      margin: { l: 8, r: 8, t: 8, b: 8 },
+      paper_bgcolor: "#ffffff",
+      plot_bgcolor: "#ffffff",
+      xaxis: { ...layout.xaxis, ...axis, nticks: 7, title: { text: meta.axes[axisSignal(curves.axis)] ?? "", standoff: 6 } },
+      yaxis: { ...layout.yaxis, ...axis, nticks: 6, title: { text: `${meta.title} [${meta.unit}]${less}`, standoff: 6 } },
+      showlegend: true,
+      legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size: font * POINT } },
+    },
+  };
+}
+
+/** A drawing whose width and height are lengths, so that it is as large as asked for wherever it is placed. */
+export function sized(svg: string, width: number, height: number): string {
+  const [pixelsWide, pixelsHigh] = [Math.round(width * MM), Math.round(height * MM)];
+  return svg.replace(/<svg[^>]*>/, (root) => {
+    const kept = root.replace(/ (?:width|height|viewBox)="[^"]*"/g, "");
+    return kept.replace("<svg", `<svg width="${width}mm" height="${height}mm" viewBox="0 0 ${pixelsWide} ${pixelsHigh}"`);
+  });
+}
+
+const SVG = "data:image/svg+xml,";
+
+export async function figureImage({ width, height, ...figure }: PaperFigure, format: "png" | "svg"): Promise<string> {
+  const plotly = await loadPlotly();
+  const size = { width: Math.round(width * MM), height: Math.round(height * MM) };
+  const address = await plotly.toImage(figure, { format, ...size, scale: format === "png" ? DPI / 96 : 1 });
+  return format === "png" ? address : SVG + encodeURIComponent(sized(decodeURIComponent(address.slice(SVG.length)), width, height));
+}
