@@ -1,11 +1,9 @@
-"""Each question at one size; `make drill` asks all of them at three."""
-
-from itertools import cycle
+"""Two of the questions, at two sizes; `make drill` asks all of them at three."""
 
 import pytest
 
 from tests.browser.dashboard import Dashboard
-from tests.browser.questions import QUESTIONS, Question
+from tests.browser.questions import Question, my_van, what_got_better
 
 SIZES = ((1440, 900), (1024, 768), (390, 844))
 
@@ -19,6 +17,6 @@ def answered(dashboard: Dashboard, question: Question, size: tuple[int, int]) ->
     dashboard.expect_no_wider(width)
 
 
-@pytest.mark.parametrize(("question", "size"), list(zip(QUESTIONS, cycle(SIZES), strict=False)))
+@pytest.mark.parametrize(("question", "size"), [(what_got_better, SIZES[0]), (my_van, SIZES[2])])
 def test_a_question_is_answered(dashboard: Dashboard, question: Question, size: tuple[int, int]) -> None:
     answered(dashboard, question, size)

@@ -26,9 +26,11 @@ export function PlotGrid({ templates, scene }: Props) {
   const other = useDetail(referenceScene(scene));
   const onZoom = useZoom();
   const { strategies, axis, range, shown, before, pins, residual, reference, baseline, ids, summaries } = scene;
+  // What changes are against is drawn only in plots of the differences.
+  const [base, against] = residual ? [baseline, reference] : [null, null];
   const drawn = useMemo(
-    () => drawnOf({ residual, reference, baseline, ids, axis, summaries }, own, other),
-    [residual, reference, baseline, ids, axis, summaries, own, other],
+    () => drawnOf({ residual, reference: against, baseline: base, ids, axis, summaries }, own, other),
+    [residual, against, base, ids, axis, summaries, own, other],
   );
   const minus = residual ? subtrahend(scene) : undefined;
   const layers = useMemo(() => (residual ? [] : layersOf({ shown, before, pins })), [residual, shown, before, pins]);

@@ -4,7 +4,6 @@ import type { QueryClient } from "@tanstack/react-query";
 import type { Api } from "../api/client";
 import { isTransient } from "../api/problem";
 import type { Link, Run, Scenario, StrategyId } from "../api/types";
-import { sameValue } from "../editor/path";
 import type { Group } from "../editor/schema";
 import { cursor } from "./cursor";
 import { createExactRequests } from "./exactRequest";
@@ -91,8 +90,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
         if (!isCurrent()) return;
         const selected = store.get().strategies;
         const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
-        const { exact: last } = store.get();
-        if (!last || !sameValue(last.scenario, run.scenario)) router.leaveFrom();
+        if (history === null) router.leaveFrom();
         router.showRun(run.id, { hidden }, mode);
         patch({ ...landed(store.get(), fromRun(run, histories, performance.now() - startedAt, false)), drag: null, shared: null });
       },
