@@ -167,7 +167,7 @@ def test_what_the_server_refuses_lands_at_the_field(dashboard: Dashboard) -> Non
 def test_a_field_may_be_off_and_a_class_shows_its_number(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Actuator").click()
+    page.get_by_role("button", name="Actuator", exact=True).click()
     switch = page.get_by_role("switch", name="Bandwidth: limited")
     expect(switch).not_to_be_checked()
     switch.press("Space")

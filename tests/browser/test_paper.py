@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import LONG_MS, Dashboard
 from tests.browser.server import Server
 from tests.servers.process import request
 
@@ -156,7 +156,7 @@ def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -
     expect(paper.get_by_test_id("count")).to_contain_text(f"{before['reached']} of")
     expect(paper.get_by_role("button", name="All as in the default set")).to_be_disabled()
     # The table of what each switch does sets one, from wherever the others stand.
-    paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click()
+    paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click(timeout=LONG_MS)
     expect(paper.get_by_test_id("count")).to_contain_text(count)
     paper.get_by_role("button", name="Reset 1 switch").click()
     expect(paper).to_have_url(re.compile(r"/paper$"))
