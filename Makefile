@@ -87,7 +87,6 @@ $(VENV)/.build: requirements-build.lock
 
 $(VENV)/.runtime: requirements.lock $(VENV)/.build
 	$(INSTALL) $<
-	$(BIN)/python -c 'import backend.app, backend.jobs.cluster, httpx, typer.rich_utils'  # compiles what is used, a third of all
 	touch $@
 
 $(VENV)/.development: requirements-dev.lock $(VENV)/.runtime
@@ -102,6 +101,7 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml $(wildcard sim_core/compiled/*.c) $(VENV)/.runtime  # both distributions, from this folder
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e . -e client
+	$(BIN)/python -c 'import backend.app, backend.jobs.cluster, httpx, typer.rich_utils'  # compiles what is used, a third of all
 	touch $@
 
 frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
