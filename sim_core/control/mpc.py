@@ -217,8 +217,9 @@ class MpcController(Controller):
         if len(measured) < _MIN_BOUND_STEPS:
             inputs = np.hstack([measured, flattened(self._windows[:, steps])])
             return np.asarray((np.abs(inputs @ design.checks.T) <= WITHIN).all(axis=1))  # a NaN is within nothing
-        bound = design.bound @ np.concatenate([measured.T, self._sums[:, steps]], dtype=np.float32)
-        within = np.asarray(bound.max(axis=0) <= _BOUND_MARGIN)
+        with np.errstate(over="ignore", invalid="ignore"):  # a loop that diverges is within no limit
+            bound = design.bound @ np.concatenate([measured.T, self._sums[:, steps]], dtype=np.float32)
+            within = np.asarray(bound.max(axis=0) <= _BOUND_MARGIN)
         near = np.flatnonzero(~within)
         if len(near):
             inputs = np.hstack([measured[near], flattened(self._windows[:, first + near])])
