@@ -298,7 +298,7 @@ def batch(client: httpx.Client, road: dict[str, Any]) -> Iterator[dict[str, Any]
 
 
 def test_a_batch_can_be_shared(client: httpx.Client, batch: dict[str, Any]) -> None:
-    view = {"x": "road.bump.height", "y": "bump.body_acceleration.peak", "baseline": "passive"}
+    view = {"x": "road.bump.height", "y": "bump.body_acceleration.peak", "baseline": "passive", "threshold": "none"}
     answer = client.post("/api/v1/links", json={"batch_id": batch["id"], "view": view})
     assert answer.status_code == 201, answer.text
     assert answer.json()["series_pinned"] is False

@@ -78,7 +78,9 @@ class LinkView(RequestModel):
     against: StrategyName | Literal["none"] | None = Field(
         None, description="Of a batch only: the strategy that map is compared with."
     )
-    threshold: Finite | None = Field(None, description="Of a batch only: where the map has a line, in the unit shown.")
+    threshold: Finite | Literal["none"] | None = Field(
+        None, description="Of a batch only: where the map has a line, in the unit shown; `none` for no line."
+    )
     versus: Column | None = Field(None, description="Of a batch only: the metric on the x axis of a trade-off.")
 
 

@@ -3057,9 +3057,9 @@ export interface components {
             strategy?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
             /**
              * Threshold
-             * @description Of a batch only: where the map has a line, in the unit shown.
+             * @description Of a batch only: where the map has a line, in the unit shown; `none` for no line.
              */
-            threshold?: number | null;
+            threshold?: number | "none" | null;
             /**
              * Versus
              * @description Of a batch only: the metric on the x axis of a trade-off.

@@ -16,14 +16,8 @@ interface Props {
   readonly onView: (change: Partial<BatchView>) => void;
 }
 
-export function MapTools({ strategies, shown: { strategy, against, threshold, mapUnit }, onView }: Props) {
-  const [typed, setTyped] = useState(() => (threshold === null ? "" : formatInput(threshold)));
-  const reading = typed.trim() === "" ? null : readQuantity(typed, mapUnit);
-  const change = (text: string) => {
-    setTyped(text);
-    const next = text.trim() === "" ? null : readQuantity(text, mapUnit);
-    if (next === null || next.ok) onView({ threshold: next?.value ?? null });
-  };
+export function MapTools({ strategies, shown, onView }: Props) {
+  const { strategy, against } = shown;
   const options = strategies.map(({ id, label }) => ({ value: id, label }));
   return (
     <>
@@ -35,18 +29,33 @@ export function MapTools({ strategies, shown: { strategy, against, threshold, ma
         data={[{ value: NONE, label: "Nothing: its own values" }, ...options.filter(({ value }) => value !== strategy)]}
         onChange={(event) => onView({ against: event.currentTarget.value, threshold: null })}
       />
-      <TextInput
-        size="xs"
-        className={classes.threshold ?? ""}
-        label="Line at"
-        inputMode="decimal"
-        value={typed}
-        error={reading?.ok === false ? reading.message : undefined}
-        rightSection={<span className={ui.dim}>{prettyUnit(mapUnit)}</span>}
-        rightSectionWidth={48}
-        rightSectionPointerEvents="none"
-        onChange={(event) => change(event.currentTarget.value)}
-      />
+      <LineEntry key={`${shown.y.key} ${strategy} ${against ?? ""}`} {...{ shown, onView }} />
     </>
+  );
+}
+
+function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<Props, "shown" | "onView">) {
+  const [typed, setTyped] = useState(() => (threshold === null ? "" : formatInput(threshold)));
+  const read = (text: string) => (text.trim() === "" ? null : readQuantity(text, mapUnit));
+  const reading = read(typed);
+  const change = (text: string) => {
+    setTyped(text);
+    const next = read(text);
+    if (next === null || next.ok) onView({ threshold: next?.value ?? NONE });
+  };
+  return (
+    <TextInput
+      size="xs"
+      className={classes.threshold ?? ""}
+      label="Line at"
+      inputMode="decimal"
+      placeholder="no line"
+      value={typed}
+      error={reading?.ok === false ? reading.message : undefined}
+      rightSection={<span className={ui.dim}>{prettyUnit(mapUnit)}</span>}
+      rightSectionWidth={48}
+      rightSectionPointerEvents="none"
+      onChange={(event) => change(event.currentTarget.value)}
+    />
   );
 }

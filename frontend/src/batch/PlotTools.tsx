@@ -61,7 +61,7 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
           )}
       {metric(kind === "trade_off" ? "Metric up" : "Metric", shown.y, (y) => onView({ y, threshold: null }))}
       {kind === "map" ? (
-        <MapTools key={`${shown.y.key} ${shown.against ?? ""}`} {...{ strategies, shown, onView }} />
+        <MapTools {...{ strategies, shown, onView }} />
       ) : (
         <div className={classes.plotChips} role="group" aria-label="Strategies">
           {strategies.map((strategy) => {

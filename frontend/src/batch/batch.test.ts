@@ -77,6 +77,12 @@ describe("how a sweep is looked at", () => {
     expect(viewOf(searchOf(view))).toEqual(view);
     expect(searchOf(usual)).toEqual({});
   });
+
+  it("may be without a line, where a map usually has one", () => {
+    const view = viewOf({ at: "none" });
+    expect([view.threshold, searchOf(view).at]).toEqual(["none", "none"]);
+    expect(["", "high"].map((at) => viewOf({ at }).threshold)).toEqual([null, null]);
+  });
 });
 
 describe("a plot of many points", () => {

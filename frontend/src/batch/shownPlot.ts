@@ -3,7 +3,7 @@
 import type { Batch, Strategy, StrategyId } from "../api/types";
 import { axesOf, type AxisOf } from "./axes";
 import { OPENING_FIGURE, type Figure } from "./figures";
-import type { BatchView, PlotKind } from "./view";
+import { NONE, type BatchView, type PlotKind } from "./view";
 
 export interface ShownPlot {
   readonly kind: PlotKind;
@@ -44,7 +44,7 @@ export function shownPlot(batch: Batch, strategies: readonly Strategy[], figures
     versus: find(view.versus) ?? find(TRADED) ?? y,
     strategy,
     against,
-    threshold: view.threshold ?? (against === null ? null : 0),
+    threshold: view.threshold === NONE ? null : (view.threshold ?? (against === null ? null : 0)),
     mapUnit: against === null ? y.unit : "%",
   };
 }

@@ -23,13 +23,13 @@ export interface BatchView {
   readonly strategy: StrategyId | null;
   /** The strategy it is compared with; `none`, or `null` for what suits the sweep. */
   readonly against: StrategyId | null;
-  /** Where a map has a line, in the unit shown. */
-  readonly threshold: number | null;
+  /** Where a map has a line, in the unit shown; `none`, or `null` for what suits the map. */
+  readonly threshold: number | typeof NONE | null;
   /** Column of the figure on the x axis of a trade-off. */
   readonly versus: string | null;
 }
 
-/** Its own values, compared with nothing. */
+/** Compared with nothing; without a line. */
 export const NONE = "none";
 
 export type BatchSearch = Partial<Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>>;
@@ -38,7 +38,7 @@ type Change = (part: Partial<BatchView>) => void;
 const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
 
 export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: BatchSearch): BatchView {
-  const threshold = at === undefined ? NaN : Number(at);
+  const threshold = at === NONE ? NONE : parseFloat(at ?? "");
   return {
     plot: kindOf(plot),
     x: x ?? null,
@@ -46,7 +46,7 @@ export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: Batc
     hidden: listOf(hide),
     strategy: strategy ?? null,
     against: against ?? null,
-    threshold: Number.isFinite(threshold) ? threshold : null,
+    threshold: threshold === NONE || Number.isFinite(threshold) ? threshold : null,
     versus: versus ?? null,
   };
 }
