@@ -60,6 +60,11 @@ def requests(roads: range = ROADS) -> list[RowRequest]:
     return [*under, *studies]
 
 
+def distinct() -> list[RowRequest]:
+    """Each row once: the sets share those that their differences do not reach."""
+    return list({row.key: row for row in requests()}.values())
+
+
 def in_order(by_strategy: Mapping[str, Sequence[RowRequest]]) -> list[RowRequest]:
     """Every row, strategy by strategy."""
     return [row for rows in by_strategy.values() for row in rows]
@@ -75,7 +80,7 @@ def rows() -> Any:
             for old in FOLDER.glob("reproduction-*"):
                 old.unlink()
             beside = path.with_suffix(".part")
-            beside.write_bytes(orjson.dumps({row.key: computed(row) for row in requests()}))
+            beside.write_bytes(orjson.dumps({row.key: computed(row) for row in distinct()}))
             beside.replace(path)
     return orjson.loads(path.read_bytes())
 
