@@ -47,6 +47,11 @@ def figures_key(scenario: Scenario, strategy: str) -> str:
     return _hash({"figures_of": result_key(scenario, strategy)})
 
 
+def band_key(scenario: Scenario, strategy: str, roads: int) -> str:
+    """Key of one strategy's time histories over so many roads, of which the scenario's is the first."""
+    return _hash({"band_of": result_key(scenario, strategy), "roads": roads})
+
+
 def derived_key(name: str, parameters: JsonObject) -> str:
     """Key of what is derived from many runs: the program that computes them, what it is and what it was asked for."""
     return _hash({**_program(STRATEGIES), "derived": name, "parameters": dict(parameters)})

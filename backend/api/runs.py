@@ -15,7 +15,7 @@ from backend.http.problems import Problem
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
-from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from backend.runs.roads_models import Bands, CreatedRoadsRun, RoadsRun
 from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -24,8 +24,11 @@ runs = router("runs", 404, 422, 503)
 computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 drawing = router("runs", 404, 422, 429, 503, route_class=ComputingRoute)
 
+Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
+Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
+HOUR = {"Cache-Control": "public, max-age=3600"}
 MEDIA_TYPES = {
     "json": "application/json",
     "csv": "text/csv; charset=utf-8; header=present",
@@ -76,11 +79,9 @@ async def get_series(
     service: RunsService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
-    signals: Annotated[str | None, Query(description="Keys with commas; omitted is all")] = None,
+    signals: Signals = None,
     file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
-    points: Annotated[
-        int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")
-    ] = None,
+    points: Points = None,
     encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
 ) -> Response:
     """Time histories in SI units; time and position always come along."""
@@ -94,12 +95,36 @@ async def get_series(
         file_format=file_format,
         encoding=encoding,
     )
-    headers = {"Cache-Control": "public, max-age=3600"}
+    headers = dict(HOUR)
     if file_format != "json":
         headers["Content-Disposition"] = (
             f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
         )
     return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
+
+
+@drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands, responses={410: {"model": Problem}})
+async def get_bands(
+    run_id: RunId,
+    request: Request,
+    service: RunsService,
+    client: Client,
+    strategy: Annotated[str | None, Query(description="Ids with commas; omitted is all of the run's")] = None,
+    signals: Signals = None,
+    points: Points = None,
+    encoding: Annotated[Literal["list", "base64"], Query(description="Of numbers")] = "list",
+) -> Response:
+    """Of a run over several roads: mean, smallest and largest value over all roads at each sample, in SI units."""
+    work = service.bands(
+        run_id,
+        client,
+        strategies=_names("strategy", strategy, STRATEGIES),
+        signals=_names("signals", signals, SIGNALS),
+        points=points,
+        encoding=encoding,
+    )
+    content = await cancel_on_disconnect(request, work)
+    return Response(content, headers=HOUR, media_type=MEDIA_TYPES["json"])
 
 
 @drawing.get(

@@ -1,20 +1,28 @@
 """Time histories of stored runs: pinned by a link, or simulated again by the core version that computed the run."""
 
-from collections.abc import Mapping
+import asyncio
+from collections.abc import Mapping, Sequence
+from functools import partial
 
+from cachetools import LRUCache
+
+from backend import digest
+from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.errors import GoneError, InvalidError, RoadGoneError
 from backend.http.admission import Admission
 from backend.roads.service import Roads
-from backend.runs import exports, pins
+from backend.runs import bands, exports, pins
 from backend.runs.results import Results
 from backend.runs.series import Stages
 from backend.runs.work import ComputedResult
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
+from sim_core.study.roads import seeded
 
 FIGURE_POINTS = 2000
+BAND_BYTES = 64 * 1024 * 1024  # of bands in memory: those of a dozen strategies
 
 
 class Histories:
@@ -26,6 +34,9 @@ class Histories:
         self._results = results
         self._admission = admission
         self._roads = roads
+        self._bands: LRUCache[str, bands.Band] = LRUCache(BAND_BYTES, getsizeof=lambda band: band.nbytes)
+        self._flights: Flights[str, bands.Band] = Flights()
+        self._slots = asyncio.Semaphore(workers.count)  # at most so many slices wait for a worker before others' work
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -86,6 +97,51 @@ class Histories:
         scenario = await self._on_its_road(scenario)
         with self._admission.computing(client, scenario, keys):
             return await self._workers.call(exports.render, scenario, export)
+
+    async def over_roads(
+        self,
+        stored: StoredRun,
+        names: Sequence[str],
+        signals: Sequence[str],
+        points: int | None,
+        encoding: str,
+        client: str,
+    ) -> bytes:
+        """Mean, smallest and largest values of those strategies over the run's roads as JSON (`bands.render`).
+
+        Raises:
+            GoneError: Another core version computed the run: links pin the first road's time histories alone.
+        """
+        if stored.core_version != CORE_VERSION:
+            raise GoneError(
+                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: the time "
+                "histories of all its roads cannot be made again. Post its scenario to run it on this version."
+            )
+        roads = seeded(Scenario.model_validate(stored.scenario), stored.roads)
+        keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
+        found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
+        missing = [name for name in names if name not in found]
+        with self._admission.computing(client, roads[0], missing * stored.roads):
+            tasks = [
+                asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name)))
+                for name in missing
+            ]
+            try:
+                found |= dict(zip(missing, await asyncio.gather(*tasks), strict=True))
+            finally:
+                for task in tasks:
+                    task.cancel()
+            self._bands.update({keys[name]: found[name] for name in missing if found[name].nbytes <= BAND_BYTES})
+            ordered = {name: found[name] for name in names}
+            return await self._workers.call(bands.render, ordered, _stages(stored), signals, points, encoding)
+
+    async def _drive(self, roads: Sequence[Scenario], name: str) -> bands.Band:
+        """One strategy over all roads, slice by slice, so that other requests come in between."""
+        band: bands.Band | None = None
+        while band is None or band.roads < len(roads):
+            async with self._slots:
+                band = await self._workers.call(bands.drive, roads, name, band)
+        return band
 
     async def _on_its_road(self, scenario: Scenario) -> Scenario:
         """A stored run's scenario with the heights of its measured road.

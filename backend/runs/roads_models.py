@@ -4,7 +4,17 @@ from typing import Annotated, Any
 
 from pydantic import Field, create_model
 
-from backend.models import STRATEGY_IDS, Answer, CachedFailure, DriveResult, RunBase, StrategyFailure, WithId, keys_of
+from backend.models import (
+    STRATEGY_IDS,
+    Answer,
+    CachedFailure,
+    DriveResult,
+    Histories,
+    RunBase,
+    StrategyFailure,
+    WithId,
+    keys_of,
+)
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, WINDOWS
 
 
@@ -81,3 +91,20 @@ class CreatedRoadsRun(RoadsRunBase):
     strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = keys_of(
         STRATEGY_IDS, "By strategy"
     )
+
+
+class Band(Answer):
+    """One strategy's time histories over the roads: at each sample the mean, the smallest and the largest value."""
+
+    mean: Histories
+    minimum: Histories = Field(description="Without what is the same on every road, such as time, position and speed")
+    maximum: Histories = Field(description="Of the same signals as `minimum`")
+
+
+class Bands(Answer):
+    """Time histories over several roads: samples lie at the same times and positions on each."""
+
+    core_version: str
+    roads: int
+    units: dict[str, str]
+    strategies: dict[str, Band]

@@ -168,6 +168,34 @@ class Runs:
         )
         return await self._histories.exported(stored, {name: keys[name] for name in names}, export, client)
 
+    async def bands(
+        self,
+        run_id: str,
+        client: str,
+        *,
+        strategies: Sequence[str] | None,
+        signals: Sequence[str] | None,
+        points: int | None,
+        encoding: Literal["list", "base64"],
+    ) -> bytes:
+        """Time histories over all roads of a stored run as JSON; arguments as for `series`, no strategies are all.
+
+        Raises:
+            NotFoundError: No such run.
+            GoneError: Another core version computed it.
+            InvalidError: It is of one road, or does not have these strategies.
+        """
+        stored = await self.stored(run_id, client)
+        if stored.roads == 1:
+            raise InvalidError("This run is of one road: its time histories are at /series", parameter="id")
+        keys = [item.strategy for item in stored.shown]
+        names = keys if strategies is None else ordered(strategies)
+        if not names or not set(names) <= set(keys):
+            message = f"This run has time histories of {', '.join(keys) or 'no strategy'}"
+            raise InvalidError(message, parameter="strategy")
+        asked = series.ordered_signals(signals)
+        return await self._histories.over_roads(stored, names, asked, points, encoding, client)
+
     async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> JsonObject:
         """One figure of a stored run, or all of them by name, with data.
 

@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 import httpx
 
+from ridelab.arrays import unpacked
 from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
 from ridelab.http import Http, split_login
@@ -178,15 +179,29 @@ class Ridelab:
         Raises:
             ImportError: NumPy is not installed.
         """
-        import base64
-
-        try:
-            import numpy as np
-        except ImportError:
-            raise ImportError("Arrays need NumPy: pip install 'ridelab[pandas]'") from None
         params = {**_series([strategy], signals, points), "encoding": "base64"}
-        arrays = self.get(f"/runs/{_id(run)}/series", params)["series"]
-        return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in arrays.items()}
+        return unpacked(self.get(f"/runs/{_id(run)}/series", params)["series"])
+
+    def band(
+        self,
+        run: RunResult | str,
+        strategy: str,
+        signals: Sequence[str] | None = None,
+        *,
+        points: int | None = None,
+    ) -> "dict[str, dict[str, NDArray[np.float32]]]":
+        """Time histories of one strategy over all roads of a run: its `mean`, `minimum` and `maximum` at each sample.
+
+        Each is signal -> float32 array as of `series`, which also says what the arguments are; `minimum` and `maximum`
+        are without signals that are the same on every road, such as time, position and speed.
+
+        Raises:
+            ImportError: NumPy is not installed.
+            RidelabAPIError: The run is of one road, or of another core version.
+        """
+        params = {**_series([strategy], signals, points), "encoding": "base64"}
+        band = self.get(f"/runs/{_id(run)}/bands", params)["strategies"][strategy]
+        return {name: unpacked(part) for name, part in band.items()}
 
     def series_content(self, run: RunResult | str, file_format: str, **selection: Any) -> Iterator[bytes]:
         """Time histories as the bytes of a `csv`, `parquet` or `json` file, piece by piece.

@@ -13,6 +13,7 @@ from ridelab import Batch, Interval, Ridelab, RidelabAPIError, RunResult
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
+from sim_core.study.roads import seeded
 
 SHORT = Scenario(road=Road(length=112, bump=Bump(start=72)))  # nobody else's, so that nothing is stored yet
 HEIGHTS = [0.03, 0.05, 0.07]
@@ -100,6 +101,39 @@ def test_time_histories_as_arrays(ridelab: Ridelab, shared: RunResult) -> None:
         assert values.dtype == np.float32
         np.testing.assert_allclose(values, expected[key], rtol=1e-6, atol=1e-6)  # float32
     assert set(ridelab.series(shared.id, "passive", points=300)) == set(SIGNALS)
+
+
+def test_time_histories_over_roads(ridelab: Ridelab) -> None:
+    """At each sample mean, minimum and maximum of the single runs, which share every sample's time and position."""
+    run = ridelab.run(SHORT, ["lv", "lqr"], roads=4)
+    for strategy in ("lv", "lqr"):
+        singles = [simulate(road, strategy).series for road in seeded(SHORT, 4)]
+        band = ridelab.band(run, strategy)
+        assert list(band["mean"]) == list(SIGNALS)
+        assert set(band["mean"]) - set(band["minimum"]) == {
+            "time", "position", "speed", "brake_pressure", "brake_deceleration",
+        }  # fmt: skip
+        for part, over in (("mean", np.mean), ("minimum", np.min), ("maximum", np.max)):
+            for key, values in band[part].items():
+                drives = np.array([single[key] for single in singles], dtype=np.float32).astype(np.float64)
+                np.testing.assert_allclose(values, over(drives, axis=0), rtol=1e-7)  # float32's half digit
+                assert key in band["minimum"] or np.ptp(drives, axis=0).max() == 0
+    few = ridelab.band(run, "lv", ["body_acceleration"], points=300)
+    assert [list(part) for part in few.values()] == [
+        ["time", "position", "body_acceleration"], ["body_acceleration"], ["body_acceleration"],
+    ]  # fmt: skip
+    everything = ridelab.band(run, "lv")
+    kept = np.isin(everything["mean"]["time"], few["mean"]["time"])
+    assert kept.sum() == len(few["mean"]["time"]) < 330
+    for part in few:
+        values = everything[part]["body_acceleration"]
+        np.testing.assert_array_equal(few[part]["body_acceleration"], values[kept])
+        assert (few[part]["body_acceleration"].min(), few[part]["body_acceleration"].max()) == (
+            values.min(),
+            values.max(),
+        )
+    with pytest.raises(RidelabAPIError, match="one road"):
+        ridelab.band(ridelab.run(SHORT, ["lv"]), "lv")
 
 
 def test_time_histories_as_a_file(ridelab: Ridelab, shared: RunResult, tmp_path: Path) -> None:

@@ -9,7 +9,8 @@ import pytest
 
 from backend import digest
 from backend.models import CreatedRun
-from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from backend.runs import bands, histories
+from backend.runs.roads_models import Bands, CreatedRoadsRun, RoadsRun
 from backend.runs.work import ComputedResult
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
@@ -206,6 +207,46 @@ def test_figures_and_series_are_the_first_roads(service: Any, three: dict[str, A
         ours, its = (service.client.get(f"/api/v1/runs/{run}/{path}") for run in (three["id"], single))
         assert ours.status_code == 200
         assert ours.json() == its.json()
+
+
+def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
+    service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two equal requests at once drive each road once; a third, for fewer points, none."""
+    body = {"scenario": {"road": {**road, "seed": 600}}, "strategies": ["lqr", "passive"], "roads": 6}
+    run = post(service, **body).json()["id"]
+    workers, slices = service.app.state.workers, []
+    original = workers.call
+
+    async def counted(function: Any, *arguments: Any) -> Any:
+        result = await original(function, *arguments)
+        if function is bands.drive:
+            _, name, band = arguments
+            slices.extend([name] * (result.roads - (band.roads if band else 0)))
+        return result
+
+    monkeypatch.setattr(workers, "call", counted)
+    monkeypatch.setattr(bands, "SLICE", 0.0)
+
+    def asked(points: int) -> Any:
+        return service.client.get(f"/api/v1/runs/{run}/bands", params={"points": points})
+
+    with ThreadPoolExecutor(2) as threads:
+        answers = [each.json() for each in threads.map(asked, [500, 500])]
+    fewer = asked(60).json()
+    assert sorted(slices) == ["lqr"] * 6 + ["passive"] * 6
+    assert answers[0] == answers[1]
+    Bands.model_validate(answers[0])
+    assert (answers[0]["roads"], list(answers[0]["strategies"])) == (6, ["lqr", "passive"])
+    assert len(fewer["strategies"]["lqr"]["mean"]["time"]) < len(answers[0]["strategies"]["lqr"]["mean"]["time"])
+
+    refused = service.client.get(f"/api/v1/runs/{run}/bands?strategy=lv")
+    assert refused.status_code == 422
+    assert "lqr, passive" in refused.json()["detail"]
+    monkeypatch.setattr(histories, "CORE_VERSION", "9.0.0")
+    gone = asked(60)
+    assert gone.status_code == 410
+    assert gone.json()["type"].endswith("other-core-version")
 
 
 @pytest.mark.parametrize("baseline", ["passive", "lqr"])

@@ -583,6 +583,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/runs/{id}/bands": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Bands
+         * @description Of a run over several roads: mean, smallest and largest value over all roads at each sample, in SI units.
+         */
+        get: operations["getBands"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/runs/{id}/figures": {
         parameters: {
             query?: never;
@@ -1017,6 +1037,51 @@ export interface components {
             sentences: string[];
             /** Shares */
             shares: components["schemas"]["Share"][];
+        };
+        /**
+         * Band
+         * @description One strategy's time histories over the roads: at each sample the mean, the smallest and the largest value.
+         */
+        Band: {
+            /**
+             * Maximum
+             * @description Of the same signals as `minimum`
+             */
+            maximum: {
+                [key: string]: (number | null)[] | components["schemas"]["TypedArray"];
+            };
+            /**
+             * Mean
+             * @description Lists, or typed arrays with encoding=base64
+             */
+            mean: {
+                [key: string]: (number | null)[] | components["schemas"]["TypedArray"];
+            };
+            /**
+             * Minimum
+             * @description Without what is the same on every road, such as time, position and speed
+             */
+            minimum: {
+                [key: string]: (number | null)[] | components["schemas"]["TypedArray"];
+            };
+        };
+        /**
+         * Bands
+         * @description Time histories over several roads: samples lie at the same times and positions on each.
+         */
+        Bands: {
+            /** Core Version */
+            core_version: string;
+            /** Roads */
+            roads: number;
+            /** Strategies */
+            strategies: {
+                [key: string]: components["schemas"]["Band"];
+            };
+            /** Units */
+            units: {
+                [key: string]: string;
+            };
         };
         /**
          * Batch
@@ -9524,6 +9589,112 @@ export interface operations {
             /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
             422: {
                 headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    getBands: {
+        parameters: {
+            query?: {
+                /** @description Of numbers */
+                encoding?: "list" | "base64";
+                /** @description About how many samples; omitted is all */
+                points?: number | null;
+                /** @description Keys with commas; omitted is all */
+                signals?: string | null;
+                /** @description Ids with commas; omitted is all of the run's */
+                strategy?: string | null;
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Of a run over several roads: mean, smallest and largest value over all roads at each sample, in SI units. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Bands"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `other-core-version`: Another version computed the run, and its time histories are gone; its metrics stay. `road-gone`: The measured road of the run is not stored any more; send its file again. */
+            410: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `too-many-requests`: One client has too much open or asks too often. */
+            429: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
                     "X-Request-ID": components["headers"]["X-Request-ID"];
                     [name: string]: unknown;
                 };
