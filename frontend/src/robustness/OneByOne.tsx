@@ -7,12 +7,11 @@ import { isFinal } from "../jobs/follow";
 import type { Batch, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { fullName, OPENING_FIGURE } from "../batch/figures";
-import { showCell } from "../batch/show";
 import { tableQuery } from "../batch/queries";
 import { BATCH, jobQuery } from "../jobs/useJob";
 import { formatPercent } from "../tables/change";
 import { formatResult, prettyUnit } from "../units/format";
-import { nameOf } from "./names";
+import { nameOf, useFieldText } from "./names";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
 import { TRAVEL } from "./summary";
 import { useOpenRun, type Opening } from "../batch/useOpenRun";
@@ -142,7 +141,8 @@ interface BarRowProps extends Omit<BarsProps, "tornado"> {
 function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, batch }: BarRowProps) {
   const ends = ([["low", low], ["high", high]] as const).flatMap(([side, end]) => (end ? [{ side, end }] : []));
   const change = ({ value }: End) => (nominal === 0 ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}` : formatPercent(100 * (value / nominal - 1)));
-  const placeText = (end: End) => showCell(end.at, field.unit);
+  const fieldText = useFieldText();
+  const placeText = (end: End) => fieldText(field.name, end.at);
   return (
     <div className={styles.tornadoRow} data-field={field.name}>
       <span className={styles.tornadoName}>{nameOf(field.name, [field])}</span>

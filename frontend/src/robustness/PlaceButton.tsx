@@ -2,9 +2,8 @@
 
 import { Button, Tooltip } from "@mantine/core";
 import { IconExternalLink } from "../icons";
-import { showCell } from "../batch/show";
 import classes from "./robustness.module.css";
-import { nameOf } from "./names";
+import { nameOf, useFieldText } from "./names";
 import type { Place } from "./summary";
 import type { Opening } from "../batch/useOpenRun";
 
@@ -17,8 +16,9 @@ interface Props {
 }
 
 export function PlaceButton({ place, text, what, opening }: Props) {
+  const fieldText = useFieldText();
   if (place === null) return <>–</>;
-  const fields = Object.entries(place.at).map(([name, value]) => `${nameOf(name)} ${showCell(value)}`);
+  const fields = Object.entries(place.at).map(([name, value]) => `${nameOf(name)} ${fieldText(name, value)}`);
   return (
     <Tooltip label={`Open run ${place.run} in the lab: ${fields.join(", ")}`} multiline w={320} openDelay={300}>
       <Button

@@ -1,6 +1,13 @@
 /** Short names of the fields a study varies, where there is no room for their titles. */
 
+import { useQuery } from "@tanstack/react-query";
 import type { Batch } from "../api/types";
+import { showCell } from "../batch/show";
+import type { Cell } from "../batch/table";
+import { inShownUnit } from "../editor/limits";
+import type { Group } from "../editor/schema";
+import { schemaQuery } from "../state/queries";
+import { sweepFields } from "../sweep/fields";
 
 const NAMES: Readonly<Record<string, string>> = {
   "mismatch.body_mass": "body mass",
@@ -19,3 +26,14 @@ const NAMES: Readonly<Record<string, string>> = {
 /** Any other field by its title where it is known, else by the end of its dotted name. */
 export const nameOf = (field: string, fields: Batch["fields"] = []): string =>
   NAMES[field] ?? fields.find(({ name }) => name === field)?.title ?? field.replace(/^.*\./, "").replace(/_/g, " ");
+
+/** A field's value in the unit the form shows it in. */
+export function fieldText(form: Group | undefined, name: string, value: Cell): string {
+  const leaf = form && sweepFields(form).find((each) => each.name === name)?.leaf;
+  return leaf?.kind === "number" && typeof value === "number" ? showCell(inShownUnit(leaf, value), leaf.shown.unit) : showCell(value);
+}
+
+export function useFieldText(): (name: string, value: Cell) => string {
+  const form = useQuery(schemaQuery).data;
+  return (name, value) => fieldText(form, name, value);
+}

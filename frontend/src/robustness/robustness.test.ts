@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Batch, RobustnessDefaults } from "../api/types";
 import { FORM } from "../editor/form.fixture";
 import { isOneByOne, tornadoOf } from "./tornado";
+import { fieldText } from "./names";
 import { scaleTo } from "./scale";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Sensitivity } from "./summary";
@@ -16,6 +17,10 @@ const DEFAULTS: RobustnessDefaults = {
   figures: [],
 };
 const batchOf = (sweep: object) => ({ strategies: ["lqr"], sweep, fields: [] }) as unknown as Batch;
+
+it("a field's value is told in the unit its form has", () => {
+  expect(["road.bump.height", "road.seed", "nobody.knows"].map((name) => fieldText(FORM, name, 0.07))).toEqual(["7\u00a0cm", "0.07", "0.07"]);
+});
 
 describe("a study", () => {
   it("is what the server proposes, without fields this form has not", () => {

@@ -1,7 +1,7 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
 import { Button, Input, MultiSelect, NativeSelect, SegmentedControl, Switch, Text, TextInput } from "@mantine/core";
-import { useState } from "react";
+import { useMemo, useState } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { PageScenario } from "../origin/origin";
@@ -13,7 +13,7 @@ import { firstDraft, rangesFor, type TuningDraft } from "./draft";
 import { LimitRows } from "./LimitRows";
 import { ObjectiveRows } from "./ObjectiveRows";
 import { RangesTable } from "./RangesTable";
-import { TUNABLE, tunableOf } from "./space";
+import { numberFields, TUNABLE, tunableOf } from "./space";
 import classes from "./tuner.module.css";
 import { useNewTuning } from "./useNewTuning";
 import ui from "../ui/ui.module.css";
@@ -38,8 +38,9 @@ const QUANTILES = [
 export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
   const [draft, setDraft] = useState<TuningDraft>(() => firstDraft(form));
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
-  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, figures, source.scenario);
-  const tunable = tunableOf(form, draft.strategy);
+  const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
+  const numbers = useMemo(() => numberFields(tunable), [tunable]);
+  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, numbers, figures, source.scenario);
   const { preview } = tunable;
   const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
     <TextInput
@@ -82,6 +83,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
       <Part title="Weights and times" detail="searched between these ends, by ratio">
         <RangesTable
           tunable={tunable}
+          fields={numbers}
           scenario={source.scenario}
           ranges={draft.ranges}
           errors={errors}

@@ -8,7 +8,7 @@ import { dotted } from "../sweep/fields";
 import { formatResult, prettyUnit } from "../units/format";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
-import { formatValue, singlesIn, weightAt, type Tunable } from "./space";
+import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import results from "./results.module.css";
 import type { Load } from "./useLoad";
 import { ScrollTable } from "../ui/ScrollTable";
@@ -75,17 +75,17 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
               <Name label={title} unit={items.map((item) => item.title.toLowerCase()).join(" · ")} />
               {points.map(({ trial }) => (
                 <td key={trial.number} className={tables.cell} data-weights={dotted(pointer)}>
-                  {items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)))).join(" · ")}
+                  {items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)), item)).join(" · ")}
                 </td>
               ))}
             </tr>
           ))}
-          {singles.map(({ name, title }) => (
+          {singles.map(({ name, title, field }) => (
             <tr key={name} className={results.weightsRow}>
               <Name label={title} unit="1" />
               {points.map(({ trial }) => (
                 <td key={trial.number} className={tables.cell}>
-                  {shownWeight(weightAt(trial.weights, name))}
+                  {shownWeight(weightAt(trial.weights, name), field)}
                 </td>
               ))}
             </tr>
@@ -96,7 +96,7 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
   );
 }
 
-const shownWeight = (value: number | string | undefined) => (value === undefined ? "–" : formatValue(value));
+const shownWeight = (value: number | string | undefined, field: Single["field"]) => (value === undefined ? "–" : formatValue(value, field));
 
 function Name({ label, unit }: { readonly label: string; readonly unit: string }) {
   return (

@@ -3,23 +3,23 @@
 import { Checkbox, TextInput } from "@mantine/core";
 import type { Scenario } from "../api/types";
 import type { DraftErrors } from "../submission/problems";
-import { formatInput } from "../units/format";
 import type { RangeDraft } from "./draft";
-import { numberFields, ownWeight, type Tunable } from "./space";
+import { ownText, type Tunable, type TunableNumber } from "./space";
 import classes from "./tuner.module.css";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tunable: Tunable;
+  /** Its numbers. */
+  readonly fields: readonly TunableNumber[];
   readonly scenario: Scenario | undefined;
   readonly ranges: Readonly<Record<string, RangeDraft>>;
   readonly errors: DraftErrors;
   readonly onChange: (name: string, change: Partial<RangeDraft>) => void;
 }
 
-export function RangesTable({ tunable, scenario, ranges, errors, onChange }: Props) {
-  const fields = numberFields(tunable);
+export function RangesTable({ tunable, fields, scenario, ranges, errors, onChange }: Props) {
   const rows = [...new Set(fields.map(({ row }) => row))];
   const titles = tunable.triples[0]?.items.map(({ title }) => title) ?? [];
   const wrong = fields.find(({ name }) => errors[`search.${name}`] !== undefined);
@@ -38,15 +38,15 @@ export function RangesTable({ tunable, scenario, ranges, errors, onChange }: Pro
             <span className={classes.rangeName}>{row}</span>
             {fields
               .filter((each) => each.row === row)
-              .map(({ name, field, single }) => (
+              .map((each) => (
                 <Range
-                  key={name}
-                  label={single ? row : `${row}, ${field.title}`}
-                  range={ranges[name]}
-                  own={scenario && ownWeight(scenario, name)}
-                  wrong={errors[`search.${name}`] !== undefined}
-                  title={single ? "" : field.title}
-                  onChange={(change) => onChange(name, change)}
+                  key={each.name}
+                  label={each.single ? row : `${row}, ${each.field.title}`}
+                  range={ranges[each.name]}
+                  own={scenario ? ownText(scenario, each) : "as it is"}
+                  wrong={errors[`search.${each.name}`] !== undefined}
+                  title={each.single ? "" : each.field.title}
+                  onChange={(change) => onChange(each.name, change)}
                 />
               ))}
           </div>
@@ -64,7 +64,8 @@ interface RangeProps {
   /** Stands above it where there is no room for columns. */
   readonly title: string;
   readonly range: RangeDraft | undefined;
-  readonly own: number | undefined;
+  /** The scenario's value. */
+  readonly own: string;
   readonly wrong: boolean;
   readonly onChange: (change: Partial<RangeDraft>) => void;
 }
@@ -98,7 +99,7 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
             {end("to")}
           </>
         ) : (
-          <span className={ui.dim}>stays {own === undefined ? "as it is" : formatInput(own)}</span>
+          <span className={ui.dim}>stays {own}</span>
         )}
       </span>
     </div>

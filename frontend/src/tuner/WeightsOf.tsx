@@ -2,7 +2,7 @@
 
 import type { Weights } from "../api/types";
 import { dotted } from "../sweep/fields";
-import { formatValue, singlesIn, weightAt, type Tunable } from "./space";
+import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import results from "./results.module.css";
 
 interface Props {
@@ -32,14 +32,14 @@ export function WeightsOf({ weights, beside, tunable }: Props) {
           <tr key={pointer}>
             <th scope="row">{title}</th>
             {items.map((item) => (
-              <Weight key={item.pointer} name={dotted(item.pointer)} {...{ weights, beside }} />
+              <Weight key={item.pointer} name={dotted(item.pointer)} field={item} {...{ weights, beside }} />
             ))}
           </tr>
         ))}
-        {singlesIn(tunable, weights).map(({ name, title }) => (
+        {singlesIn(tunable, weights).map(({ name, title, field }) => (
           <tr key={name}>
             <th scope="row">{title}</th>
-            <Weight name={name} {...{ weights, beside }} />
+            <Weight {...{ name, field }} {...{ weights, beside }} />
           </tr>
         ))}
       </tbody>
@@ -47,12 +47,12 @@ export function WeightsOf({ weights, beside, tunable }: Props) {
   );
 }
 
-function Weight({ name, weights, beside }: { readonly name: string } & Pick<Props, "weights" | "beside">) {
+function Weight({ name, field, weights, beside }: Pick<Single, "name" | "field"> & Pick<Props, "weights" | "beside">) {
   const [value, paper] = [weightAt(weights, name), beside && weightAt(beside, name)];
   return (
     <td data-weight={name} data-value={value ?? ""}>
-      {value === undefined ? "–" : formatValue(value)}
-      {paper !== undefined && paper !== value && <span className={results.was}>{formatValue(paper)}</span>}
+      {value === undefined ? "–" : formatValue(value, field)}
+      {paper !== undefined && paper !== value && <span className={results.was}>{formatValue(paper, field)}</span>}
     </td>
   );
 }

@@ -1,11 +1,21 @@
 import { describe, expect, it } from "vitest";
 import type { Figure } from "../batch/figures";
 import { placeProblems } from "../submission/problems";
-import { readDraft, objectiveOf, tuningPlace, type TuningDraft } from "./draft";
-import { weightAt, withWeights } from "./space";
+import { rangesFor, readDraft, objectiveOf, tuningPlace, type TuningDraft } from "./draft";
+import { readSchema } from "../editor/schema";
+import { formatValue, numberFields, ownText, tunableOf, weightAt, withWeights } from "./space";
 
 const TRAVEL: Figure = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
 const LOAD: Figure = { key: "bump.load.peak", label: "Load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
+
+const weight = { type: "number", minimum: 0, maximum: 1000 };
+const FORM = readSchema({
+  properties: {
+    lqr: { properties: { weights: { title: "Weights", prefixItems: [weight, weight, weight], soft_range: [0, 10] } } },
+    mpc: { properties: { expected_noise: { title: "Expected preview noise", type: "number", minimum: 0, maximum: 0.1, unit: "m", shown_unit: "mm", soft_range: [0, 0.005] } } },
+  },
+});
+const NUMBERS = numberFields(tunableOf(FORM, "lqr"));
 
 const DRAFT: TuningDraft = {
   strategy: "lqr",
@@ -21,7 +31,7 @@ const DRAFT: TuningDraft = {
   population: "8",
   seed: "3",
 };
-const read = (change: Partial<TuningDraft> = {}) => readDraft({ ...DRAFT, ...change }, [TRAVEL, LOAD]);
+const read = (change: Partial<TuningDraft> = {}) => readDraft({ ...DRAFT, ...change }, NUMBERS, [TRAVEL, LOAD]);
 const errorsOf = (change: Partial<TuningDraft>) => {
   const reading = read(change);
   return reading.ok ? {} : reading.errors;
@@ -46,6 +56,15 @@ describe("a draft of a tuning", () => {
         seed: 3,
       },
     });
+  });
+
+  it("takes ranges in the units that the form shows, and with any other", () => {
+    expect(rangesFor(FORM, "lqr")["mpc.expected_noise"]).toEqual({ on: false, from: "0.05", to: "5" });
+    const reading = read({ ranges: { "mpc.expected_noise": { on: true, from: "0.5", to: "0,2 cm" } } });
+    expect(reading.ok && reading.body.search).toEqual({ "mpc.expected_noise": [0.0005, 0.002] });
+    expect(errorsOf({ ranges: { "mpc.expected_noise": { on: true, from: "1", to: "101" } } })).toEqual({ "search.mpc.expected_noise": "Must be above 0 and at most 100\u00a0mm" });
+    const noise = NUMBERS.find(({ name }) => name === "mpc.expected_noise");
+    expect(noise && [noise.row, ownText({ mpc: { expected_noise: 0.003 } }, noise), formatValue(0.0025, noise.field)]).toEqual(["Expected preview noise [mm]", "3\u00a0mm", "2.5"]);
   });
 
   it.each<[Partial<TuningDraft>, string]>([

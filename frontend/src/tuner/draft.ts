@@ -3,12 +3,13 @@
 import type { TuningChoice } from "../api/jobs";
 import type { StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
+import { readTyped, typedText } from "../editor/limits";
 import type { Group } from "../editor/schema";
 import type { DraftErrors, PlaceOf } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
 import { readQuantity } from "../units/quantity";
 import { readSeeds } from "./seeds";
-import { numberFields, tunableOf } from "./space";
+import { numberFields, tunableOf, type TunableNumber } from "./space";
 
 export type Kind = "paper" | "peaks" | "figure";
 
@@ -28,6 +29,7 @@ export interface LimitDraft {
   readonly atMost: string;
 }
 
+/** Both ends in the field's shown unit. */
 export interface RangeDraft {
   readonly on: boolean;
   readonly from: string;
@@ -75,8 +77,9 @@ export const objectiveOf = (key: number, kind: Kind, figure: string | null = nul
 
 export function rangesFor(form: Group, strategy: StrategyId): Readonly<Record<string, RangeDraft>> {
   return Object.fromEntries(
-    numberFields(tunableOf(form, strategy)).map(({ name, single, field: { soft } }) => {
-      const [from, to] = single && !name.endsWith("deflection_weight") ? [formatInput(soft[0] || soft[1] / 100), formatInput(soft[1])] : RANGE;
+    numberFields(tunableOf(form, strategy)).map(({ name, single, field }) => {
+      const { soft } = field;
+      const [from, to] = single && !name.endsWith("deflection_weight") ? [typedText(field, soft[0] || soft[1] / 100), typedText(field, soft[1])] : RANGE;
       return [name, { on: !single, from, to }];
     }),
   );
@@ -133,13 +136,20 @@ function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put
   });
 }
 
-function search({ ranges }: TuningDraft, put: Put): TuningChoice["search"] {
-  const searched = Object.entries(ranges).filter(([, { on }]) => on);
+function search({ ranges }: TuningDraft, numbers: readonly TunableNumber[], put: Put): TuningChoice["search"] {
+  const searched = numbers.flatMap(({ name, field }) => {
+    const range = ranges[name];
+    return range?.on ? [{ name, field, range }] : [];
+  });
   if (searched.length === 0) put("search", "Choose at least one");
   return Object.fromEntries(
-    searched.map(([name, { from, to }]) => {
-      const refuse = () => put(`search.${name}`, "From above 0 to at most 1000");
-      const ends = [number(from, Number.MIN_VALUE, 1000, refuse), number(to, Number.MIN_VALUE, 1000, refuse)] as const;
+    searched.map(({ name, field, range }) => {
+      const end = (text: string) => {
+        const reading = readTyped(field, text);
+        if (!reading.ok) put(`search.${name}`, reading.message);
+        return reading.ok ? reading.value : NaN;
+      };
+      const ends = [end(range.from), end(range.to)] as const;
       if (ends[0] >= ends[1]) put(`search.${name}`, "From has to be less than to");
       return [name, ends];
     }),
@@ -154,7 +164,7 @@ function roads(text: string, field: string, least: number, put: Put): readonly n
 }
 
 /** What is sent, or what has to be changed first. */
-export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Reading {
+export function readDraft(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[]): Reading {
   const errors: Record<string, string> = {};
   const put: Put = (field, message) => void (errors[field] ??= message);
   const seeds = roads(draft.seeds, "seeds", 1, put);
@@ -164,7 +174,7 @@ export function readDraft(draft: TuningDraft, figures: readonly Figure[]): Readi
     strategy: draft.strategy,
     objectives: objectives(draft, put),
     limits: limits(draft, figures, put),
-    search: search(draft, put),
+    search: search(draft, numbers, put),
     ...(draft.previews.length > 1 ? { previews: draft.previews } : {}),
     ...(draft.uncertain ? { uncertain: true } : {}),
     ...(draft.quantile === "" ? {} : { quantile: Number(draft.quantile) }),

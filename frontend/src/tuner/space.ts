@@ -4,7 +4,8 @@ import type { Scenario, StrategyId, Weights } from "../api/types";
 import { getAt, setAt, type Pointer } from "../editor/path";
 import { findMember, optionTitle, type ChoiceField, type Group, type NumberField, type VectorField } from "../editor/schema";
 import { dotted, pointerOf } from "../sweep/fields";
-import { formatInput } from "../units/format";
+import { typedText, valueText } from "../editor/limits";
+import { titleWithUnit } from "../units/format";
 
 interface Space {
   readonly triples: readonly Pointer[];
@@ -47,11 +48,24 @@ export function tunableOf(form: Group, strategy: StrategyId): Tunable {
   };
 }
 
-/** Every single number by its dotted name, the triples' weights first. */
-export function numberFields({ triples, others }: Tunable): readonly { readonly name: string; readonly row: string; readonly field: NumberField; readonly single: boolean }[] {
+/** A single number that can be searched. */
+export interface TunableNumber {
+  /** Dotted name. */
+  readonly name: string;
+  /** The title of the row it stands in. */
+  readonly row: string;
+  /** With the limits of a search: by ratio, so from above 0. */
+  readonly field: NumberField;
+  /** It is none of a triple. */
+  readonly single: boolean;
+}
+
+/** The triples' weights first. */
+export function numberFields({ triples, others }: Tunable): readonly TunableNumber[] {
+  const searched = (field: NumberField): NumberField => (field.minimum > 0 ? field : { ...field, minimum: 0, exclusiveMinimum: true });
   return [
-    ...triples.flatMap((triple) => triple.items.map((field) => ({ name: dotted(field.pointer), row: triple.title, field, single: false }))),
-    ...others.map((field) => ({ name: dotted(field.pointer), row: titleOf(field), field, single: true })),
+    ...triples.flatMap((triple) => triple.items.map((field) => ({ name: dotted(field.pointer), row: triple.title, field: searched(field), single: false }))),
+    ...others.map((field) => ({ name: dotted(field.pointer), row: titleOf(field), field: searched(field), single: true })),
   ];
 }
 
@@ -59,7 +73,7 @@ export function numberFields({ triples, others }: Tunable): readonly { readonly 
 export const withWeights = (scenario: Scenario, weights: Weights): Scenario =>
   Object.entries(weights).reduce((result, [name, value]) => setAt(result, pointerOf(name), value), scenario);
 
-export const titleOf = ({ title, unit }: NumberField) => (unit === "1" ? title : `${title} [${unit}]`);
+const titleOf = ({ title, shown }: NumberField) => titleWithUnit(title, shown.unit);
 
 /** A single value of a trial: `mpc.stage_weights.bump.0` of `{"mpc.stage_weights.bump": [1, 1, 6]}`. */
 export function weightAt(weights: Weights, name: string): number | string | undefined {
@@ -70,15 +84,28 @@ export function weightAt(weights: Weights, name: string): number | string | unde
   return typeof list === "object" ? list[Number(index)] : undefined;
 }
 
+/** A value of a trial, as it stands in a table. */
+export interface Single {
+  readonly name: string;
+  readonly title: string;
+  readonly field: NumberField | ChoiceField;
+}
+
 /** What a trial has beside its triples: the numbers and the kind of preview that were searched. */
-export function singlesIn({ others, preview }: Tunable, weights: Weights): readonly { readonly name: string; readonly title: string }[] {
-  const all = [...others.map((field) => ({ name: dotted(field.pointer), title: titleOf(field) })), ...(preview ? [{ name: dotted(preview.pointer), title: preview.title }] : [])];
+export function singlesIn({ others, preview }: Tunable, weights: Weights): readonly Single[] {
+  const all = [
+    ...others.map((field) => ({ name: dotted(field.pointer), title: titleOf(field), field })),
+    ...(preview ? [{ name: dotted(preview.pointer), title: preview.title, field: preview }] : []),
+  ];
   return all.filter(({ name }) => name in weights);
 }
 
-export const formatValue = (value: number | string): string => (typeof value === "string" ? optionTitle(value) : formatInput(value));
+/** In the field's shown unit, without it. */
+export const formatValue = (value: number | string, field: NumberField | ChoiceField): string =>
+  typeof value === "string" ? optionTitle(value) : field.kind === "number" ? typedText(field, value) : String(value);
 
-export const ownWeight = (scenario: Scenario, name: string): number | undefined => {
+/** The scenario's own value, with its unit. */
+export const ownText = (scenario: Scenario, { name, field }: TunableNumber): string => {
   const value = getAt(scenario, pointerOf(name));
-  return typeof value === "number" ? value : undefined;
+  return typeof value === "number" ? valueText(field, value) : "as it is";
 };

@@ -7,9 +7,10 @@ import type { Figure } from "../batch/figures";
 import { TUNING } from "../jobs/useJob";
 import { useSubmission } from "../submission/useSubmission";
 import { readDraft, tuningPlace, type TuningDraft } from "./draft";
+import type { TunableNumber } from "./space";
 
-export function useNewTuning(draft: TuningDraft, figures: readonly Figure[], scenario: Scenario | undefined) {
-  const reading = useMemo(() => readDraft(draft, figures), [draft, figures]);
+export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[], scenario: Scenario | undefined) {
+  const reading = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
   return useSubmission({
     kind: "tuning",
     body: reading.ok && scenario ? { scenario, ...reading.body } : null,
