@@ -25,6 +25,7 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     height = float(dashboard.entry("Height").input_value())  # in cm
     assert height > 10
     assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == pytest.approx(height / 100)
+    expect(dashboard.page.get_by_role("img", name=f"Bump of height {height:g}\u00a0cm")).to_be_visible()
     dashboard.expect_table_to_be_the_stored_run()
     key = "passive bump.body_acceleration.peak"
     assert dashboard.shown_values()[key] > before[key]

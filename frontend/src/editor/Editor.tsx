@@ -13,9 +13,10 @@ import type { Pointer } from "./path";
 import type { Group } from "./schema";
 import { IconSearch } from "../icons";
 import { Fault } from "../ui/Fault";
+import { BumpDrawing } from "./BumpDrawing";
 import { VehicleChoice } from "./VehicleChoice";
 
-const VEHICLE = "/vehicle";
+const [VEHICLE, BUMP] = ["/vehicle", "/road/bump"];
 
 export function Editor({ form }: { readonly form: Group }) {
   const edit = useEdit();
@@ -122,6 +123,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
       </Accordion.Control>
       <Accordion.Panel>
         {isOpen && section.key === VEHICLE && <VehicleChoice group={{ ...section, kind: "group", pointer: section.key }} />}
+        {isOpen && section.key === BUMP && <BumpDrawing members={section.members} />}
         {isOpen && <Members members={section.members} />}
       </Accordion.Panel>
     </Accordion.Item>
