@@ -42,11 +42,16 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
     page.get_by_role("textbox", name="Validation roads").fill("101-102")
     page.get_by_role("textbox", name="Trials").fill("12")
     page.get_by_role("textbox", name="Population size").fill("6")
+    pages = page.get_by_role("navigation", name="Pages")
+    pages.get_by_role("link", name="Lab").click()
+    pages.get_by_role("link", name="Tuner").click()
+    expect(page.get_by_role("textbox", name="Trials")).to_have_value("12")
     # 12 sets of weights and the passive car on 1 road; then the paper's and the best on all 3, the passive car on 2.
     expect(page.get_by_test_id("tuning-estimate")).to_contain_text(re.compile(r"^\d+ runs in 2 generations, "))
     page.get_by_role("button", name="Start").click()
 
     expect(page).to_have_url(re.compile(r"/tuner/[\w-]{22}$"))
+    assert page.evaluate("Object.keys(localStorage).filter(name => name.includes('draft'))") == []
     expect_state(page, "Done")
     expect(page.get_by_test_id("tuning-counts")).to_have_text("12 of 12 trials")
     tuning = stored(server, page.url.split("/")[-1])
@@ -109,6 +114,8 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     page.get_by_role("textbox", name="Trials").fill("5000")
     expect(page.get_by_text(re.compile(r"runs are over the limit of"))).to_be_visible(timeout=LONG_MS)
     expect(start).to_be_disabled()
+    page.get_by_role("button", name="Reset").click()
+    expect(page.get_by_role("textbox", name="Trials")).to_have_value("200")
 
 
 def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Server) -> None:

@@ -1,17 +1,19 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
 import { Button, Checkbox, Switch, Text, TextInput } from "@mantine/core";
-import { useId, useState, type ReactNode } from "react";
+import { useId, type ReactNode } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
 import { EstimateLine } from "../sweep/EstimateLine";
 import { StrategyChoice } from "../sweep/StrategyChoice";
 import { prettyUnit } from "../units/format";
-import { draftStudy, exactText, type RangeDraft, type StudyDraft } from "./study";
+import { draftStudy, exactText, restoreStudy, type RangeDraft, type StudyDraft } from "./study";
 import { useStudy } from "./useStudy";
 import rows from "./form.module.css";
 import ui from "../ui/ui.module.css";
+import { useDraft } from "../state/useDraft";
 import { Fault, Problems } from "../ui/Fault";
+import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -25,9 +27,15 @@ interface Props {
 }
 
 export function StudyForm({ defaults, strategies, form, scenario, head, existing }: Props) {
-  const [draft, setDraft] = useState<StudyDraft>(() => draftStudy(defaults, form, existing));
+  const initial = () => draftStudy(defaults, form, existing);
+  const { draft, setDraft, isEdited, reset, forget } = useDraft({
+    name: existing ? "changed study" : "study",
+    of: existing?.id,
+    initial,
+    restore: (stored) => restoreStudy(stored, initial()),
+  });
   const patch = (change: Partial<StudyDraft>) => setDraft({ ...draft, ...change });
-  const { errors, general, estimate, pending, starting, start } = useStudy(draft, scenario);
+  const { errors, general, estimate, pending, starting, start } = useStudy(draft, scenario, forget);
   return (
     <form
       className={ui.card}
@@ -90,6 +98,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
       <Problems messages={general} mx="md" mb="xs" />
       <div className={ui.foot}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
+        {isEdited && <ResetDraft onReset={reset} />}
         <Button type="submit" disabled={estimate === undefined} loading={starting}>
           Start
         </Button>

@@ -4,6 +4,7 @@ import type { Batch, RobustnessDefaults, Scenario, StrategyId, Sweep } from "../
 import { typedText, valueText } from "../editor/limits";
 import { getAt } from "../editor/path";
 import type { Group } from "../editor/schema";
+import { isLike } from "../state/storage";
 import type { DraftErrors } from "../submission/problems";
 import { draftField, readDraft } from "../sweep/draft";
 import { sweepFields, type SweepField } from "../sweep/fields";
@@ -58,6 +59,18 @@ export function draftStudy(defaults: RobustnessDefaults, form: Group, existing?:
     strategies: existing?.strategies ?? defaults.strategies,
     oneByOne: true,
   };
+}
+
+/** A stored draft of the study that opens as `opening`. */
+export function restoreStudy(stored: unknown, opening: StudyDraft): StudyDraft | null {
+  const range = { field: { name: "" }, on: true, from: "", to: "" };
+  if (!isLike({ ranges: [range], samples: "", seed: "", strategies: [""], oneByOne: true }, stored)) return null;
+  const { samples, seed, strategies, oneByOne } = stored;
+  const ranges = opening.ranges.map((each) => {
+    const known = stored.ranges.find(({ field }) => field.name === each.field.name);
+    return known ? { ...each, on: known.on, from: known.from, to: known.to } : each;
+  });
+  return { ranges, samples, seed, strategies, oneByOne };
 }
 
 /** What is sent, or what has to be changed first. */

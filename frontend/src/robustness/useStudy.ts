@@ -8,7 +8,7 @@ import { useSubmission } from "../submission/useSubmission";
 import { sweepPlaces } from "../sweep/problems";
 import { readStudy, type StudyDraft } from "./study";
 
-export function useStudy(draft: StudyDraft, scenario: Scenario | undefined) {
+export function useStudy(draft: StudyDraft, scenario: Scenario | undefined, onSubmitted: () => void) {
   const reading = useMemo(() => readStudy(draft), [draft]);
   return useSubmission({
     kind: "batch",
@@ -16,6 +16,7 @@ export function useStudy(draft: StudyDraft, scenario: Scenario | undefined) {
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.ranges.map(({ field }) => field.name)),
     estimate: batches.estimate,
+    onSubmitted,
     submit: async (body, keyOf) => {
       const submit = (sent: typeof body) => batches.create(sent, keyOf(sent));
       const oneByOne = reading.ok ? reading.sweeps.oneByOne : null;

@@ -7,6 +7,7 @@ import type { Lab, LabState } from "./labState";
 import { hasErrors } from "./problems";
 import type { Router } from "./router";
 import { roadsOf } from "./shown";
+import { readStored, writeStored } from "./storage";
 
 const NAME = "ridelab-lab";
 
@@ -37,14 +38,10 @@ export interface Restored {
 
 /** `null` where nothing was kept, or the browser keeps nothing. */
 export function restore(): Restored | null {
-  try {
-    const value: unknown = JSON.parse(localStorage.getItem(NAME) ?? "null");
-    if (!isKept(value)) return null;
-    const { scenario, strategies, roads, search } = value;
-    return { lab: { history: begin(scenario), strategies, roads }, view: viewOf(readLabSearch(parseSearch(search))) };
-  } catch {
-    return null;
-  }
+  const value = readStored(NAME);
+  if (!isKept(value)) return null;
+  const { scenario, strategies, roads, search } = value;
+  return { lab: { history: begin(scenario), strategies, roads }, view: viewOf(readLabSearch(parseSearch(search))) };
 }
 
 export function keep(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
@@ -60,11 +57,7 @@ export function keep(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "
     if (parts.every((part, index) => part === written[index])) return;
     written = parts;
     const kept: Kept = { scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
-    try {
-      localStorage.setItem(NAME, JSON.stringify(kept));
-    } catch {
-      // Full, or forbidden: then a closed tab does not come back.
-    }
+    writeStored(NAME, kept);
   };
   lab.subscribe(write);
   router.subscribe(write);

@@ -20,6 +20,8 @@ interface Submission<Body, Estimate> {
   readonly estimate: (body: Body, signal: AbortSignal) => Promise<Estimate>;
   /** Begins it and says where it can be seen. What is sent carries its `keyOf`. */
   readonly submit: (body: Body, keyOf: (sent: unknown) => string) => Promise<NavigateOptions>;
+  /** Also where the reader has gone to another page meanwhile. */
+  readonly onSubmitted: () => void;
 }
 
 interface SubmissionState<Estimate> {
@@ -58,6 +60,7 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
   const router = useRouter();
   const started = useMutation({
     mutationFn: (body: Body) => submission.submit(body, keyOf),
+    onSuccess: submission.onSubmitted,
     networkMode: "always",
   });
 

@@ -2,11 +2,11 @@
 
 import { Button, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
-import { useMemo, useState } from "react";
+import { useMemo } from "react";
 import type { Scenario, Strategy } from "../api/types";
 import type { Group as Form } from "../editor/schema";
 import { SweepList } from "../batch/SweepList";
-import { draftField, type FieldDraft, type Method, type SweepDraft } from "./draft";
+import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
 import { EstimateLine } from "./EstimateLine";
 import { FieldPicker } from "./FieldPicker";
 import { linkable, sweepFields } from "./fields";
@@ -14,7 +14,9 @@ import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
 import { useSweep } from "./useSweep";
+import { useDraft } from "../state/useDraft";
 import { Problems } from "../ui/Fault";
+import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly form: Form;
@@ -30,18 +32,16 @@ const FIRST_FIELD = "road.bump.height";
 export function SweepDialog({ form, scenario, strategies, selected, onClose }: Props) {
   const fields = useMemo(() => sweepFields(form), [form]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
-  const [draft, setDraft] = useState<SweepDraft>(() => ({
-    method: "grid",
-    fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
-    samples: "200",
-    seed: "0",
-    strategies: selected,
-  }));
+  const { draft, setDraft, isEdited, reset, forget } = useDraft<SweepDraft>({
+    name: "sweep",
+    initial: () => ({ method: "grid", fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField), samples: "200", seed: "0", strategies: selected }),
+    restore: (stored) => restoreSweep(stored, fields),
+  });
   const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
   const patchField = (name: string, change: Partial<FieldDraft>) =>
     patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
   const free = fields.filter((field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)));
-  const { errors, general, estimate, pending, starting, start } = useSweep(draft, scenario);
+  const { errors, general, estimate, pending, starting, start } = useSweep(draft, scenario, forget);
 
   return (
     <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}>
@@ -102,6 +102,7 @@ export function SweepDialog({ form, scenario, strategies, selected, onClose }: P
       <div className={classes.footer}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
         <Group gap="xs" wrap="nowrap">
+          {isEdited && <ResetDraft onReset={reset} />}
           <Button variant="default" onClick={onClose}>
             Cancel
           </Button>

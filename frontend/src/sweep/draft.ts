@@ -4,6 +4,7 @@ import type { StrategyId, Sweep } from "../api/types";
 import { readTyped, typedText } from "../editor/limits";
 import { optionValue, type NumberField } from "../editor/schema";
 import type { DraftErrors } from "../submission/problems";
+import { isLike } from "../state/storage";
 import { parseInput } from "../units/format";
 import type { SweepField } from "./fields";
 
@@ -50,6 +51,22 @@ export function draftField(field: SweepField): FieldDraft {
     list: "",
     options: leaf.kind === "choice" ? leaf.options : [],
     linked: [],
+  };
+}
+
+/** A stored draft, over the form's fields of today. */
+export function restoreSweep(stored: unknown, fields: readonly SweepField[]): SweepDraft | null {
+  const name = { name: "" };
+  const field = { field: name, by: "", from: "", to: "", count: "", list: "", options: [""], linked: [name] };
+  if (!isLike({ method: "", fields: [field], samples: "", seed: "", strategies: [""] }, stored)) return null;
+  const find = (each: typeof name) => fields.find((known) => known.name === each.name) ?? [];
+  const { samples, seed, strategies } = stored;
+  return {
+    method: stored.method === "hypercube" ? "hypercube" : "grid",
+    fields: stored.fields.flatMap((each) => [find(each.field)].flat().map((known): FieldDraft => ({ ...each, field: known, by: each.by === "list" ? "list" : "steps", linked: each.linked.flatMap(find) }))),
+    samples,
+    seed,
+    strategies,
   };
 }
 

@@ -8,7 +8,7 @@ import { useSubmission } from "../submission/useSubmission";
 import { readDraft, type SweepDraft } from "./draft";
 import { sweepPlaces } from "./problems";
 
-export function useSweep(draft: SweepDraft, scenario: Scenario) {
+export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () => void) {
   const reading = useMemo(() => readDraft(draft), [draft]);
   return useSubmission({
     kind: "batch",
@@ -16,6 +16,7 @@ export function useSweep(draft: SweepDraft, scenario: Scenario) {
     errors: reading.ok ? null : reading.errors,
     placeOf: sweepPlaces(draft.fields.map(({ field }) => field.name)),
     estimate: batches.estimate,
+    onSubmitted,
     submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await batches.create(body, keyOf(body))).id } }),
   });
 }

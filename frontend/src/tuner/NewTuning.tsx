@@ -1,7 +1,7 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
 import { Button, Input, MultiSelect, NativeSelect, SegmentedControl, Switch, Text, TextInput } from "@mantine/core";
-import { useMemo, useState } from "react";
+import { useMemo } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { PageScenario } from "../origin/origin";
@@ -9,7 +9,7 @@ import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { optionTitle, type Group } from "../editor/schema";
 import { formatDuration } from "../units/dates";
 import { count } from "../units/format";
-import { firstDraft, rangesFor, type TuningDraft } from "./draft";
+import { firstDraft, rangesFor, restoreTuning, type TuningDraft } from "./draft";
 import { LimitRows } from "./LimitRows";
 import { ObjectiveRows } from "./ObjectiveRows";
 import { RangesTable } from "./RangesTable";
@@ -17,7 +17,9 @@ import { numberFields, TUNABLE, tunableOf } from "./space";
 import classes from "./tuner.module.css";
 import { useNewTuning } from "./useNewTuning";
 import ui from "../ui/ui.module.css";
+import { useDraft } from "../state/useDraft";
 import { Problems } from "../ui/Fault";
+import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly form: Group;
@@ -36,11 +38,11 @@ const QUANTILES = [
 ];
 
 export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
-  const [draft, setDraft] = useState<TuningDraft>(() => firstDraft(form));
+  const { draft, setDraft, isEdited, reset, forget } = useDraft<TuningDraft>({ name: "tuning", initial: () => firstDraft(form), restore: (stored) => restoreTuning(stored, form) });
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
   const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
   const numbers = useMemo(() => numberFields(tunable), [tunable]);
-  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, numbers, figures, source.scenario);
+  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, numbers, figures, source.scenario, forget);
   const { preview } = tunable;
   const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
     <TextInput
@@ -141,6 +143,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
                 ? "Counting…"
                 : "\u00a0"}
         </Text>
+        {isEdited && <ResetDraft onReset={reset} />}
         <Button type="submit" disabled={estimate === undefined} loading={starting}>
           Start
         </Button>

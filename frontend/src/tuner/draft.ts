@@ -5,11 +5,12 @@ import type { StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { readTyped, typedText } from "../editor/limits";
 import type { Group } from "../editor/schema";
+import { isLike } from "../state/storage";
 import type { DraftErrors, PlaceOf } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
 import { readQuantity } from "../units/quantity";
 import { readSeeds } from "./seeds";
-import { numberFields, tunableOf, type TunableNumber } from "./space";
+import { numberFields, TUNABLE, tunableOf, type TunableNumber } from "./space";
 
 export type Kind = "paper" | "peaks" | "figure";
 
@@ -100,6 +101,15 @@ export function firstDraft(form: Group, strategy: StrategyId = "lv"): TuningDraf
     population: "16",
     seed: "0",
   };
+}
+
+/** A stored draft, over the form's fields of today. */
+export function restoreTuning(stored: unknown, form: Group): TuningDraft | null {
+  const strategy = TUNABLE.find((id) => isLike({ strategy: "" }, stored) && stored.strategy === id);
+  if (strategy === undefined) return null;
+  const template: TuningDraft = { ...firstDraft(form, strategy), limits: [limitOf("")] };
+  if (!isLike(template, stored) || !stored.objectives.every(({ kind }) => kind in WINDOW_OF)) return null;
+  return stored;
 }
 
 type Put = (field: string, message: string) => void;

@@ -9,7 +9,7 @@ import { useSubmission } from "../submission/useSubmission";
 import { readDraft, tuningPlace, type TuningDraft } from "./draft";
 import type { TunableNumber } from "./space";
 
-export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[], scenario: Scenario | undefined) {
+export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[], scenario: Scenario | undefined, onSubmitted: () => void) {
   const reading = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
   return useSubmission({
     kind: "tuning",
@@ -17,6 +17,7 @@ export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber
     errors: reading.ok ? null : reading.errors,
     placeOf: tuningPlace,
     estimate: tunings.estimate,
+    onSubmitted,
     submit: async (body, keyOf) => ({ to: TUNING.page, params: { id: (await tunings.create(body, keyOf(body))).id } }),
   });
 }
