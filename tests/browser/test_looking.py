@@ -151,6 +151,7 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     page.keyboard.press("?")
     keys = page.get_by_role("dialog", name="Keys")
     expect(keys).to_contain_text("Undo")
+    expect(keys.get_by_role("row", name="Play the car")).to_contain_text("Space")
     dashboard.expect_accessible(keys)
     page.keyboard.press("Escape")
     expect(keys).to_have_count(0)

@@ -31,7 +31,6 @@ export type MeasuredRoad = Deep<Schemas["RoadAnswer"]>;
 export type CreatedRoad = Deep<Schemas["CreatedRoad"]>;
 /** A vehicle with its sources; its values are plain JSON, as the scenario's. */
 export type VehiclePreset = Deep<Omit<Schemas["VehicleAnswer"], "vehicle">> & { readonly vehicle: JsonObject };
-export type StageSpan = Deep<Schemas["Stage"]>;
 
 /** One strategy's figures; `cached` only where the answer is to a request that could have computed it. */
 export type Summary = Deep<Schemas["StrategyResult"]> & { readonly cached?: boolean };

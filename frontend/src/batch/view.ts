@@ -9,7 +9,7 @@ import { OPENING_FIGURE } from "./figures";
 /** Runs over a field, a metric over two fields, or one metric over another. */
 export type PlotKind = "points" | "map" | "trade_off";
 
-export const PLOT_KINDS: readonly PlotKind[] = ["points", "map", "trade_off"];
+const PLOT_KINDS: readonly PlotKind[] = ["points", "map", "trade_off"];
 
 export interface BatchView {
   /** `null` for what suits the sweep. */

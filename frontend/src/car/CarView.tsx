@@ -1,11 +1,12 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
 import { ActionIcon, NativeSelect, Tooltip } from "@mantine/core";
-import { useElementSize, useWindowEvent } from "@mantine/hooks";
+import { useElementSize } from "@mantine/hooks";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "../icons";
 import { useEffect, useEffectEvent, useState } from "react";
 import type { StrategyId } from "../api/types";
 import { axisUnit } from "../plots/figure";
+import { useCommands } from "../state/commands";
 import { cursor } from "../state/cursor";
 import type { Scene } from "../state/scene";
 import { useStore } from "../state/store";
@@ -51,11 +52,8 @@ export function CarView({ scene }: { readonly scene: Scene }) {
     );
   }, [playing]);
 
-  useWindowEvent("keydown", (event) => {
-    if (event.key !== " " || event.defaultPrevented || takesSpace(event.target)) return;
-    event.preventDefault(); // the page would scroll
-    setPlaying((before) => !before);
-  });
+  const toggle = () => setPlaying(!playing);
+  useCommands([{ group: "Lab", label: playing ? "Pause the car" : "Play the car", keys: "Space", run: toggle }]);
 
   if (!first) return null;
   return (
@@ -68,7 +66,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
       </div>
       <div className={classes.controls}>
         <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
-          <ActionIcon variant="light" size={30} aria-label={playing ? "Pause" : "Play"} onClick={() => setPlaying(!playing)}>
+          <ActionIcon variant="light" size={30} aria-label={playing ? "Pause" : "Play"} onClick={toggle}>
             {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
           </ActionIcon>
         </Tooltip>
@@ -95,10 +93,6 @@ export function CarView({ scene }: { readonly scene: Scene }) {
     </Card>
   );
 }
-
-/** Somebody types there, or presses it by the same key. */
-const takesSpace = (target: EventTarget | null) =>
-  target instanceof Element && target.closest("input, textarea, select, button, a, [role=slider], [role=dialog], [role=menu]") !== null;
 
 function Scrubber({ scene }: { readonly scene: Scene }) {
   const [low, high] = scene.range;

@@ -6,7 +6,7 @@ import type { Scene } from "../state/scene";
 import { restingCursor } from "./resting";
 
 /** Where the cursor is after `elapsed` seconds of the run, for one strategy; starts over past the range's end. */
-export function advance(scene: Scene, strategy: string, from: number, elapsed: number): number {
+function advance(scene: Scene, strategy: string, from: number, elapsed: number): number {
   const series = scene.series[strategy];
   const [low, high] = scene.range;
   if (from >= high || from < low) return low;

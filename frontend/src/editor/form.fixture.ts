@@ -5,7 +5,7 @@ import { readSchema } from "./schema";
 
 const weight = { type: "number", minimum: 0, maximum: 1000 };
 
-export const SCHEMA: JsonObject = {
+const SCHEMA: JsonObject = {
   $defs: {
     Bump: {
       type: "object",

@@ -17,7 +17,7 @@ const FOOT = 34;
 const GAP = 0.28; // of a panel, for its title
 
 /** One figure with a row for each panel over one x axis; the series are those on the screen, `other` the reference's. */
-export function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, own: SeriesByStrategy, other: SeriesByStrategy): PlotFigure & { readonly height: number } {
+function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, own: SeriesByStrategy, other: SeriesByStrategy): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
   const { residual, axis } = scene;
   const layers = residual ? [] : layersOf(scene);

@@ -1,6 +1,5 @@
 /** How the page writes the paper's numbers, as printed, and ours. */
 
-import { formatPercent } from "../tables/change";
 import { formatFixed } from "../units/format";
 
 /** Digits after the point of a number written in full; what conversion to another unit adds far behind is not there. */
@@ -33,6 +32,3 @@ export function spreadOf(value: number, [low = NaN, high = NaN]: Ends): string {
   if (!Number.isFinite(below + above)) return "";
   return Math.abs(below - above) < 0.05 ? `±\u2009${formatFixed(above, 1)}` : `${formatFixed(low, 1)} to ${formatFixed(high, 1)}`;
 }
-
-/** A change and its interval, in one line. */
-export const changeWithSpread = (value: number, ends: Ends) => `${formatPercent(value)} ${spreadOf(value, ends)}`.trim();

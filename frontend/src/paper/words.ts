@@ -23,7 +23,7 @@ export interface Words {
 
 type Labelled = readonly { readonly key: string; readonly label: string; readonly unit: string }[];
 
-export function wordsOf(catalogue: Catalogue, strategies: readonly Strategy[], templates: Readonly<Record<string, FigureTemplate>>): Words {
+function wordsOf(catalogue: Catalogue, strategies: readonly Strategy[], templates: Readonly<Record<string, FigureTemplate>>): Words {
   const label = (list: Labelled, key: string) => list.find((entry) => entry.key === key)?.label ?? key;
   return {
     strategies,

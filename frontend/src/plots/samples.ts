@@ -3,7 +3,7 @@
 import type { Numbers } from "./plotly";
 
 /** Index of the first sample at or after `x`; the length where there is none. */
-export function firstAtOrAfter(samples: Numbers, x: number): number {
+function firstAtOrAfter(samples: Numbers, x: number): number {
   let low = 0;
   let high = samples.length;
   while (low < high) {

@@ -2,7 +2,7 @@
 
 import { lazy, Suspense, useEffect, useEffectEvent, useState } from "react";
 import { commands, useCommands } from "../state/commands";
-import { belongsToFocus, isPressed, watchTyping } from "../state/keys";
+import { belongsToFocus, isPressed, watchTyping } from "./keys";
 
 const Palette = lazy(() => import("./Palette").then((module) => ({ default: module.Palette })));
 const KeyList = lazy(() => import("./KeyList").then((module) => ({ default: module.KeyList })));

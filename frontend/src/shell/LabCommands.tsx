@@ -6,6 +6,7 @@ import { useCommands, type Command } from "../state/commands";
 import { useDesk, useLab } from "../state/context";
 import { revealed } from "../state/reveal";
 import { sweepFields } from "../sweep/fields";
+import { useSelected } from "./useSelected";
 
 interface Props {
   readonly form: Group | undefined;
@@ -15,7 +16,7 @@ interface Props {
 
 export function LabCommands({ form, presets, strategies }: Props) {
   const { lab } = useDesk();
-  const selected = useLab((state) => state.strategies);
+  const { selected, toggle } = useSelected(strategies);
   const isReadOnly = useLab((state) => state.shared !== null);
 
   /** A text that is no value is the newest change. */
@@ -24,7 +25,6 @@ export function LabCommands({ form, presets, strategies }: Props) {
     if (rejected.length === 0) lab.undo();
     for (const pointer of rejected) lab.accept(pointer as `/${string}`);
   };
-  const toggle = (id: string) => lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => selected.includes(other) !== (other === id)));
 
   const edits: readonly Command[] = [
     { group: "Lab", label: "Undo", keys: "mod+Z", run: undo },

@@ -4,18 +4,16 @@ import { Button, Menu, Tooltip } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy } from "../api/types";
 import { IconChevronDown } from "../icons";
-import { useDesk, useLab } from "../state/context";
+import { useLab } from "../state/context";
 import { StrategyKey } from "../tables/StrategyKey";
 import bar from "./toolbar.module.css";
+import { useSelected } from "./useSelected";
 
 export const StrategyChoice = memo(function StrategyChoice({ strategies }: { readonly strategies: readonly Strategy[] }) {
-  const { lab } = useDesk();
-  const selected = useLab((state) => state.strategies);
+  const { selected, toggle } = useSelected(strategies);
   // A shared result has what it has: other strategies would be a new run.
   const summaries = useLab((state) => (state.shared ? state.shown?.summaries : undefined));
   const chips = useChips(selected);
-  const toggle = (id: string) =>
-    lab.setStrategies(strategies.map((strategy) => strategy.id).filter((other) => selected.includes(other) !== (other === id)));
   return (
     <div className={bar.choice}>
       <div className={bar.chips} role="group" aria-label="Strategies">

@@ -13,10 +13,10 @@ function withoutSeries(error: unknown): Histories {
 }
 
 /** One that could not be computed takes nothing from the others. */
-export const computedOf = ({ strategies }: Pick<Run, "strategies">): readonly StrategyId[] =>
+const computedOf = ({ strategies }: Pick<Run, "strategies">): readonly StrategyId[] =>
   Object.entries(strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : []));
 
-export const NOTHING_COMPUTED = "None of its strategies could be computed.";
+const NOTHING_COMPUTED = "None of its strategies could be computed.";
 
 type FetchSeries = (id: string, strategies: readonly StrategyId[], points: number, signal: AbortSignal) => Promise<SeriesByStrategy>;
 

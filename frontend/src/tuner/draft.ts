@@ -66,7 +66,7 @@ export const tuningPlace: PlaceOf = ([root, second]) => {
 };
 
 /** Where a sum over the passive car is taken unless somebody says otherwise. */
-export const WINDOW_OF: Readonly<Record<Kind, string>> = { paper: "whole", peaks: "bump", figure: "" };
+const WINDOW_OF: Readonly<Record<Kind, string>> = { paper: "whole", peaks: "bump", figure: "" };
 export const MOST_OBJECTIVES = 3;
 export const MOST_LIMITS = 8;
 const MOST_ROADS = 64;

@@ -9,14 +9,12 @@ export type MetresPerSecond = Brand<"m/s">;
 export type KilometresPerHour = Brand<"km/h">;
 export type Newtons = Brand<"N">;
 export type NewtonsPerMetre = Brand<"N/m">;
-export type Radians = Brand<"rad">;
 
 export const metres = (value: number) => value as Metres;
 export const seconds = (value: number) => value as Seconds;
 export const metresPerSecond = (value: number) => value as MetresPerSecond;
 export const newtons = (value: number) => value as Newtons;
 export const newtonsPerMetre = (value: number) => value as NewtonsPerMetre;
-export const radians = (value: number) => value as Radians;
 
 export const toKmh = (speed: MetresPerSecond) => (speed * 3.6) as KilometresPerHour;
 

@@ -12,7 +12,7 @@ export function isPressed(event: Pressed, keys: string): boolean {
 
 const NO_TEXT = ["range", "checkbox", "radio", "button", "submit", "file"];
 
-export const takesText = (target: EventTarget | null): target is HTMLInputElement | HTMLTextAreaElement =>
+const takesText = (target: EventTarget | null): target is HTMLInputElement | HTMLTextAreaElement =>
   target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && !NO_TEXT.includes(target.type));
 
 /** What Space does something to by itself. */
