@@ -5,7 +5,7 @@ import signal
 
 from hypothesis import HealthCheck, Phase, settings
 
-pytest_plugins = ["tests.servers.fixtures"]
+pytest_plugins = ["tests.servers.fixtures", "tests.browser.fixtures"]
 
 # One core is enough for 8 states, and threads only make timings and other test processes worse.
 for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):

@@ -177,7 +177,7 @@ def test_many_writers_of_the_same_results_wait_for_each_other(open_store: OpenSt
     """Each in an order of its own, where a database that locks row by row meets deadlocks."""
     stores = [open_store() for _ in range(4)]
     stores[0].migrate()
-    shared, rounds = [f"r{number:04}" for number in range(500)], range(3)
+    shared, rounds = [f"r{number:04}" for number in range(200)], range(3)
     together = threading.Barrier(len(stores), timeout=60)
 
     def write(number: int) -> None:

@@ -22,12 +22,13 @@ ARGUMENTS = (
 DOWNLOAD = [sys.executable, "-m", "playwright", "install", "--only-shell", "chromium"]
 
 
-def launch(playwright: Playwright) -> Browser:
-    """Starts it."""
+def launch(playwright: Playwright, *, back_forward_cache: bool = False) -> Browser:
+    """Starts it, by itself without the back/forward cache: Playwright does not follow a page that it brings back."""
     path = next(filter(None, map(shutil.which, NAMES)), None)
     if path is None and not _downloaded():
         path = find("chromium", package="chromium")
-    return playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
+    switched_on = ["--disable-back-forward-cache"] if back_forward_cache else []
+    return playwright.chromium.launch(executable_path=path, args=ARGUMENTS, ignore_default_args=switched_on)
 
 
 def _downloaded() -> bool:

@@ -4,16 +4,11 @@ from itertools import product
 
 import pytest
 
-from tests.browser.conftest import browser, context, dashboard, server  # noqa: F401  # its fixtures
 from tests.browser.dashboard import Dashboard
 from tests.browser.questions import QUESTIONS, Question
 from tests.browser.test_questions import SIZES, answered
 
 
 @pytest.mark.parametrize(("question", "size"), list(product(QUESTIONS, SIZES)))
-def test_a_question_is_answered_at_every_size(
-    dashboard: Dashboard,  # noqa: F811  # the fixture
-    question: Question,
-    size: tuple[int, int],
-) -> None:
+def test_a_question_is_answered_at_every_size(dashboard: Dashboard, question: Question, size: tuple[int, int]) -> None:
     answered(dashboard, question, size)
