@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import type { Scenario } from "../api/types";
+import type { Link, Scenario } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
 import { begin } from "./history";
 import { keep, restore } from "./kept";
@@ -11,7 +11,8 @@ import { createStore } from "./store";
 
 const LOW: Scenario = { height: 0.06 };
 const REFUSED: Scenario = { height: -1 };
-const exactOf = (scenario: Scenario) => ({ source: "exact", scenario, over: null }) as unknown as Shown;
+const THEIRS: Scenario = { height: 0.2 };
+const exactOf = (scenario: Scenario, opened = false) => ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Shown;
 
 beforeEach(() => {
   const texts = new Map<string, string>();
@@ -21,16 +22,36 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-it("A tab comes back with the last scenario that was computed, not with one on its way or refused", () => {
+function open() {
   const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
   const opening = createLab({ api: {} as never, router: router as never, queries: {} as never }).get();
   const store = createStore<LabState>({ ...opening, history: begin(LOW), exact: exactOf(LOW), busy: true });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   keep(store, router);
+  return patch;
+}
+
+it("A tab comes back with the last scenario that was computed, not with one on its way or refused", () => {
+  const patch = open();
   patch({ busy: true });
   expect(restore()).toBeNull();
   patch({ busy: false });
   patch({ history: begin(REFUSED), busy: true });
   patch({ refused: { ...NO_ERRORS, general: ["too low"] }, busy: false });
   expect(restore()?.lab.history?.present).toEqual(LOW);
+});
+
+it("A run or a link that is opened replaces nothing until it is edited", () => {
+  const patch = open();
+  const scenario = () => restore()?.lab.history?.present;
+  patch({ busy: false });
+  patch({ exact: exactOf(THEIRS, true) });
+  patch({ exact: exactOf(THEIRS), strategies: ["lv"] });
+  patch({ exact: exactOf(THEIRS, true), shared: {} as Link });
+  patch({ exact: exactOf(THEIRS), shared: null });
+  expect(scenario()).toEqual(LOW);
+  patch({ exact: exactOf({ height: 0.3 }) });
+  expect(scenario()).toEqual({ height: 0.3 });
+  patch({ exact: exactOf(THEIRS) });
+  expect(scenario()).toEqual(THEIRS);
 });

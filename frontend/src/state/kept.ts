@@ -1,6 +1,7 @@
 /** What a closed tab comes back with: the last scenario that was computed, and how it was looked at. */
 
 import type { Scenario, StrategyId } from "../api/types";
+import { sameValue } from "../editor/path";
 import { parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
 import { begin } from "./history";
 import type { Lab, LabState } from "./labState";
@@ -46,11 +47,16 @@ export function restore(): Restored | null {
 
 export function keep(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
   let written: readonly unknown[] = [];
+  /** Of a run or link that was opened: until it is edited, what somebody else made replaces nothing of one's own. */
+  let unedited: Scenario | null = null;
   const write = () => {
     const { exact, strategies, shared, busy, failure, refused } = lab.get();
     // What the server has not taken yet, it may refuse.
-    if (!exact || shared || busy || failure || hasErrors(refused)) return;
+    if (!exact || busy || failure || hasErrors(refused)) return;
     const { scenario } = exact;
+    if (shared || exact.timing.opened) unedited = scenario;
+    if (sameValue(scenario, unedited)) return;
+    unedited = null;
     const roads = roadsOf(exact);
     const { view } = router.get();
     const parts = [scenario, strategies, roads, view];
