@@ -1,6 +1,6 @@
 /** Every HTTP call of the page that no job has. */
 
-import { decodeSeries } from "./decode";
+import { decodeBand, decodeSeries } from "./decode";
 import { asQuery, BASE, get, post, postFile, send, sending } from "./http";
 import { readRun } from "./roads";
 import type {
@@ -8,6 +8,7 @@ import type {
   Catalogue,
   ControllerReport,
   CreatedRoad,
+  EncodedBand,
   EncodedSeries,
   FigureTemplate,
   JsonObject,
@@ -102,6 +103,13 @@ export const api = {
     const answer = await get<SeriesAnswer>(`/runs/${encodeURIComponent(id)}/series?${query}`, signal);
     const encoded = answer.strategies ?? (answer.strategy && answer.series ? { [answer.strategy]: answer.series } : {});
     return Object.fromEntries(Object.entries(encoded).map(([name, series]) => [name, decodeSeries(series)]));
+  },
+
+  /** Of a run over several roads: means and extremes. */
+  bands: async (id: string, strategies: readonly StrategyId[], signals: readonly string[], points: number, signal?: AbortSignal): Promise<SeriesByStrategy> => {
+    const query = new URLSearchParams({ strategy: strategies.join(","), signals: signals.join(","), points: String(points), encoding: "base64" });
+    const answer = await get<{ readonly strategies: Readonly<Record<StrategyId, EncodedBand>> }>(`/runs/${encodeURIComponent(id)}/bands?${query}`, signal);
+    return Object.fromEntries(Object.entries(answer.strategies).map(([name, band]) => [name, decodeBand(band)]));
   },
 
   seriesAddress: (id: string, strategy: StrategyId, format: "csv" | "parquet") =>

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { decodeArray, decodeSeries } from "./decode";
+import { decodeArray, decodeBand, decodeSeries, isExtreme, maximumOf, minimumOf } from "./decode";
 
 const encode = (array: Float32Array | Float64Array) =>
   btoa(String.fromCharCode(...new Uint8Array(array.buffer, array.byteOffset, array.byteLength)));
@@ -16,6 +16,13 @@ describe("typed arrays", () => {
 
   it("refuse a type nobody agreed on", () => {
     expect(() => decodeArray({ dtype: "i2", bdata: "" })).toThrow("i2");
+  });
+
+  it("over several roads have their extremes beside the means", () => {
+    const encoded = (value: number) => ({ dtype: "f4", bdata: encode(new Float32Array([value])) });
+    const series = decodeBand({ mean: { time: encoded(7), force: encoded(2) }, minimum: { force: encoded(1) }, maximum: { force: encoded(5) } });
+    expect([series.time, series.force, series[minimumOf("force")], series[maximumOf("force")]].map((values) => values?.[0])).toEqual([7, 2, 1, 5]);
+    expect(Object.keys(series).filter(isExtreme)).toHaveLength(2);
   });
 
   it("are decoded signal by signal", () => {

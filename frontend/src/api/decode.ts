@@ -25,6 +25,16 @@ export function decodeArray({ dtype, bdata }: EncodedArray): Float32Array {
 /** Series as the server sends them, by signal, decoded. */
 export type Series = Readonly<Record<string, Float32Array>>;
 
+export const minimumOf = (signal: string) => `${signal}.minimum`;
+export const maximumOf = (signal: string) => `${signal}.maximum`;
+export const isExtreme = (key: string) => key.includes(".");
+
 export function decodeSeries(encoded: Readonly<Record<string, EncodedArray>>): Series {
   return Object.fromEntries(Object.entries(encoded).map(([signal, array]) => [signal, decodeArray(array)]));
+}
+
+/** Series over several roads: the means by signal, beside them the extremes. */
+export function decodeBand({ mean, minimum, maximum }: Readonly<Record<"mean" | "minimum" | "maximum", Readonly<Record<string, EncodedArray>>>>): Series {
+  const named = (name: (signal: string) => string, encoded: typeof mean) => Object.fromEntries(Object.entries(decodeSeries(encoded)).map(([signal, values]) => [name(signal), values]));
+  return { ...decodeSeries(mean), ...named(minimumOf, minimum), ...named(maximumOf, maximum) };
 }

@@ -143,7 +143,12 @@ export type Combination = Attribution["rows"][number];
 export type PaperFigure = Deep<Omit<Schemas["PaperFigure"], "figure">> & { readonly figure: MadeFigure };
 
 export type EncodedSeries = Readonly<Record<SignalKey, Deep<Schemas["TypedArray"]>>>;
+/**
+ * Over several roads a signal's samples are the means, and under two names of their own stand the smallest and the largest
+ * values of all roads.
+ */
 export type SeriesByStrategy = Readonly<Record<StrategyId, Series>>;
+export type EncodedBand = Readonly<Record<"mean" | "minimum" | "maximum", EncodedSeries>>;
 
 /** A whole plotly figure with its data in it, as the server has made it. */
 export interface MadeFigure {

@@ -1,13 +1,14 @@
 /** All shown plots as one picture. */
 
 import type { QueryClient } from "@tanstack/react-query";
+import { isExtreme } from "../api/decode";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
-import { buildFigure, axisUnit } from "../plots/figure";
+import { buildFigure, axisUnit, overRoads } from "../plots/figure";
 import { layersOf } from "../plots/layers";
 import { ON_PAPER } from "../plots/palettes";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
 import { drawnOf, subtrahend } from "../plots/residual";
-import { loadDetail, referenceScene } from "../plots/useDetail";
+import { layeredFrom, loadDetail, ownScene, referenceScene } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
 
 const WIDTH = 1200;
@@ -35,7 +36,7 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     axes[`yaxis${suffix}`] = { ...layout.yaxis, anchor: name("x", index), domain: [top - row * (1 - GAP), top - row * 0.12] };
   });
   const data = built.flatMap((figure, index) =>
-    figure.data.map((trace) => ({ ...trace, xaxis: name("x", index), yaxis: name("y", index), showlegend: index === 0 })),
+    figure.data.map((trace) => ({ ...trace, xaxis: name("x", index), yaxis: name("y", index), showlegend: index === 0 && trace.showlegend !== false })),
   );
   const shapes = built.flatMap(({ layout }, index) =>
     layout.shapes.map((shape) => ({
@@ -50,6 +51,7 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     showarrow: false, font: { size: 13, color: ON_PAPER.text },
   }));
   const { runId, coreVersion } = scene.shown;
+  const roads = Object.values(own).some((series) => Object.keys(series).some(isExtreme)) ? scene.shown.over?.roads : undefined;
   const source = `Ridelab core ${coreVersion}${runId === null ? ", a live preview" : `, run ${runId}`}`;
   annotations.push({
     text: source, xref: "paper", yref: "paper", x: 0, y: 0, xanchor: "left", yanchor: "top", yshift: -30,
@@ -61,17 +63,17 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     layout: {
       ...axes,
       shapes, annotations,
-      title: { text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]`, font: { size: 15 }, x: 0.03 },
+      title: { text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]${roads === undefined ? "" : `. ${overRoads(roads, residual)}`}`, font: { size: 15 }, x: 0.03 },
       font: { family: "Arial, sans-serif", color: ON_PAPER.text },
       paper_bgcolor: "#ffffff", plot_bgcolor: "#ffffff",
       margin: { l: 60, r: 20, t: 70, b: 30 + FOOT },
-      showlegend: true, legend: { orientation: "h", y: 1, yanchor: "bottom", x: 1, xanchor: "right" },
+      showlegend: true, legend: { traceorder: "normal", orientation: "h", y: 1, yanchor: "bottom", x: 1, xanchor: "right" },
     },
   };
 }
 
 export async function plotsImage(client: QueryClient, figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, format: "png" | "svg"): Promise<string> {
-  const [plotly, own, other] = await Promise.all([loadPlotly(), loadDetail(client, scene), loadDetail(client, referenceScene(scene))]);
-  const { height, ...figure } = stackFigures(figures, scene, own, other);
+  const [plotly, own, other] = await Promise.all([loadPlotly(), loadDetail(client, ownScene(scene)), loadDetail(client, referenceScene(scene))]);
+  const { height, ...figure } = stackFigures(figures, { ...scene, ...layeredFrom(client, scene) }, own, other);
   return plotly.toImage(figure, { format, width: WIDTH, height, scale: format === "png" ? 2 : 1 });
 }

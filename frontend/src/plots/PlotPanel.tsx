@@ -29,6 +29,8 @@ export interface Curves {
   /** `null` while it is a preview. */
   readonly runId: string | null;
   readonly coreVersion: string;
+  /** Over how many roads the curves are means. */
+  readonly roads?: number;
   /** What the curves are differences to. */
   readonly minus?: string;
 }

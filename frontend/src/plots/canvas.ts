@@ -73,7 +73,17 @@ function tracePath(context: CanvasRenderingContext2D, x: Numbers, y: Numbers, fr
   context.stroke();
 }
 
+/** Between a trace and the one before it. */
+function fillBetween(context: CanvasRenderingContext2D, trace: PlotTrace, before: PlotTrace, frame: Frame): void {
+  context.beginPath();
+  for (let i = 0; i < before.x.length; i++) context.lineTo(frame.toX(before.x[i] ?? 0), frame.toY(before.y[i] ?? 0));
+  for (let i = trace.x.length - 1; i >= 0; i--) context.lineTo(frame.toX(trace.x[i] ?? 0), frame.toY(trace.y[i] ?? 0));
+  context.fillStyle = asText(trace.fillcolor, "transparent");
+  context.fill();
+}
+
 function drawTrace(context: CanvasRenderingContext2D, { x, y, line, opacity = 1 }: PlotTrace, frame: Frame): void {
+  if (line.width === 0) return;
   context.strokeStyle = asText(line.color, "#868e96");
   context.lineWidth = asNumber(line.width, 1.5);
   context.lineJoin = "round";
@@ -127,6 +137,10 @@ export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, siz
   context.clip();
   for (const shape of shapes) drawShape(context, shape, frame);
   drawGrid(context, figure, frame);
-  for (const trace of figure.data) drawTrace(context, trace, frame);
+  figure.data.forEach((trace, index) => {
+    const before = figure.data[index - 1];
+    if (trace.fill && before) fillBetween(context, trace, before, frame);
+    drawTrace(context, trace, frame);
+  });
   context.restore();
 }

@@ -1,5 +1,6 @@
 /** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
 
+import { maximumOf, minimumOf } from "../api/decode";
 import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../state/address";
 import type { Layer } from "./layers";
@@ -37,13 +38,43 @@ export const MARGIN = { l: 46, r: 10, t: 6, b: 22 } as const;
 export const axisSignal = (axis: Axis) => (axis === "distance" ? "position" : "time");
 export const axisUnit = (axis: Axis) => (axis === "distance" ? "m" : "s");
 
+/** What curves over several roads are, in words. */
+export const overRoads = (roads: number, isDifference: boolean) => (isDifference ? `Differences of the means of ${roads} roads` : `Mean of ${roads} roads; range: minimum to maximum`);
+
 function scaled(values: Numbers, factor: number): Numbers {
   return factor === 1 ? values : values.map((value) => value * factor);
 }
 
 function traces(input: FigureInput): readonly PlotTrace[] {
   const layers = [...(input.layers ?? []), { name: "", series: input.series, line: {}, opacity: 1 }];
-  return layers.flatMap((layer) => tracesOf(input, layer));
+  return [...bandTraces(input), ...layers.flatMap((layer) => tracesOf(input, layer))];
+}
+
+/** Of a band's colour behind its curve, in two hexadecimal digits: three of them over each other can still be told apart. */
+const BAND_OPACITY = "3d";
+
+/** From the smallest to the largest value over the roads, for each strategy that has them: two edges, filled in between. */
+function bandTraces({ template, series, strategies, axis, range }: FigureInput): readonly PlotTrace[] {
+  const { scale } = template.layout.meta;
+  return template.data.flatMap(({ name, meta: { strategy, signal } }): PlotTrace[] => {
+    const own = series[strategy];
+    const x = own?.[axisSignal(axis)];
+    const [low, high] = [own?.[minimumOf(signal)], own?.[maximumOf(signal)]];
+    const drawn = strategies.find(({ id }) => id === strategy);
+    if (!x || !low || !high || !drawn) return [];
+    const [from, to] = covering(x, range[0], range[1]);
+    const edge = (what: string, values: Numbers, fill: Partial<PlotTrace>): PlotTrace => ({
+      type: "scatter",
+      mode: "lines",
+      ...(name === undefined ? {} : { name: `${name}, ${what}` }),
+      x: x.subarray(from, to),
+      y: scaled(values.subarray(from, to), scale),
+      line: { width: 0 },
+      showlegend: false,
+      ...fill,
+    });
+    return [edge("minimum", low, {}), edge("maximum", high, { fill: "tonexty", fillcolor: `${drawn.colour}${BAND_OPACITY}` })];
+  });
 }
 
 function tracesOf({ template, strategies, axis, range }: FigureInput, { name, series, line, opacity }: Layer): readonly PlotTrace[] {

@@ -1,7 +1,7 @@
 /** The curves of one figure as a table, with where they come from. */
 
 import type { FigureTemplate } from "../api/types";
-import { axisSignal, axisUnit, buildFigure } from "./figure";
+import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
 import { ON_PAPER } from "./palettes";
 import type { Curves } from "./PlotPanel";
 
@@ -19,6 +19,7 @@ export function figureCsv(template: FigureTemplate, curves: Curves, address: str
     `# Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, less ${curves.minus}`}`,
     `# run: ${curves.runId ?? "none, a live preview"}`,
     `# core: ${curves.coreVersion}`,
+    ...(curves.roads === undefined ? [] : [`# ${overRoads(curves.roads, curves.minus !== undefined)}`]),
     `# scenario: ${address}`,
   ];
   const names = data.flatMap(({ name = title }) => [`${name}: ${axisSignal(curves.axis)} [${axisUnit(curves.axis)}]`, `${name}: ${title} [${unit}]`]);

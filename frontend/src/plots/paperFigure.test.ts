@@ -37,6 +37,13 @@ describe("a figure for a paper", () => {
     expect(figure.data.map(({ line }) => line.color)).toEqual(["#1C5FDF", "#1C5FDF"]);
   });
 
+  it("says what curves over several roads are", () => {
+    const below = (shown: Partial<Curves>) => (paperFigure(template, { ...curves, ...shown }, { width: 88, font: 9 }).layout.xaxis as { title: { text: string } }).title.text;
+    expect(below({ roads: 10 })).toBe("Position [m]<br>Mean of 10 roads; range: minimum to maximum");
+    expect(below({ roads: 10, minus: "Passive" })).toBe("Position [m]<br>Differences of the means of 10 roads");
+    expect(figureCsv(template, { ...curves, roads: 10 }, "")).toContain("\n# Mean of 10 roads; range: minimum to maximum\n");
+  });
+
   it("is as wide wherever it is placed", () => {
     expect(sized('<svg class="main-svg" width="333" height="238"><g width="5"/></svg>', 88, 63)).toBe(
       '<svg width="88mm" height="63mm" viewBox="0 0 333 238" class="main-svg"><g width="5"/></svg>',

@@ -1,7 +1,7 @@
 /** One figure as a paper or a slide takes it: a width in millimetres, a font size in points, light colours. */
 
 import type { FigureTemplate } from "../api/types";
-import { axisSignal, buildFigure } from "./figure";
+import { axisSignal, buildFigure, overRoads } from "./figure";
 import { ON_PAPER } from "./palettes";
 import type { Curves } from "./PlotPanel";
 import { loadPlotly, type PlotFigure } from "./plotly";
@@ -45,6 +45,7 @@ export function paperFigure(template: FigureTemplate, curves: Curves, { width, f
   const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
   const axis = { automargin: true, tickmode: "auto", tickfont: { size: font * POINT } };
   const less = curves.minus === undefined ? "" : `, less ${curves.minus}`;
+  const said = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
   return {
     width,
     height: heightOf(width),
@@ -55,10 +56,10 @@ export function paperFigure(template: FigureTemplate, curves: Curves, { width, f
       margin: { l: 8, r: 8, t: 8, b: 8 },
       paper_bgcolor: "#ffffff",
       plot_bgcolor: "#ffffff",
-      xaxis: { ...layout.xaxis, ...axis, nticks: 7, title: { text: meta.axes[axisSignal(curves.axis)] ?? "", standoff: 6 } },
-      yaxis: { ...layout.yaxis, ...axis, nticks: 6, title: { text: `${meta.title} [${meta.unit}]${less}`, standoff: 6 } },
+      xaxis: { ...layout.xaxis, ...axis, nticks: 7, title: { text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${said}`, font: { size: font * POINT }, standoff: 6 } },
+      yaxis: { ...layout.yaxis, ...axis, nticks: 6, title: { text: `${meta.title} [${meta.unit}]${less}`, font: { size: font * POINT }, standoff: 6 } },
       showlegend: true,
-      legend: { orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size: font * POINT } },
+      legend: { traceorder: "normal", orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size: font * POINT } },
     },
   };
 }

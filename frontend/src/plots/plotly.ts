@@ -13,6 +13,10 @@ export interface PlotTrace {
   readonly y: Numbers;
   readonly line: Readonly<Record<string, unknown>>;
   readonly opacity?: number;
+  /** Fills up to the trace before it. */
+  readonly fill?: "tonexty";
+  readonly fillcolor?: string;
+  readonly showlegend?: boolean;
 }
 
 /** Single runs as points. */

@@ -1,6 +1,8 @@
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
+import { maximumOf, minimumOf } from "../api/decode";
 import type { FigureTemplate, Summary } from "../api/types";
-import { buildFigure, type FigureInput } from "./figure";
+import { drawOnCanvas } from "./canvas";
+import { buildFigure, MARGIN, type FigureInput } from "./figure";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
 import { ticksFor } from "./ticks";
 import { keepsRange } from "./painter";
@@ -85,6 +87,54 @@ describe("a filled figure", () => {
     const [low, high] = buildFigure({ ...input, range: [3.2, 4] }).layout.yaxis.range;
     expect(low).toBeGreaterThan(-1);
     expect(high).toBeGreaterThan(2);
+  });
+});
+
+describe("a figure over several roads", () => {
+  const [low, high] = [LOAD.map((value) => value - 2000), LOAD.map((value) => value + 1000)];
+  const own = { position: X, time: X, load: LOAD, [minimumOf("load")]: low, [maximumOf("load")]: high };
+  const over = { ...input, series: { lv: own }, layers: [{ name: "before the edit", series: { lv: own }, line: {}, opacity: 0.5 }] };
+
+  it("has a band from the smallest to the largest value under every curve", () => {
+    const { data, layout } = buildFigure(over);
+    expect(data.map(({ y }) => y[1])).toEqual([-8, -5, -6, -6]);
+    const [bottom, top] = data;
+    expect(bottom).toMatchObject({ line: { width: 0 }, showlegend: false });
+    expect(bottom).not.toHaveProperty("fill");
+    expect(top).toMatchObject({ fill: "tonexty", fillcolor: "#1234563d", showlegend: false });
+    expect(layout.yaxis.range[0]).toBeLessThan(-9);
+  });
+
+  it("shows where a tyre leaves one of the roads", () => {
+    const shapes = buildFigure({ ...over, series: { lv: { ...own, load: LOAD.map((value) => value / 2) } } }).layout.shapes;
+    expect(shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 3, opacity: expect.any(Number) as number }));
+  });
+
+  it("is filled by the canvas between the two edges, in that colour, and no edge is drawn", () => {
+    vi.stubGlobal("window", { devicePixelRatio: 1 });
+    vi.stubGlobal("getComputedStyle", () => ({ fontFamily: "Arial" }));
+    let path: (readonly [number, number])[] = [];
+    const filled: unknown[] = [];
+    const stroked: unknown[] = [];
+    const context = new Proxy<Record<string, unknown>>(
+      {
+        beginPath: () => (path = []),
+        lineTo: (x: number, y: number) => path.push([x, y]),
+        fill: () => filled.push([context.fillStyle, path]),
+        stroke: () => stroked.push(context.strokeStyle),
+      },
+      { get: (target, name: string) => target[name] ?? (() => undefined) },
+    );
+    const canvas = { width: 0, height: 0, getContext: () => context } as unknown as HTMLCanvasElement;
+    const figure = buildFigure({ ...over, layers: [] });
+    drawOnCanvas(canvas, figure, { width: MARGIN.l + MARGIN.r + 400, height: MARGIN.t + MARGIN.b + 100 });
+    const [bottom, top] = figure.layout.yaxis.range;
+    const toY = (y: number) => expect.closeTo((100 * (top - y)) / (top - bottom), 6) as number;
+    expect(filled).toEqual([
+      ["#1234563d", [...[...low].map((y, index) => [100 * index, toY(y / 1000)]), ...[...high].map((y, index) => [100 * index, toY(y / 1000)]).reverse()]],
+    ]);
+    expect(stroked.filter((colour) => colour === "#123456")).toHaveLength(1);
+    vi.unstubAllGlobals();
   });
 });
 

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { maximumOf, minimumOf } from "../api/decode";
 import type { SeriesByStrategy } from "../api/types";
 import type { Axis } from "../state/address";
 import type { Scene } from "../state/scene";
@@ -25,6 +26,11 @@ describe("curves as differences", () => {
   it("are zero against itself, and there are none of what only one has", () => {
     expect([...(differences(now, now, "time").lv?.speed ?? [])]).toEqual([0, 0, 0]);
     expect(differences(now, { passive: now.lv }, "time")).toEqual({});
+  });
+
+  it("are those of the means, without a band", () => {
+    const over = { lv: { ...now.lv, [minimumOf("speed")]: numbers(4, 6, 8), [maximumOf("speed")]: numbers(6, 8, 10) } };
+    expect(Object.keys(differences(over, now, "time").lv ?? {})).toEqual(["time", "position", "speed"]);
   });
 
   it("are shaded where the car itself braked", () => {

@@ -1,6 +1,6 @@
 /** Curves as differences: each strategy's values less those of what changes are against, at the same place. */
 
-import type { Series } from "../api/decode";
+import { isExtreme, type Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import type { Axis } from "../state/address";
 import { axisKey, type Scene } from "../state/scene";
@@ -33,7 +33,9 @@ function difference(one: Series, other: Series, axis: Axis): Series {
     const at = resampled(samples, reference, places);
     return values.map((value, index) => value - (at[index] ?? 0));
   };
-  return Object.fromEntries(Object.entries(one).map(([key, values]) => [key, less(key, values)]));
+  // Extremes over roads are those of different roads: the means alone have a difference.
+  const keys = Object.keys(one).filter((key) => !isExtreme(key));
+  return Object.fromEntries(keys.map((key) => [key, less(key, one[key] ?? places)]));
 }
 
 /** Of those strategies that both have. */

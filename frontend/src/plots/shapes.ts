@@ -1,7 +1,7 @@
 /** What stands behind the curves: driving stages, airborne stretches, reference lines. */
 
 import type { FigureMeta, StrategyId, Summary } from "../api/types";
-import type { Series } from "../api/decode";
+import { minimumOf, type Series } from "../api/decode";
 import type { Axis } from "../state/address";
 import type { FigureInput } from "./figure";
 import { axisKey } from "../state/scene";
@@ -57,7 +57,7 @@ export function stageShapes({ template, driven, summaries, strategies: shown, ax
   return [...shading, ...marks];
 }
 
-/** Where a tyre's dynamic load falls below minus its static load: there the wheel would leave the road. */
+/** Where a tyre's dynamic load falls below minus its static load, on one road at least: there the wheel would leave it. */
 export function airborneShapes({ template, series, summaries, strategies, axis }: FigureInput): readonly Shape[] {
   const lift = Object.entries(template.layout.meta.reference_factors).find(
     ([key, factors]) => key.endsWith("static_load") && factors.includes(-1),
@@ -67,7 +67,8 @@ export function airborneShapes({ template, series, summaries, strategies, axis }
   return strategies.flatMap(({ id: strategy, colour }) => {
     const limit = summaries[strategy]?.reference[lift];
     const x = series[strategy]?.[sample];
-    const load = series[strategy]?.[template.layout.meta.signal];
+    const { signal } = template.layout.meta;
+    const load = series[strategy]?.[minimumOf(signal)] ?? series[strategy]?.[signal];
     if (typeof limit !== "number" || !x || !load) return [];
     return stretchesBelow(x, load, -limit).map(([from, to]) => upright(from, to, colour, { opacity: AIRBORNE_OPACITY }));
   });

@@ -1,9 +1,11 @@
-/** The series to draw: an exact run's finer samples once somebody looks closely, else those there are. */
+/** The series to draw: means over a run's roads, finer samples once somebody looks closely, else those there are. */
 
-import { useQuery, type QueryClient } from "@tanstack/react-query";
-import type { SeriesByStrategy } from "../api/types";
-import { DETAIL_POINTS, seriesQuery } from "../state/queries";
+import { useQueries, useQuery, type QueryClient } from "@tanstack/react-query";
+import { useCallback, useMemo } from "react";
+import type { FigureTemplate, SeriesByStrategy } from "../api/types";
+import { DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
 import { axisKey, type Scene } from "../state/scene";
+import { roadsOf, type Shown } from "../state/shown";
 import { covering } from "./samples";
 
 /** Fewer samples of a curve in the range shown are too coarse for a screen. */
@@ -21,19 +23,83 @@ function needsDetail({ shown, ids, series, axis, range }: Drawn): boolean {
   return coarse && shown.runId !== null;
 }
 
-const detailQuery = ({ shown }: Drawn) => seriesQuery(shown.runId ?? "", Object.keys(shown.summaries), DETAIL_POINTS);
+/** Of the plots over all roads: the road itself and the car stay those of the first. */
+const signalsOf = (figures: Readonly<Record<string, FigureTemplate>> = {}) => Object.entries(figures).flatMap(([name, { layout }]) => (name === "road" ? [] : [layout.meta.signal]));
+
+const computedIn = ({ summaries }: Shown) => Object.keys(summaries);
+const hasMeans = ({ over, runId, missing }: Shown) => over !== null && runId !== null && missing === null;
+
+function meansQuery(shown: Shown, figures: Readonly<Record<string, FigureTemplate>> | undefined) {
+  const query = seriesQuery(shown.runId ?? "", computedIn(shown), OVERVIEW_POINTS, signalsOf(figures));
+  return { ...query, enabled: figures !== undefined && hasMeans(shown) };
+}
+
+/** A band has three curves: half as many samples of each. */
+const detailQuery = (shown: Shown, signals: readonly string[] | null) => seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
+
+/** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
+export function useMeans(shown: Shown): SeriesByStrategy | undefined {
+  const means = useQuery(meansQuery(shown, useQuery(figuresQuery).data)).data;
+  return hasMeans(shown) ? means : undefined;
+}
 
 export function useDetail(drawn: Drawn): SeriesByStrategy {
-  const needed = needsDetail(drawn);
-  const detail = useQuery({ ...detailQuery(drawn), enabled: needed });
-  return needed && detail.data ? detail.data : drawn.series;
+  const figures = useQuery(figuresQuery).data;
+  const { shown } = drawn;
+  const means = useMeans(shown);
+  const series = means ?? drawn.series;
+  const needed = needsDetail({ ...drawn, series });
+  const detail = useQuery({ ...detailQuery(shown, means ? signalsOf(figures) : null), enabled: needed });
+  return needed && detail.data ? detail.data : series;
 }
 
-/** The same for a file: waits for the finer samples. */
+/** The same for a file: waits for the finer samples of what is on the screen. */
 export async function loadDetail(client: QueryClient, drawn: Drawn): Promise<SeriesByStrategy> {
-  return needsDetail(drawn) ? client.query({ ...detailQuery(drawn), staleTime: "static" }) : drawn.series;
+  const { shown } = drawn;
+  const means = cachedMeans(client, shown);
+  const series = means ?? drawn.series;
+  if (!needsDetail({ ...drawn, series })) return series;
+  const signals = means ? signalsOf(client.getQueryData(figuresQuery.queryKey)) : null;
+  return client.query({ ...detailQuery(shown, signals), staleTime: "static" });
 }
 
-/** What the scene's curves are differences to; the scene itself where that is one of its strategies, or none. */
-export const referenceScene = (scene: Scene): Drawn =>
-  scene.residual && scene.reference ? { ...scene, shown: scene.reference.shown, series: scene.reference.shown.series } : scene;
+function cachedMeans(client: QueryClient, shown: Shown): SeriesByStrategy | undefined {
+  if (!hasMeans(shown)) return undefined;
+  return client.getQueryData(meansQuery(shown, client.getQueryData(figuresQuery.queryKey)).queryKey);
+}
+
+type Layered = Pick<Scene, "shown" | "before" | "pins">;
+
+/** What else is drawn beside means is means too; beside one road's curves it is one road's. */
+function withMeans({ shown, before, pins }: Layered, meansOf: (shown: Shown) => SeriesByStrategy | undefined): Layered {
+  const averaged = (result: Shown): Shown => ({ ...result, series: (shown.over && meansOf(result)) ?? result.series });
+  return { shown, before: before && averaged(before), pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })) };
+}
+
+export function useLayered({ shown, before, pins }: Layered): Layered {
+  const figures = useQuery(figuresQuery).data;
+  const others = useMemo(() => (shown.over ? [before, ...pins.map((pin) => pin.shown)].filter((each) => each !== null).filter(hasMeans) : []), [shown.over, before, pins]);
+  const means = useQueries({
+    queries: others.map((other) => meansQuery(other, figures)),
+    combine: useCallback((results: readonly { readonly data: SeriesByStrategy | undefined }[]) => results.map(({ data }) => data), []),
+  });
+  return useMemo(() => withMeans({ shown, before, pins }, (result) => means[others.indexOf(result)]), [shown, before, pins, means, others]);
+}
+
+/** The same for a file: what is on the screen. */
+export const layeredFrom = (client: QueryClient, scene: Layered): Layered => withMeans(scene, (result) => cachedMeans(client, result));
+
+const onOneRoad = (shown: Shown): Shown => ({ ...shown, over: null });
+
+/** Curves are compared over equally many roads, or on the first of each. */
+const isAlike = ({ shown, reference }: Scene) => reference === null || roadsOf(reference.shown) === roadsOf(shown);
+
+/** What the scene's curves are of. */
+export const ownScene = (scene: Scene): Drawn => (scene.residual && !isAlike(scene) ? { ...scene, shown: onOneRoad(scene.shown) } : scene);
+
+/** What they are differences to; the scene itself where that is one of its strategies, or none. */
+export function referenceScene(scene: Scene): Drawn {
+  if (!scene.residual || !scene.reference) return scene;
+  const { shown } = scene.reference;
+  return { ...scene, shown: isAlike(scene) ? shown : onOneRoad(shown), series: shown.series };
+}

@@ -1,18 +1,30 @@
-/** Says over how many roads the numbers are, and which road the curves are of. */
+/** Says over how many roads the numbers and the curves are, and which road the rest is of. */
 
 import { Text } from "@mantine/core";
-import type { Scene } from "../state/scene";
 import { getAt } from "../editor/path";
+import { ownScene, useMeans } from "../plots/useDetail";
+import { useLab } from "../state/context";
+import type { Scene } from "../state/scene";
 import classes from "./shell.module.css";
 
-export function RoadsNote({ scene: { shown, baseline, reference } }: { readonly scene: Scene }) {
-  const { over, scenario } = shown;
-  if (over === null) return null;
+export function RoadsNote({ scene }: { readonly scene: Scene }) {
+  const { shown, baseline, reference, residual } = scene;
+  const { over, scenario, source } = shown;
+  const asked = useLab((state) => state.roads);
+  const hasMeans = useMeans(ownScene(scene).shown) !== undefined;
   const seed = getAt(scenario, "/road/seed");
+  const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
+  if (over === null && (source === "exact" || asked === 1)) return null;
   return (
     <Text size="xs" c="dimmed" className={classes.roadsNote ?? ""} data-testid="roads">
-      Mean of {over.roads} roads ± 95 % interval{reference === null && over.baseline === baseline ? "; changes are paired, no arrow where the interval includes zero" : ""}. Curves and events: road seed{" "}
-      {typeof seed === "number" ? seed : "?"}.
+      {over === null ? (
+        `While a value moves: ${first} alone; then the mean of ${asked} roads.`
+      ) : (
+        <>
+          Mean of {over.roads} roads ± 95 % interval{reference === null && over.baseline === baseline ? "; changes are paired, no arrow where the interval includes zero" : ""}.{" "}
+          {hasMeans ? `Curves: ${residual ? "differences of the means" : "mean and range"}. Car, road and events: ${first}.` : `Curves, car and events: ${first}.`}
+        </>
+      )}
     </Text>
   );
 }

@@ -2,6 +2,7 @@
 
 import type { Catalogue, FigureMeta } from "../api/types";
 import { stagedStrategy } from "../plots/shapes";
+import { ownScene, useMeans } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
 import classes from "./legend.module.css";
 
@@ -18,6 +19,7 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
   const stages = catalogue.stages.filter(({ key }) => key in meta.stage_fills);
   const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
   const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
+  const hasBand = useMeans(ownScene(scene).shown) !== undefined && !scene.residual;
   const several = scene.axis === "time" && scene.ids.length > 1;
   return (
     <p className={classes.legend}>
@@ -29,9 +31,14 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
       <span>
         <span className={classes.dashes} style={{ borderTopColor: meta.neutral }} /> limit, static load or target
       </span>
-      {airborne && (
+      {hasBand && (
         <span>
-          <span className={classes.fill} data-stage="airborne" /> tyre off the road
+          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of {scene.shown.over?.roads} roads
+        </span>
+      )}
+      {(airborne || hasBand) && (
+        <span>
+          <span className={classes.fill} data-stage="airborne" /> tyre off the road{hasBand && ", on one of them at least"}
         </span>
       )}
       {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}

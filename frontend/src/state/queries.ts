@@ -41,11 +41,11 @@ export const linkKey = (slug: string) => ["link", slug] as const;
 
 export const seriesKey = (id: string, strategies: readonly StrategyId[], points: number) => ["series", id, points, strategies] as const;
 
-/** Time histories of a run; runs are immutable, so an answer never grows stale. */
-export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number) {
+/** Time histories of a run, with signals means and extremes of these over its roads; runs are immutable, so an answer never grows stale. */
+export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number, overRoads: readonly string[] | null = null) {
   return queryOptions({
-    queryKey: seriesKey(id, strategies, points),
-    queryFn: ({ signal }) => api.series(id, strategies, points, signal),
+    queryKey: [...seriesKey(id, strategies, points), ...(overRoads ?? [])],
+    queryFn: ({ signal }) => (overRoads ? api.bands(id, strategies, overRoads, points, signal) : api.series(id, strategies, points, signal)),
     staleTime: Infinity,
     gcTime: 5 * 60_000,
   });

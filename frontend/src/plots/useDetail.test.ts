@@ -1,0 +1,33 @@
+import { QueryClient } from "@tanstack/react-query";
+import { expect, it } from "vitest";
+import type { FigureTemplate, OverRoads } from "../api/types";
+import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
+import type { Scene } from "../state/scene";
+import type { Shown } from "../state/shown";
+import { layeredFrom, referenceScene } from "./useDetail";
+
+const numbers = (...values: number[]) => new Float32Array(values);
+const panel = (signal: string) => ({ layout: { meta: { signal } } }) as unknown as FigureTemplate;
+const result = (runId: string, roads: number) =>
+  ({ runId, summaries: { lv: {} }, series: { lv: { speed: numbers(1) } }, missing: null, over: roads > 1 ? ({ roads } as OverRoads) : null }) as unknown as Shown;
+
+const client = new QueryClient();
+client.setQueryData(figuresQuery.queryKey, { road: panel("front_road"), speed: panel("speed") });
+const means = { lv: { speed: numbers(2) } };
+for (const id of ["ten", "before"]) client.setQueryData(seriesQuery(id, ["lv"], OVERVIEW_POINTS, ["speed"]).queryKey, means);
+
+it("beside means stand means, beside one road's curves one road's", () => {
+  const scene = { before: result("before", 10), pins: [{ name: "one", shown: result("one", 1) }, { name: "gone", shown: result("gone", 10) }] };
+  const beside = (shown: Shown) => {
+    const { before, pins } = layeredFrom(client, { shown, ...scene });
+    return [before, ...pins.map((pin) => pin.shown)].map((each) => each?.series.lv?.speed?.[0]);
+  };
+  expect(beside(result("ten", 10))).toEqual([2, 1, 1]);
+  expect(beside(result("one", 1))).toEqual([1, 1, 1]);
+});
+
+it("a difference to a result over other numbers of roads is that of the first road", () => {
+  const scene = (roads: number) => ({ shown: result("ten", 10), residual: true, reference: { name: "pin", shown: result("before", roads) } }) as unknown as Scene;
+  expect(referenceScene(scene(10)).shown.over?.roads).toBe(10);
+  expect(referenceScene(scene(5)).shown.over).toBeNull();
+});
