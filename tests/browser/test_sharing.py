@@ -63,6 +63,14 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     expect(reader.page.locator(head)).to_have_text(reading, use_inner_text=True)
     assert reader.page.locator(ticks).all_text_contents() == page.locator(ticks).all_text_contents() != []
     expect(reader.page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
+    stored = re.compile("/api/v1/runs/" + first.split("/r/")[1].split("?")[0])
+    page.route(stored, lambda route: route.fulfill(status=500, json={"title": "Not now"}))
+    page.reload()
+    expect(page.get_by_role("list", name="Pinned results")).to_contain_text("As printed(could not be loaded: Not now)")
+    page.unroute(stored)
+    comparison.get_by_role("button", name="As printed").click()
+    page.get_by_role("menuitem", name="Try again").click()
+    expect(page.locator(pinned)).to_be_visible()
     comparison.get_by_role("button", name="As printed").click()
     page.get_by_role("menuitem", name="Unpin").click()
     expect(page.locator(pinned)).to_have_count(0)

@@ -34,7 +34,7 @@ function PinName({ pin, index }: Props) {
         <line x1="1" x2="23" y1="5" y2="5" stroke="currentColor" strokeWidth="1.5" strokeDasharray={pinDash(index)} />
       </svg>
       <span className={classes.pinName}>{pin.name}</span>
-      {pin.isGone && <span>(not there any more)</span>}
+      {pin.missing !== null && <span className={classes.missing}>({pin.missing})</span>}
     </>
   );
 }
@@ -45,7 +45,7 @@ function PinMenu({ pin, index }: Props) {
   return (
     <Menu position="bottom-start" width={260} withinPortal trapFocus>
       <Menu.Target>
-        <button type="button" className={classes.pin} data-gone={pin.isGone || undefined} title={pin.name}>
+        <button type="button" className={classes.pin} data-missing={pin.missing !== null || undefined} title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}>
           <PinName pin={pin} index={index} />
           <IconChevronDown size={13} aria-hidden />
         </button>
@@ -63,6 +63,7 @@ function PinMenu({ pin, index }: Props) {
             if (event.key === "Enter") rename(event.currentTarget.value);
           }}
         />
+        {pin.missing !== null && !pin.isGone && <Menu.Item onClick={pin.retry}>Try again</Menu.Item>}
         <Menu.Item disabled={pin.isGone} onClick={() => open()({ id: pin.run })}>
           Open
         </Menu.Item>

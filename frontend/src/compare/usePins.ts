@@ -2,7 +2,7 @@
 
 import { useQueries, useQueryClient, type QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
-import { isNotFound } from "../api/problem";
+import { isNotFound, Unreachable } from "../api/problem";
 import type { Run } from "../api/types";
 import { useLab } from "../state/context";
 import { historiesOf } from "../state/histories";
@@ -25,8 +25,16 @@ export const ownPins = createPins(ownStorage());
 export interface PinnedRun extends Pin {
   /** `null` until it is there. */
   readonly shown: Shown | null;
+  /** Why it is not shown; `null` where it is. */
+  readonly missing: string | null;
   /** The server has it no more. */
   readonly isGone: boolean;
+  readonly retry: () => void;
+}
+
+export function missingText(error: Error | null): string {
+  if (error === null) return "loading";
+  return isNotFound(error) ? "no longer stored on the server" : error instanceof Unreachable ? "the server does not answer" : `could not be loaded: ${error.message}`;
 }
 
 async function load(id: string, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
@@ -47,6 +55,10 @@ export function usePins(): readonly PinnedRun[] {
       staleTime: Infinity,
       structuralSharing: false,
     })),
-    combine: (results) => pins.map((pin, index): PinnedRun => ({ ...pin, shown: results[index]?.data ?? null, isGone: isNotFound(results[index]?.error) })),
+    combine: (results) =>
+      pins.map((pin, index): PinnedRun => {
+        const { data: shown = null, error = null, refetch } = results[index] ?? {};
+        return { ...pin, shown, missing: shown ? null : missingText(error), isGone: isNotFound(error), retry: () => void refetch?.() };
+      }),
   });
 }
