@@ -7,6 +7,7 @@ same for pages whose commands take long.
 import io
 import os
 import re
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable
@@ -17,6 +18,7 @@ from pathlib import Path
 import httpx
 import pytest
 
+from ridelab.cli import app
 from tests.api.cli import environment
 from tests.servers.programs import find
 
@@ -45,7 +47,7 @@ CHANGING: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ..
 
 
 class Page:
-    """A page's commands, run in one folder one after the other: Python in this process, all else by a shell."""
+    """A page's commands, run in one folder one after the other: Python and `ridelab` here, all else by a shell."""
 
     def __init__(self, name: str, address: str) -> None:
         self.path = ROOT / "docs" / name
@@ -62,7 +64,7 @@ class Page:
             script = partial(exec, text.replace(ADDRESS, self._address), self._variables)
             return f"```python\n{text}```\n\nIt prints:\n\n```text\n{self._shown(printed(script))}```\n"
         commands = [line for line in text.splitlines() if line.startswith("$ ")]
-        shown = "".join(f"{line}\n{self._shown(shell(self._prepared(line[2:])))}" for line in commands)
+        shown = "".join(f"{line}\n{self._shown(output(self._prepared(line[2:])))}" for line in commands)
         return f"```console\n{shown}```\n"
 
     def _prepared(self, command: str) -> str:
@@ -80,6 +82,13 @@ class Page:
         lines = text.replace(self._address, ADDRESS).splitlines()
         cut = [line if len(line) <= WIDEST else f"{line[:WIDEST]}..." for line in lines[:LONGEST]]
         return "".join(f"{line.rstrip()}\n" for line in [*cut, *(["..."] if len(lines) > LONGEST else [])])
+
+
+def output(command: str) -> bytes:
+    """What a line prints: `ridelab` alone in this process, which has imported all it needs, all else by a shell."""
+    if re.fullmatch(r"ridelab [^|<>&;$`*]+", command):
+        return printed(partial(app.run, shlex.split(command)[1:]))
+    return shell(command)
 
 
 def shell(command: str) -> bytes:
