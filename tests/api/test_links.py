@@ -146,6 +146,8 @@ def test_a_view_comes_back_as_it_was_sent(client: httpx.Client, run: dict[str, A
         ({"view": {"pins": [{"name": "soft", "run": "A" * 22}]}}, "/view/pins/0/run"),
         ({"view": {"pins": [{"name": "soft", "run": "A" * 22}] * 9}}, "/view/pins"),
         ({"run_id": None, "batch_id": "A" * 22, "view": {"pins": []}}, "/view/pins"),
+        ({"run_id": None, "batch_id": "A" * 22, "view": {"differences": True}}, "/view/differences"),
+        ({"view": {"pins": [{"name": "soft", "run": "A" * 22}], "reference": "B" * 22}}, "/view/reference"),
         ({"view": {"x": "road.bump.height"}}, "/view/x"),
         ({"view": {"y": "bump.body_acceleration.peak"}}, "/view/y"),
     ],
@@ -181,7 +183,8 @@ def test_what_it_is_compared_with_is_kept_as_well(
 ) -> None:
     """The pinned runs' histories outlive an upgrade of the core, and their results are a link's for the retention."""
     other = service.run(["lv", "passive"], {"road": {**road, "bump": {**road["bump"], "height": 0.031}}}).json()
-    view = {"baseline": "lv", "pins": [{"name": "lower bump", "run": other["id"]}]}
+    pin = {"name": "lower bump", "run": other["id"]}
+    view = {"baseline": "lv", "pins": [pin], "reference": other["id"], "differences": True}
     assert opened(client, share(client, fresh["id"], **view)["slug"])["view"] == view
     of_another_core(service.app.state.store, other["id"])
     assert histories(client, other["id"]), "each of them answers, as for a link of its own"

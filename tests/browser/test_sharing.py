@@ -63,6 +63,9 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     expect(reader.page.locator(head)).to_have_text(reading, use_inner_text=True)
     assert reader.page.locator(ticks).all_text_contents() == page.locator(ticks).all_text_contents() != []
     expect(reader.page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
+    page.keyboard.press("Escape")
+    comparison.get_by_label("Change against").select_option("As printed")
+    page.get_by_label("Plot differences").check()
     stored = re.compile("/api/v1/runs/" + first.split("/r/")[1].split("?")[0])
     page.route(stored, lambda route: route.fulfill(status=500, json={"title": "Not now"}))
     page.reload()
@@ -71,6 +74,11 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     comparison.get_by_role("button", name="As printed").click()
     page.get_by_role("menuitem", name="Try again").click()
     expect(page.locator(pinned)).to_be_visible()
+    reader.open(share(page))
+    for each in (page, reader.page):
+        expect(each.get_by_label("Change against").locator("option:checked")).to_have_text("As printed")
+        expect(each.locator(head)).to_contain_text("less As printed")
+    page.keyboard.press("Escape")
     comparison.get_by_role("button", name="As printed").click()
     page.get_by_role("menuitem", name="Unpin").click()
     expect(page.locator(pinned)).to_have_count(0)

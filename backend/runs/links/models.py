@@ -69,6 +69,12 @@ class LinkView(RequestModel):
     pins: Annotated[list[LinkPin], Field(max_length=MAX_PINS)] | None = Field(
         None, description="Of a run only: runs it is compared with. The link keeps them as it keeps its own."
     )
+    reference: Id | None = Field(
+        None, description="Of a run only: of which pin, by its run, changes in % are against; null is the baseline."
+    )
+    differences: bool | None = Field(
+        None, description="Of a run only: whether plots show differences to what changes are against."
+    )
     x: str | None = Field(None, max_length=255, description="Of a batch only: the field on the x axis, dotted.")
     y: Column | None = Field(None, description="Of a batch only: the metric on the y axis, or of the map.")
     plot: Literal["points", "map", "trade_off"] | None = Field(
@@ -95,8 +101,11 @@ class LinkRequest(RequestModel):
     def _one_target(self) -> Self:
         if (self.run_id is None) == (self.batch_id is None):
             raise inconsistent("run_id", "Exactly one of run_id and batch_id has to be given")
-        if self.run_id is None and self.view.pins is not None:
-            raise inconsistent("view.pins", "Only the view of a run has this field")
+        for name in ("pins", "reference", "differences"):
+            if self.run_id is None and getattr(self.view, name) is not None:
+                raise inconsistent(f"view.{name}", "Only the view of a run has this field")
+        if self.view.reference is not None and all(pin.run != self.view.reference for pin in self.view.pins or []):
+            raise inconsistent("view.reference", "This has to be the run of one of the pins")
         for name in ("x", "y", "plot", "strategy", "against", "threshold", "versus"):
             if self.batch_id is None and getattr(self.view, name) is not None:
                 raise inconsistent(f"view.{name}", "Only the view of a batch has this field")

@@ -3096,6 +3096,11 @@ export interface components {
              */
             cursor?: number | null;
             /**
+             * Differences
+             * @description Of a run only: whether plots show differences to what changes are against.
+             */
+            differences?: boolean | null;
+            /**
              * Hidden
              * @description Of those shown, the ones switched off in the plots.
              */
@@ -3110,6 +3115,11 @@ export interface components {
              * @description Of a batch only: runs over a field, a metric over two fields, or one metric over another.
              */
             plot?: ("points" | "map" | "trade_off") | null;
+            /**
+             * Reference
+             * @description Of a run only: of which pin, by its run, changes in % are against; null is the baseline.
+             */
+            reference?: string | null;
             /**
              * Strategies
              * @description Shown, in this order.

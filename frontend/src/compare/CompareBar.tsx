@@ -18,7 +18,7 @@ import { SpeedSelect } from "./SpeedSelect";
 const STRATEGY = "strategy:";
 
 export function CompareBar({ scene }: { readonly scene: Scene }) {
-  const { lab } = useDesk();
+  const { router } = useDesk();
   return (
     <div className={classes.bar}>
       <AgainstSelect scene={scene} />
@@ -27,7 +27,7 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
         size="xs"
         label="Plot differences"
         checked={scene.residual}
-        onChange={({ currentTarget: { checked } }) => lab.setResidual(checked)}
+        onChange={({ currentTarget: { checked } }) => router.setView({ residual: checked })}
       />
       <PinButton />
       <Differences scene={scene} />
@@ -37,7 +37,7 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
 }
 
 function AgainstSelect({ scene: { strategies, pins, before, reference, baseline } }: { readonly scene: Scene }) {
-  const { lab } = useDesk();
+  const { lab, router } = useDesk();
   const variants = [
     ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
     ...pins.map(({ name, shown }) => ({ value: againstPin(shown.runId ?? ""), label: name })),
@@ -50,7 +50,7 @@ function AgainstSelect({ scene: { strategies, pins, before, reference, baseline 
         size="xs"
         value={chosen}
         onChange={({ currentTarget: { value } }) =>
-          value.startsWith(STRATEGY) ? lab.setBaseline(value.slice(STRATEGY.length) satisfies StrategyId) : lab.setAgainst(value as Against)
+          value.startsWith(STRATEGY) ? lab.setBaseline(value.slice(STRATEGY.length) satisfies StrategyId) : router.setView({ against: value as Against })
         }
       >
         <optgroup label="Another strategy">

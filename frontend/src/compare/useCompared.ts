@@ -8,11 +8,9 @@ import { usePins } from "./usePins";
 
 export function useCompared(): Compared {
   const before = useLab(beforeEdit);
-  const against = useLab((state) => state.against);
-  const residual = useLab((state) => state.residual);
   const pinned = usePins();
   return useMemo(() => {
     const pins = pinned.flatMap(({ name, shown }, place) => (shown ? [{ name, shown, place }] : []));
-    return { before, pins, against, residual };
-  }, [before, pinned, against, residual]);
+    return { before, pins };
+  }, [before, pinned]);
 }

@@ -1,6 +1,7 @@
 /** What addresses carry in their search part, and how the lab is looked at. */
 
 import type { StrategyId } from "../api/types";
+import { againstPin, runOf, type Against } from "./compare";
 
 export type Axis = "distance" | "time";
 
@@ -14,6 +15,9 @@ export interface View {
   readonly baseline: StrategyId;
   readonly hidden: readonly StrategyId[];
   readonly zoom: ViewZoom;
+  readonly against: Against;
+  /** Plots show differences to what changes are against. */
+  readonly residual: boolean;
 }
 
 export interface Address {
@@ -25,7 +29,7 @@ export interface Address {
   readonly from?: string;
 }
 
-export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null };
+export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null, against: "baseline", residual: false };
 
 type Raw = Readonly<Record<string, unknown>>;
 
@@ -42,7 +46,7 @@ export function stringifySearch(search: Raw): string {
 export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]) =>
   Object.fromEntries(names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : []))) as Partial<Record<Name, string>>;
 
-export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom" | "from", string>>;
+export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom" | "against" | "plots" | "from", string>>;
 
 function parseZoom(text: string | undefined): ViewZoom {
   if (text === "whole") return text;
@@ -53,24 +57,33 @@ function parseZoom(text: string | undefined): ViewZoom {
 
 export const listOf = (text: string | undefined): readonly string[] => text?.split(",").filter(Boolean) ?? [];
 
-export const viewOf = ({ axis, baseline, hide, zoom }: LabSearch): View => ({
+const RUN = /^[\w-]{22}$/;
+
+/** In an address stand a pin's run, or `before`; nothing is the baseline. */
+const parseAgainst = (text = ""): Against => (text === "before" ? text : RUN.test(text) ? againstPin(text) : "baseline");
+
+export const viewOf = ({ axis, baseline, hide, zoom, against, plots }: LabSearch): View => ({
   axis: axis === "time" ? "time" : "distance",
   baseline: baseline ?? DEFAULT_VIEW.baseline,
   hidden: listOf(hide),
   zoom: parseZoom(zoom),
+  against: parseAgainst(against),
+  residual: plots === "differences",
 });
 
 /** Only what is not as usual. */
-export const searchOf = ({ axis, baseline, hidden, zoom }: View): LabSearch => ({
+export const searchOf = ({ axis, baseline, hidden, zoom, against, residual }: View): LabSearch => ({
   ...(axis !== DEFAULT_VIEW.axis && { axis }),
   ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
   ...(hidden.length > 0 && { hide: hidden.join(",") }),
   ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
+  ...(against !== "baseline" && { against: runOf(against) ?? against }),
+  ...(residual && { plots: "differences" }),
 });
 
 /** Any lab's search part without what makes no sense. */
 export function readLabSearch(raw: Raw): LabSearch {
-  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "from");
+  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "against", "plots", "from");
   return { ...searchOf(viewOf(view)), ...(from !== undefined && PAGE_WITH_RUNS.test(from) && { from }) };
 }
 

@@ -141,7 +141,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
         cursor.set(at);
         const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
         const roads = link.run?.over?.roads ?? 1;
-        patch({ shared: link, history: begin(link.scenario), strategies, roads, rejected: {}, drag: null, shown, exact: shown, before: null, against: "baseline", residual: false });
+        patch({ shared: link, history: begin(link.scenario), strategies, roads, rejected: {}, drag: null, shown, exact: shown, before: null });
       },
       again: () => openLink(slug),
       giveUp: leaveLink,

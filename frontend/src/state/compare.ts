@@ -16,17 +16,18 @@ export type Against = "baseline" | "before" | `pin:${string}`;
 export interface Compared {
   readonly before: Shown | null;
   readonly pins: readonly Variant[];
-  readonly against: Against;
-  /** Plots show differences to it. */
-  readonly residual: boolean;
 }
 
-export const NOTHING_COMPARED: Compared = { before: null, pins: [], against: "baseline", residual: false };
+export const NOTHING_COMPARED: Compared = { before: null, pins: [] };
 
-export const againstPin = (runId: string): Against => `pin:${runId}`;
+const PIN = "pin:";
+export const againstPin = (runId: string): Against => `${PIN}${runId}`;
+
+/** The run of the pin that changes are against; `null` where they are against something else. */
+export const runOf = (against: Against): string | null => (against.startsWith(PIN) ? against.slice(PIN.length) : null);
 
 /** The variant that changes are against; `null` where that is a strategy. */
-export function referenceOf({ before, pins, against }: Compared): Variant | null {
+export function referenceOf({ before, pins }: Compared, against: Against): Variant | null {
   if (against === "before") return before && { name: "before the last edit", shown: before };
   return pins.find(({ shown }) => against === againstPin(shown.runId ?? "")) ?? null;
 }

@@ -20,8 +20,6 @@ const OPENING: LabState = {
   shown: null,
   exact: null,
   before: null,
-  against: "baseline",
-  residual: false,
   shared: null,
   busy: false,
   stale: false,
@@ -114,12 +112,9 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     },
     setBaseline: (baseline) => {
       const { shown, shared } = store.get();
-      patch({ against: "baseline" });
-      router.setView({ baseline });
+      router.setView({ baseline, against: "baseline" });
       if (!shared && shown?.over && shown.over.baseline !== baseline) submit("push");
     },
-    setAgainst: (against) => patch({ against }),
-    setResidual: (residual) => patch({ residual }),
     resume: asking.resume,
   };
 }

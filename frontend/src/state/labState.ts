@@ -6,7 +6,6 @@ import type { PlacedErrors } from "../editor/errors";
 import type { Pointer } from "../editor/path";
 import type { Group } from "../editor/schema";
 import type { Address } from "./address";
-import type { Against } from "./compare";
 import type { History } from "./history";
 import type { Shown } from "./shown";
 import type { Store } from "./store";
@@ -33,9 +32,6 @@ export interface LabState {
   readonly exact: Shown | null;
   /** The exact result before the last edit. */
   readonly before: Shown | null;
-  readonly against: Against;
-  /** Plots show differences to it. */
-  readonly residual: boolean;
   /** The link this page shows: while there is one, nothing can be edited. */
   readonly shared: Link | null;
   readonly busy: boolean;
@@ -63,9 +59,6 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly setRoads: (roads: number) => void;
   /** Compares with that strategy; over several roads its paired changes are asked for. */
   readonly setBaseline: (strategy: StrategyId) => void;
-  /** Compares each strategy with itself before the last edit, or in a pinned run. */
-  readonly setAgainst: (against: Against) => void;
-  readonly setResidual: (residual: boolean) => void;
   /** Asks again for what could not be had; does nothing where nothing is missing. */
   readonly resume: () => void;
 }

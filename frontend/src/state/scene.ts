@@ -41,7 +41,7 @@ export function makeScene(
   view: View,
   compared: Compared = NOTHING_COMPARED,
 ): Scene {
-  return withBaseline(partShown(shown, catalogue, selected, view), view.baseline, compared);
+  return withBaseline(partShown(shown, catalogue, selected, view), view, compared);
 }
 
 /** What is drawn, whatever it is compared with. */
@@ -61,14 +61,14 @@ export function partShown(
   return { shown, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
 }
 
-export function withBaseline(part: PartShown, baseline: StrategyId, compared: Compared): Scene {
+export function withBaseline(part: PartShown, { baseline, against, residual }: Pick<View, "baseline" | "against" | "residual">, compared: Compared): Scene {
   return {
     ...part,
     baseline: baseline in part.summaries ? baseline : (part.ids.at(-1) ?? null),
     before: compared.before,
     pins: compared.pins,
-    reference: referenceOf(compared),
-    residual: compared.residual,
+    reference: referenceOf(compared, against),
+    residual,
   };
 }
 

@@ -15,15 +15,32 @@ describe("a link's view", () => {
 
   it("is what was shared", () => {
     const scene = {
-      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", pins: [{ name: "Soft", shown: { runId: "s" } }], whole: [0, 9], range: [1, 2.5],
+      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", reference: null, residual: false, pins: [{ name: "Soft", shown: { runId: "s" } }], whole: [0, 9], range: [1, 2.5],
     } as unknown as Scene;
     const shared = viewToShare(scene, 2);
     expect(shared).toEqual({
       strategies: ["lv", "lqr", "passive"], hidden: ["lqr"], baseline: "lv", axis: "time", zoom: [1, 2.5], cursor: 2, pins: [{ name: "Soft", run: "s" }],
     });
     expect(read(shared)).toEqual({
-      view: { axis: "time", baseline: "lv", hidden: ["lqr"], zoom: [1, 2.5] }, strategies: ["lv", "passive"], at: 2,
+      view: { ...DEFAULT_VIEW, axis: "time", baseline: "lv", hidden: ["lqr"], zoom: [1, 2.5] }, strategies: ["lv", "passive"], at: 2,
     });
+  });
+
+  const pin = { name: "Soft", shown: { runId: "s" } };
+  const before = { runId: "b" };
+  const scene = (compared: object) => ({ summaries: run.strategies, ids: ["lv"], pins: [pin], before, residual: true, ...compared }) as unknown as Scene;
+
+  it("is against the pin or the baseline it was shared with, differences too", () => {
+    const toPin = viewToShare(scene({ reference: pin }), null);
+    expect(toPin).toMatchObject({ reference: "s", differences: true });
+    expect(read(toPin).view).toMatchObject({ against: "pin:s", residual: true });
+    expect(read(viewToShare(scene({ reference: null }), null)).view).toMatchObject({ against: "baseline", residual: true });
+  });
+
+  it("leaves out the state before the last edit, which a reader has not", () => {
+    const view = viewToShare(scene({ reference: { name: "before the last edit", shown: before } }), null);
+    expect(view).not.toHaveProperty("reference");
+    expect(read(view).view).toMatchObject({ against: "baseline", residual: false });
   });
 
   it("never names what the run has not", () => {

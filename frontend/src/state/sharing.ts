@@ -3,6 +3,7 @@
 import type { Link, SharedView } from "../api/types";
 import type { StrategyId } from "../api/types";
 import type { View, ViewZoom } from "./address";
+import { againstPin } from "./compare";
 import type { Scene } from "./scene";
 
 export interface ReadView {
@@ -24,6 +25,8 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
       baseline: view.baseline ?? run?.over?.baseline ?? "passive",
       hidden: computed.filter((id) => !strategies.includes(id)),
       zoom: readZoom(view.zoom),
+      against: view.reference ? againstPin(view.reference) : "baseline",
+      residual: view.differences ?? false,
     },
     strategies,
     at: view.cursor ?? null,
@@ -37,7 +40,15 @@ function readZoom(zoom: SharedView["zoom"]): ViewZoom {
   return low !== undefined && high !== undefined && low < high ? [low, high] : "whole";
 }
 
-export function viewToShare({ summaries, ids, baseline, axis, whole, range, pins }: Scene, at: number | null): SharedView {
+/** The state before the last edit is this page's alone: neither it nor differences to it are shared. */
+function comparisonToShare({ reference, before, residual }: Scene): Pick<SharedView, "reference" | "differences"> {
+  if (reference === null) return residual ? { differences: true } : {};
+  const { runId } = reference.shown;
+  return reference.shown === before || runId === null ? {} : { reference: runId, ...(residual && { differences: true }) };
+}
+
+export function viewToShare(scene: Scene, at: number | null): SharedView {
+  const { summaries, ids, baseline, axis, whole, range, pins } = scene;
   const computed = Object.keys(summaries);
   return {
     strategies: computed,
@@ -47,5 +58,6 @@ export function viewToShare({ summaries, ids, baseline, axis, whole, range, pins
     zoom: range === whole ? null : [...range],
     cursor: at,
     ...(pins.length > 0 ? { pins: pins.flatMap(({ name, shown: { runId } }) => (runId === null ? [] : [{ name, run: runId }])) } : {}),
+    ...comparisonToShare(scene),
   };
 }

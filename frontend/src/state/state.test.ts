@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { DEFAULT_VIEW, parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
+import { againstPin } from "./compare";
 import { begin, record, redo, undo } from "./history";
 
 describe("undo and redo", () => {
@@ -24,12 +25,15 @@ describe("the address", () => {
   });
 
   it("carries the view there and back", () => {
-    const view = { axis: "time", baseline: "lqr", hidden: ["passive", "lv"], zoom: [98.5, 112] } as const;
-    expect(there(view)).toBe("?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112");
+    const view = { axis: "time", baseline: "lqr", hidden: ["passive", "lv"], zoom: [98.5, 112], against: "before", residual: true } as const;
+    expect(there(view)).toBe("?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences");
     expect(back(there(view))).toEqual(view);
+    const pinned = { ...DEFAULT_VIEW, against: againstPin("9l2MI3odkPqmWr5qapN1vZ") };
+    expect(there(pinned)).toBe("?against=9l2MI3odkPqmWr5qapN1vZ");
+    expect(back(there(pinned))).toEqual(pinned);
   });
 
   it("ignores what makes no sense", () => {
-    expect(back("?axis=up&zoom=9~3&hide=,&baseline=")).toEqual(DEFAULT_VIEW);
+    expect(back("?axis=up&zoom=9~3&hide=,&baseline=&against=lv&plots=all")).toEqual(DEFAULT_VIEW);
   });
 });
