@@ -36,6 +36,7 @@ QUIET = {
     "distributed.worker.profile.enabled": False,  # samples every thread a hundred times a second, for a dashboard
     "distributed.admin.tick.interval": "1s",
     "distributed.admin.system-monitor.interval": "10s",
+    "distributed.worker.memory.monitor-interval": "1s",  # of this process alone, which computes nothing
 }
 
 _pools: dict[str, Workers] = {}  # of this process, by Dask worker: the embedded one, or the one this process is
