@@ -2,6 +2,7 @@ import { useQuery } from "@tanstack/react-query";
 import { lazy, Suspense, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
 import { standardScenario } from "./editor/diff";
+import { DropFiles } from "./library/DropFiles";
 import { EditorPane } from "./shell/EditorPane";
 import { LabMain } from "./shell/LabMain";
 import { LabCommands } from "./shell/LabCommands";
@@ -68,6 +69,7 @@ function Desk() {
         <EditorPane form={schema.data} />
         <LabMain strategies={coloured} catalogue={catalogue.data} figures={figures.data} fault={failedQuery?.error?.message} />
       </div>
+      <DropFiles />
       <InShell place="notices">
         <Notices strategies={strategies.data ?? NONE} />
       </InShell>

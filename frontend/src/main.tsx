@@ -7,6 +7,7 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { api } from "./api/client";
 import "./global.css";
+import { ownLibrary } from "./library/ownLibrary";
 import { createAppRouter } from "./router";
 import { DeskProvider } from "./state/context";
 import { createLab } from "./state/lab";
@@ -29,6 +30,7 @@ const lab = createLab({ api, router, queries }, restored?.lab);
 router.onTravel(lab.travel);
 keep(lab, router);
 watchPrinting();
+window.addEventListener("storage", ownLibrary.refresh); // another tab has changed it
 
 const desk = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
 

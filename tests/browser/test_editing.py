@@ -8,6 +8,11 @@ from playwright.sync_api import expect
 
 from tests.browser.dashboard import Dashboard
 
+DROP = """files => {
+  const dataTransfer = new DataTransfer();
+  for (const [name, text] of files) dataTransfer.items.add(new File([text], name));
+  window.dispatchEvent(new DragEvent('drop', {dataTransfer, cancelable: true}));
+}"""
 ROADS = Path(__file__).parents[2] / "docs" / "roads"
 
 
@@ -186,14 +191,32 @@ def test_a_field_may_be_off_and_a_class_shows_its_number(dashboard: Dashboard) -
     assert dashboard.stored_run()["scenario"]["road"]["roughness"] == 256e-6
 
 
-def test_presets_open_their_scenario(dashboard: Dashboard) -> None:
+def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Presets").click()
-    page.get_by_role("menuitem", name="Pothole").click()
+    page.get_by_role("button", name="Library").click()
+    page.get_by_role("list", name="Presets").get_by_role("button", name="Pothole").click()
     expect(dashboard.entry("Height")).to_have_value("-6")
     expect(page).not_to_have_url(address)
     expect(page).to_have_title(re.compile("60 mm pothole"))
+
+    page.keyboard.press("Control+s")
+    page.get_by_role("textbox", name="Name", exact=True).fill("My pothole")
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("status").filter(has_text="in the library as “My pothole”")).to_be_visible()
+    page.evaluate(DROP, [["hump.json", '{"road": {"bump": {"height": 0.12}}}'], ["photo.png", "?"]])
+    alert = page.get_by_role("alert").filter(has_text="photo.png: Expected a scenario or a vehicle as JSON")
+    expect(alert.filter(has_text="The scenario “hump” is opened, and in the library")).to_be_visible()
+    expect(dashboard.entry("Height")).to_have_value("12")
+
+    page.get_by_role("button", name="Library").click()
+    own = page.get_by_role("list", name="Your scenarios")
+    expect(own.get_by_role("button", name="Bump height 10 → 12\u00a0cm")).to_be_visible()
+    dashboard.expect_accessible(page.get_by_role("dialog"))
+    own.get_by_role("button", name="My pothole Bump shape").click()
+    expect(dashboard.entry("Height")).to_have_value("-6")
+    page.keyboard.press("Control+z")
+    expect(dashboard.entry("Height")).to_have_value("12")
 
 
 def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> None:
@@ -249,7 +272,7 @@ def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_pa
     expect(choice).to_have_value("van_loaded")
     file.write_text("no vehicle", encoding="utf-8")
     page.get_by_label("Vehicle file").set_input_files(file)
-    expect(page.get_by_role("alert").filter(has_text="vehicle-van_loaded.json: This file is not JSON")).to_be_visible()
+    expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
 
 
 def test_a_measured_road_is_opened_driven_and_taken_off(dashboard: Dashboard, tmp_path: Path) -> None:

@@ -121,7 +121,7 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
     expect(
         page.locator("aside :is(input:not([type=hidden], [aria-label='Find a field']), select):enabled")
     ).to_have_count(0)
-    for name in ("Undo", "Redo", "Presets"):
+    for name in ("Undo", "Redo", "Library"):
         expect(page.get_by_role("button", name=name)).to_be_disabled()
     page.get_by_role("button", name="Strategies").click()  # another one would be another run
     expect(page.get_by_role("menuitemcheckbox", name="Single speed control")).to_be_disabled()

@@ -9,15 +9,8 @@ import { historiesOf } from "../state/histories";
 import { createPins, type Pin } from "../state/pins";
 import { runKey } from "../state/queries";
 import { fromRun, type Shown } from "../state/shown";
+import { ownStorage } from "../state/storage";
 import { useStore } from "../state/store";
-
-function ownStorage(): Storage | null {
-  try {
-    return window.localStorage;
-  } catch {
-    return null; // the browser forbids it
-  }
-}
 
 /** Those of this browser. */
 export const ownPins = createPins(ownStorage());

@@ -27,10 +27,16 @@ export function resetMember(scenario: Scenario, member: Member): Scenario {
   return leavesOf(member).reduce((result, leaf) => setAt(result, leaf.pointer, leaf.standard), scenario);
 }
 
-/** The paper's scenario as the schema states it. */
-export function standardScenario(root: Member): Scenario {
-  return fieldsOf(root).reduce<Scenario>((result, field) => setAt(result, field.pointer, field.standard), {});
+/** A scenario with the paper's value for each field it leaves out, and without what is no field. */
+export function completed(root: Member, scenario: Scenario): Scenario {
+  return fieldsOf(root).reduce<Scenario>((result, { pointer, standard }) => {
+    const value = getAt(scenario, pointer);
+    return setAt(result, pointer, value === undefined ? standard : value);
+  }, {});
 }
+
+/** The paper's scenario as the schema states it. */
+export const standardScenario = (root: Member): Scenario => completed(root, {});
 
 /** A field that two scenarios give different values: `Bump height`, `10 → 12 cm`. */
 export interface FieldChange {

@@ -7,7 +7,7 @@ import { useState } from "react";
 import { commands, type Command } from "../state/commands";
 import { keyNames } from "./keyNames";
 
-const GROUPS = ["Pages", "Lab", "Strategies", "Presets", "Fields"] as const;
+const GROUPS = ["Pages", "Lab", "Strategies", "Library", "Presets", "Fields"] as const;
 const MOST = 40;
 
 const actionOf = ({ label, description, keys, run }: Command, index: number, close: () => void): SpotlightActionData => ({

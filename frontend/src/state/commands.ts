@@ -3,7 +3,7 @@
 import { useEffect, useRef } from "react";
 
 export interface Command {
-  readonly group: "Pages" | "Lab" | "Strategies" | "Presets" | "Fields";
+  readonly group: "Pages" | "Lab" | "Strategies" | "Library" | "Presets" | "Fields";
   readonly label: string;
   readonly description?: string;
   /** `mod+Z`, `Space`; `mod` is Ctrl, on a Mac the command key. */

@@ -1,5 +1,14 @@
 /** What this browser stores of the page for its next visit. */
 
+/** `null` where the browser forbids it. */
+export function ownStorage(): Storage | null {
+  try {
+    return window.localStorage;
+  } catch {
+    return null;
+  }
+}
+
 /** `null` where there is nothing, nothing that can be read, or the browser stores nothing. */
 export function readStored(name: string): unknown {
   try {

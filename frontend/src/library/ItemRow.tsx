@@ -1,0 +1,90 @@
+/** One item of the library: opened by a click; renamed, exported and deleted by its menu. */
+
+import { ActionIcon, Button, Menu, TextInput } from "@mantine/core";
+import { useState } from "react";
+import { changedFields, changesText, completed } from "../editor/diff";
+import type { Group } from "../editor/schema";
+import { IconDots } from "../icons";
+import { LONGEST_NAME } from "../state/pins";
+import { formatMinute } from "../units/dates";
+import { count } from "../units/format";
+import { exportItem } from "./files";
+import type { Item } from "./library";
+import classes from "./library.module.css";
+import { ownLibrary } from "./ownLibrary";
+
+interface Props {
+  readonly item: Item;
+  readonly form: Group;
+  readonly open: (item: Item) => void;
+  readonly remove: (item: Item) => void;
+}
+
+/** A scenario and a vehicle by what differs from the paper's. */
+function describe({ kind, value }: Item, form: Group): string {
+  if (kind === "road") {
+    const bumps = Array.isArray(value.bumps) ? value.bumps.length : 0;
+    return `${typeof value.length === "number" ? value.length : "?"} m, ${count(bumps, "bump")} in it`;
+  }
+  const paper = completed(form, {});
+  const scenario = kind === "scenario" ? value : { ...paper, vehicle: value };
+  return changesText(changedFields(form, paper, completed(form, scenario))) || "As in the paper";
+}
+
+export function ItemRow({ item, form, open, remove }: Props) {
+  const [isRenaming, setRenaming] = useState(false);
+  const { name, kind, saved } = item;
+  return (
+    <li className={classes.entry}>
+      <button type="button" className={classes.open} onClick={() => open(item)}>
+        <span className={classes.name}>{name}</span>
+        <span className={classes.text}>
+          {describe(item, form)} · {formatMinute(saved)}
+        </span>
+      </button>
+      <Menu position="bottom-end" width={160}>
+        <Menu.Target>
+          <ActionIcon variant="subtle" color="gray" size={28} className={classes.menu ?? ""} aria-label={`Rename, export or delete ${name}`}>
+            <IconDots size={16} />
+          </ActionIcon>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
+          {kind !== "road" && <Menu.Item onClick={() => exportItem(item)}>Export as a file</Menu.Item>}
+          <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
+        </Menu.Dropdown>
+      </Menu>
+      {isRenaming && <Rename item={item} onClose={() => setRenaming(false)} />}
+    </li>
+  );
+}
+
+function Rename({ item, onClose }: { readonly item: Item; readonly onClose: () => void }) {
+  const [name, setName] = useState(item.name);
+  const [wrong, setWrong] = useState<string | null>(null);
+  const rename = () => {
+    try {
+      ownLibrary.rename(item, name);
+      onClose();
+    } catch (error) {
+      setWrong(error instanceof Error ? error.message : String(error));
+    }
+  };
+  return (
+    <form
+      className={classes.rename}
+      onSubmit={(event) => {
+        event.preventDefault();
+        rename();
+      }}
+    >
+      <TextInput size="xs" className={classes.grow ?? ""} aria-label="New name" autoFocus maxLength={LONGEST_NAME} value={name} error={wrong} onChange={(event) => setName(event.currentTarget.value)} />
+      <Button type="submit" size="xs">
+        Rename
+      </Button>
+      <Button size="xs" variant="default" onClick={onClose}>
+        Close
+      </Button>
+    </form>
+  );
+}
