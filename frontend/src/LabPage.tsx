@@ -8,10 +8,10 @@ import { LabMain } from "./shell/LabMain";
 import { LabCommands } from "./shell/LabCommands";
 import { LabTools } from "./shell/LabTools";
 import { Notices } from "./shell/Notices";
-import { InShell } from "./shell/places";
+import { ShellSlot } from "./shell/slots";
 import { PrintedTitle } from "./shell/PrintedTitle";
 import classes from "./shell/shell.module.css";
-import { DeskProvider, useDesk } from "./state/context";
+import { LabContextProvider, useLabContext } from "./state/context";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./state/queries";
 import { useSelect } from "./state/store";
 import { useSchemeColours } from "./state/useSchemeColours";
@@ -20,21 +20,21 @@ const SharedSweep = lazy(() => import("./batch/BatchPage").then((module) => ({ d
 
 /** The lab, or the sweep that a link shows in its place. */
 export function LabPage() {
-  const desk = useDesk();
+  const context = useLabContext();
   const form = useQuery(schemaQuery).data;
   const standard = useMemo(() => (form ? standardScenario(form) : {}), [form]);
-  const value = useMemo(() => ({ ...desk, standard }), [desk, standard]);
-  const shared = useSelect(desk.lab, (state) => state.shared);
+  const value = useMemo(() => ({ ...context, standard }), [context, standard]);
+  const shared = useSelect(context.lab, (state) => state.shared);
   return (
-    <DeskProvider value={value}>
+    <LabContextProvider value={value}>
       {shared?.batch ? (
         <Suspense>
           <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
         </Suspense>
       ) : (
-        <Desk />
+        <LabContent />
       )}
-    </DeskProvider>
+    </LabContextProvider>
   );
 }
 
@@ -42,8 +42,8 @@ export function LabPage() {
 const CAR_SIGNALS = ["rear_road"];
 const NONE: readonly never[] = [];
 
-function Desk() {
-  const { lab } = useDesk();
+function LabContent() {
+  const { lab } = useLabContext();
   const schema = useQuery(schemaQuery);
   const presets = useQuery(presetsQuery);
   const strategies = useQuery(strategiesQuery);
@@ -60,9 +60,9 @@ function Desk() {
 
   return (
     <>
-      <InShell place="tools">
+      <ShellSlot name="tools">
         <LabTools presets={presets.data ?? NONE} />
-      </InShell>
+      </ShellSlot>
       <LabCommands form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
       <PrintedTitle />
       <div className={classes.body}>
@@ -70,9 +70,9 @@ function Desk() {
         <LabMain strategies={coloured} catalogue={catalogue.data} figures={figures.data} fault={failedQuery?.error?.message} />
       </div>
       <DropFiles />
-      <InShell place="notices">
+      <ShellSlot name="notices">
         <Notices strategies={strategies.data ?? NONE} />
-      </InShell>
+      </ShellSlot>
     </>
   );
 }

@@ -9,9 +9,9 @@ import { api } from "./api/client";
 import "./global.css";
 import { ownLibrary } from "./library/ownLibrary";
 import { createAppRouter } from "./router";
-import { DeskProvider } from "./state/context";
+import { LabContextProvider } from "./state/context";
 import { createLab } from "./state/lab";
-import { keep, restore } from "./state/kept";
+import { storeSession, restoreSession } from "./state/session";
 import { watchPrinting } from "./state/printing";
 import { createLabRouter, startsAnew } from "./state/router";
 import { theme } from "./theme";
@@ -24,15 +24,15 @@ const queries = new QueryClient({
 // The lab lives as long as the tab: other pages come and go beside it.
 const pages = createAppRouter();
 // An address that names a result opens that, and nothing is behind it.
-const restored = startsAnew(pages) ? restore() : null;
+const restored = startsAnew(pages) ? restoreSession() : null;
 const router = createLabRouter(pages, restored?.view);
 const lab = createLab({ api, router, queries }, restored?.lab);
-router.onTravel(lab.travel);
-keep(lab, router);
+router.onNavigate(lab.navigate);
+storeSession(lab, router);
 watchPrinting();
 window.addEventListener("storage", ownLibrary.refresh); // another tab has changed it
 
-const desk = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
+const context = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no #root");
@@ -40,9 +40,9 @@ createRoot(root).render(
   <StrictMode>
     <QueryClientProvider client={queries}>
       <MantineProvider theme={theme} defaultColorScheme="auto">
-        <DeskProvider value={desk}>
+        <LabContextProvider value={context}>
           <RouterProvider router={pages} />
-        </DeskProvider>
+        </LabContextProvider>
       </MantineProvider>
     </QueryClientProvider>
   </StrictMode>,

@@ -8,7 +8,7 @@ import type { Link } from "../api/types";
 import { BATCH, useJob } from "../jobs/useJob";
 import { markersOf } from "../plots/markers";
 import { LabLink } from "../shell/LabLink";
-import { InShell } from "../shell/places";
+import { ShellSlot } from "../shell/slots";
 import shell from "../shell/shell.module.css";
 import { useCatalogues } from "../state/useCatalogues";
 import { BatchActions } from "./BatchActions";
@@ -54,10 +54,10 @@ function Sweep({ id, view, onView, link }: Props) {
 
   return (
     <>
-      <InShell place="tools">
+      <ShellSlot name="tools">
         <span className={shell.grow} />
         <BatchActions batch={batch} view={view} />
-      </InShell>
+      </ShellSlot>
       <main className={ui.main}>
         {link && <SharedNote link={link} what="sweep" />}
         {fault ? (

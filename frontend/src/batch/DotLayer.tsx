@@ -3,7 +3,7 @@
 import { useEffect, useEffectEvent, useRef, useState, type RefObject } from "react";
 import type { PlotElement } from "../plots/plotly";
 import classes from "./batch.module.css";
-import { clearDots, drawDots, nearest, place, type Axes, type Hit, type Placed } from "./dots";
+import { clearDots, drawDots, nearest, locate, type Axes, type Hit, type LocatedDots } from "./dots";
 import type { Dots } from "./scatter";
 
 interface Props {
@@ -25,7 +25,7 @@ const CLICK_PX = 4;
 
 export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const drawn = useRef<{ readonly placed: readonly Placed[]; readonly axes: Axes } | null>(null);
+  const drawn = useRef<{ readonly located: readonly LocatedDots[]; readonly axes: Axes } | null>(null);
   const [hit, setHit] = useState<Hit | null>(null);
 
   useEffect(() => {
@@ -40,9 +40,9 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }:
         clearDots(canvas.current);
         return;
       }
-      const placed = place(dots, axes);
-      drawn.current = { placed, axes };
-      drawDots(canvas.current, placed, axes, width, height);
+      const located = locate(dots, axes);
+      drawn.current = { located, axes };
+      drawDots(canvas.current, located, axes, width, height);
     };
     paint();
     element.on("plotly_relayout", paint);
@@ -56,7 +56,7 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }:
     let pressed: readonly [number, number] | null = null;
     const find = (event: PointerEvent) => {
       const box = element.getBoundingClientRect();
-      return drawn.current && nearest(drawn.current.placed, drawn.current.axes, event.clientX - box.left, event.clientY - box.top, REACH_PX);
+      return drawn.current && nearest(drawn.current.located, drawn.current.axes, event.clientX - box.left, event.clientY - box.top, REACH_PX);
     };
     const move = (event: PointerEvent) => setHit(event.buttons === 0 ? find(event) : null);
     const leave = () => setHit(null);

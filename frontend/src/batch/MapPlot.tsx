@@ -45,13 +45,13 @@ export function MapPlot({ columns, shown, strategies, height, textOf, onOpen }: 
   const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
   const { known, gaps, below } = shareBelow(grid, threshold ?? Infinity);
   const limit = formatExact(threshold ?? 0, mapUnit);
-  const places = count(known, "point");
+  const points = count(known, "point");
   const said =
     threshold === null
-      ? `${places} with a value.`
+      ? `${points} with a value.`
       : against !== null && threshold === 0
-        ? `${labelOf(strategy)} is at or below ${otherLabel} at ${below} of ${places}.`
-        : `At or below ${limit} at ${below} of ${places}.`;
+        ? `${labelOf(strategy)} is at or below ${otherLabel} at ${below} of ${points}.`
+        : `At or below ${limit} at ${below} of ${points}.`;
   return (
     <>
       <Chart figure={figure} height={height} label={`${name} over ${x.title} and ${other.title}. ${said} Every value stands in the table below.`} onPoint={onOpen} />

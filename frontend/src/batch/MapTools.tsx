@@ -4,7 +4,7 @@ import { NativeSelect, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { Strategy } from "../api/types";
 import { formatInput, prettyUnit } from "../units/format";
-import { readQuantity } from "../units/quantity";
+import { parseQuantity } from "../units/quantity";
 import ui from "../ui/ui.module.css";
 import classes from "./batch.module.css";
 import type { ShownPlot } from "./shownPlot";
@@ -36,8 +36,8 @@ export function MapTools({ strategies, shown, onView }: Props) {
 
 function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<Props, "shown" | "onView">) {
   const [typed, setTyped] = useState(() => (threshold === null ? "" : formatInput(threshold)));
-  const read = (text: string) => (text.trim() === "" ? null : readQuantity(text, mapUnit));
-  const reading = read(typed);
+  const read = (text: string) => (text.trim() === "" ? null : parseQuantity(text, mapUnit));
+  const parsed = read(typed);
   const change = (text: string) => {
     setTyped(text);
     const next = read(text);
@@ -51,7 +51,7 @@ function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<Props, "shown
       inputMode="decimal"
       placeholder="no line"
       value={typed}
-      error={reading?.ok === false ? reading.message : undefined}
+      error={parsed?.ok === false ? parsed.message : undefined}
       rightSection={<span className={ui.dim}>{prettyUnit(mapUnit)}</span>}
       rightSectionWidth={48}
       rightSectionPointerEvents="none"

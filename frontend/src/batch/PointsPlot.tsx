@@ -13,7 +13,7 @@ import { useCharts } from "../plots/usePlotly";
 import { count, formatWhole, formatWithUnit } from "../units/format";
 import { axesOf, type AxisOf } from "./axes";
 import classes from "./batch.module.css";
-import { isAirborne, placeOf } from "./describeRow";
+import { isAirborne, fieldTexts } from "./describeRow";
 import { DotLayer } from "./DotLayer";
 import { fullName } from "./figures";
 import { frontOf } from "./front";
@@ -127,9 +127,9 @@ function emptyReason(batch: Batch, strategies: number, columns: Columns): string
 
 function describeBest(row: number, { batch, columns, strategies, y }: Pick<Props, "batch" | "columns" | "strategies"> & Pick<ShownPlot, "y">): string {
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "";
-  const place = placeOf(columns, row, batch.fields).join(", ");
+  const values = fieldTexts(columns, row, batch.fields).join(", ");
   const value = Number(cell(columns, y.key, row)) * y.scale;
-  return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${place} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run; drag to zoom, double click for all.`;
+  return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${values} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run; drag to zoom, double click for all.`;
 }
 
 function describeFront(front: readonly number[], columns: Columns, visible: readonly Strategy[]): string {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { markersOf } from "../plots/markers";
-import { nearest, place } from "./dots";
+import { nearest, locate } from "./dots";
 import { linesOf } from "./lines";
 import { secondsLeft, withMark, type Mark } from "../jobs/pace";
 import { MANY, scatterFigure } from "./scatter";
@@ -132,11 +132,11 @@ describe("a plot of many points", () => {
     const axis = (_offset: number) => ({ _offset, _length: 100, d2p: (value: number | string) => Number(value) * 10 });
     const axes = { xaxis: axis(50), yaxis: axis(0) };
     const { dots } = figure(MANY + 1);
-    const placed = place(dots.map((each) => ({ ...each, rows: [7, 8, 9], x: [1, 2, 20], y: [1, 1, 1] })), axes);
-    expect([...(placed[0]?.x ?? [])]).toEqual([60, 70, 250]);
-    expect(nearest(placed, axes, 68, 12, 12)?.index).toBe(1);
-    expect(nearest(placed, axes, 68, 40, 12)).toBeNull();
-    expect(nearest(placed, axes, 250, 10, 12)).toBeNull(); // zoomed out of sight
+    const located = locate(dots.map((each) => ({ ...each, rows: [7, 8, 9], x: [1, 2, 20], y: [1, 1, 1] })), axes);
+    expect([...(located[0]?.x ?? [])]).toEqual([60, 70, 250]);
+    expect(nearest(located, axes, 68, 12, 12)?.index).toBe(1);
+    expect(nearest(located, axes, 68, 40, 12)).toBeNull();
+    expect(nearest(located, axes, 250, 10, 12)).toBeNull(); // zoomed out of sight
   });
 });
 

@@ -26,7 +26,7 @@ export function isAirborne(columns: Columns, row: number): boolean {
 }
 
 /** `Height 0.05 m`, for every swept field. */
-export const placeOf = (columns: Columns, row: number, fields: Batch["fields"]): readonly string[] =>
+export const fieldTexts = (columns: Columns, row: number, fields: Batch["fields"]): readonly string[] =>
   fields.map(({ name, title, unit }) => `${title} ${showCell(cell(columns, name, row), unit)}`);
 
 interface Context {
@@ -42,7 +42,7 @@ export function describeRow(row: number, { columns, fields, strategies, y, catal
   const value = formatResult(Number(cell(columns, y.key, row)) * y.scale, 4);
   return [
     strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "",
-    ...placeOf(columns, row, fields),
+    ...fieldTexts(columns, row, fields),
     `${fullName(y)}: ${value} ${prettyUnit(y.unit)}`.trim(),
     ...caveatsOfRow(columns, row, catalogue).map(({ text }) => `⚠ ${text}`),
   ];

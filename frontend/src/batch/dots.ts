@@ -16,7 +16,7 @@ export interface Axes {
   readonly yaxis: DrawnAxis;
 }
 
-export interface Placed {
+export interface LocatedDots {
   readonly dots: Dots;
   /** [px] from the figure's corner. */
   readonly x: Float32Array;
@@ -32,7 +32,7 @@ export interface Hit {
 
 const HALF = 2.5;
 
-export function place(all: readonly Dots[], { xaxis, yaxis }: Axes): readonly Placed[] {
+export function locate(all: readonly Dots[], { xaxis, yaxis }: Axes): readonly LocatedDots[] {
   return all.map((dots) => ({
     dots,
     x: Float32Array.from(dots.x, (value) => xaxis._offset + xaxis.d2p(value)),
@@ -44,10 +44,10 @@ const inside = ({ xaxis, yaxis }: Axes, x: number, y: number) =>
   x >= xaxis._offset && x <= xaxis._offset + xaxis._length && y >= yaxis._offset && y <= yaxis._offset + yaxis._length;
 
 /** The nearest point within reach that is in sight; of points one upon the other, the one drawn last. */
-export function nearest(placed: readonly Placed[], axes: Axes, x: number, y: number, reach: number): Hit | null {
+export function nearest(located: readonly LocatedDots[], axes: Axes, x: number, y: number, reach: number): Hit | null {
   let nearest: Hit | null = null;
   let least = reach * reach;
-  for (const { dots, x: xs, y: ys } of placed) {
+  for (const { dots, x: xs, y: ys } of located) {
     for (let index = 0; index < xs.length; index++) {
       const [atX = NaN, atY = NaN] = [xs[index], ys[index]];
       const distance = (atX - x) ** 2 + (atY - y) ** 2;
@@ -83,7 +83,7 @@ export function clearDots(canvas: HTMLCanvasElement): void {
   canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
 }
 
-export function drawDots(canvas: HTMLCanvasElement, placed: readonly Placed[], { xaxis, yaxis }: Axes, width: number, height: number): void {
+export function drawDots(canvas: HTMLCanvasElement, located: readonly LocatedDots[], { xaxis, yaxis }: Axes, width: number, height: number): void {
   const ratio = window.devicePixelRatio;
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
@@ -92,7 +92,7 @@ export function drawDots(canvas: HTMLCanvasElement, placed: readonly Placed[], {
   context.beginPath();
   context.rect(xaxis._offset * ratio, yaxis._offset * ratio, xaxis._length * ratio, yaxis._length * ratio);
   context.clip();
-  for (const { dots, x, y } of placed) {
+  for (const { dots, x, y } of located) {
     const [full, hollow] = [stamp(dots, false, ratio), stamp(dots, true, ratio)];
     const shift = full.width / 2;
     for (let index = 0; index < x.length; index++) {

@@ -33,15 +33,15 @@ export function linesOf(columns: Columns, points: readonly Points[], others: rea
     });
     return [...groups.values()].filter(({ length }) => length >= 2);
   });
-  const rowsAt = (place: number) => points[place]?.rows ?? [];
+  const rowsAt = (line: number) => points[line]?.rows ?? [];
   if (groups.reduce((sum, { length }) => sum + length, 0) > MOST) return [];
-  return points.map(({ strategy, x, y }, place) => ({
+  return points.map(({ strategy, x, y }, line) => ({
     strategy,
-    x: (groups[place] ?? []).flatMap((group) => [...group.map((index) => x[index] ?? null), null]),
-    y: (groups[place] ?? []).flatMap((group) => [...group.map((index) => y[index] ?? null), null]),
-    ends: (groups[place] ?? []).flatMap((group) => {
+    x: (groups[line] ?? []).flatMap((group) => [...group.map((index) => x[index] ?? null), null]),
+    y: (groups[line] ?? []).flatMap((group) => [...group.map((index) => y[index] ?? null), null]),
+    ends: (groups[line] ?? []).flatMap((group) => {
       const index = group.at(-1) ?? 0;
-      const [atX, atY, row] = [x[index], y[index], rowsAt(place)[index]];
+      const [atX, atY, row] = [x[index], y[index], rowsAt(line)[index]];
       return atX === undefined || atY === undefined || row === undefined ? [] : [{ x: atX, y: atY, row }];
     }),
   }));

@@ -6,7 +6,7 @@ import type { Palette } from "../plots/figure";
 import type { GridTrace, PlotLayout } from "../plots/plotly";
 import { formatExact, titleWithUnit } from "../units/format";
 import type { AxisOf } from "./axes";
-import type { MapGrid, Place } from "./map";
+import type { MapGrid, AxisValue } from "./map";
 import { isSpreadByRatio } from "./scatter";
 
 interface Input {
@@ -32,7 +32,7 @@ const DIVERGING = {
 /** Beyond this change [%] all is one colour. */
 const MOST_CHANGE = 100;
 
-const named = (place: Place) => (typeof place === "string" ? humanise(place) : place);
+const named = (value: AxisValue) => (typeof value === "string" ? humanise(value) : value);
 
 function colours({ grid, difference, scheme }: Input) {
   if (!difference) return { colorscale: "Cividis" };
@@ -42,7 +42,7 @@ function colours({ grid, difference, scheme }: Input) {
 }
 
 function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
-  if (threshold === null || grid.xs.some((place) => typeof place === "string") || grid.ys.some((place) => typeof place === "string")) return [];
+  if (threshold === null || grid.xs.some((value) => typeof value === "string") || grid.ys.some((value) => typeof value === "string")) return [];
   const common = {
     type: "contour",
     x: grid.xs,
@@ -63,10 +63,10 @@ function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
 
 export function mapFigure(input: Input): { readonly data: readonly GridTrace[]; readonly layout: PlotLayout } {
   const { grid, x, y, title, unit, textOf, palette } = input;
-  const axis = (field: AxisOf, places: readonly Place[]) => ({
+  const axis = (field: AxisOf, values: readonly AxisValue[]) => ({
     title: { text: titleWithUnit(field.title, field.unit) },
     showgrid: false,
-    ...(isSpreadByRatio(places) ? { type: "log", exponentformat: "power" } : places.some((place) => typeof place === "string") ? { type: "category" } : {}),
+    ...(isSpreadByRatio(values) ? { type: "log", exponentformat: "power" } : values.some((value) => typeof value === "string") ? { type: "category" } : {}),
   });
   const cells: GridTrace = {
     type: "heatmap",

@@ -73,12 +73,12 @@ const scaleOf = (points: readonly Points[]) => (isSpreadByRatio(points.flatMap((
 const named = (value: number | string) => (typeof value === "string" ? humanise(value) : value);
 
 
-const look = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
+const strategyOf = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
 const symbolOf = (markers: Markers, id: string) => markers[id] ?? "circle";
 
 function traces({ points, strategies, markers, isHollow, textOf, palette }: Input): readonly PointTrace[] {
   return points.map(({ strategy, rows, x: xs, y: ys }): PointTrace => {
-    const { label = strategy, colour } = look(strategies, strategy) ?? {};
+    const { label = strategy, colour } = strategyOf(strategies, strategy) ?? {};
     const symbol = symbolOf(markers, strategy);
     const hollow = rows.map(isHollow);
     return {
@@ -102,7 +102,7 @@ function traces({ points, strategies, markers, isHollow, textOf, palette }: Inpu
 
 function joints({ lines, strategies, curves }: Input): readonly LineTrace[] {
   return lines.map(({ strategy, x, y }): LineTrace => {
-    const { label = strategy, colour, dash } = look(strategies, strategy) ?? {};
+    const { label = strategy, colour, dash } = strategyOf(strategies, strategy) ?? {};
     return {
       type: "scatter",
       mode: "lines",
@@ -147,12 +147,12 @@ function endLabels({ lines, labelOf, curves }: Input): readonly EndLabel[] {
   if (curves) return [];
   const ends = lines.flatMap(({ ends: all }) => all).sort((a, b) => b.y - a.y);
   const gap = LABEL_GAP * Math.max(0, ...ends.map(({ y }) => y));
-  const kept: EndLabel[] = [];
+  const spaced: EndLabel[] = [];
   for (const end of ends) {
-    const last = kept.at(-1);
-    if (!last || last.y - end.y >= gap) kept.push({ ...end, text: labelOf(end.row) });
+    const last = spaced.at(-1);
+    if (!last || last.y - end.y >= gap) spaced.push({ ...end, text: labelOf(end.row) });
   }
-  return kept;
+  return spaced;
 }
 
 /** The staircase over the front's members. */
@@ -184,7 +184,7 @@ export function scatterFigure(input: Input): ScatterFigure {
       ? points.map((each) => ({
           ...each,
           x: each.x.map(named),
-          colour: look(strategies, each.strategy)?.colour ?? palette.text,
+          colour: strategyOf(strategies, each.strategy)?.colour ?? palette.text,
           symbol: symbolOf(markers, each.strategy),
           hollow: each.rows.map(isHollow),
         }))

@@ -54,7 +54,7 @@ export interface Points {
   readonly y: readonly number[];
 }
 
-const asPlace = (value: Cell): number | string | null =>
+const asAxisValue = (value: Cell): number | string | null =>
   typeof value === "number" || typeof value === "string" ? value : Array.isArray(value) ? value.join(", ") : null;
 
 /** What a plot shows: for each strategy the rows that have both values, in ascending x. */
@@ -62,15 +62,15 @@ export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x:
   return strategies.map((strategy) => {
     const rows = ordered(
       columns,
-      rowsOf(columns, (row) => cell(columns, "strategy", row) === strategy && typeof cell(columns, y, row) === "number" && asPlace(cell(columns, x, row)) !== null),
+      rowsOf(columns, (row) => cell(columns, "strategy", row) === strategy && typeof cell(columns, y, row) === "number" && asAxisValue(cell(columns, x, row)) !== null),
       { column: x, descending: false },
     );
     return {
       strategy,
       rows,
       x: rows.map((row) => {
-        const place = asPlace(cell(columns, x, row)) ?? "";
-        return typeof place === "number" ? place * xScale : place;
+        const value = asAxisValue(cell(columns, x, row)) ?? "";
+        return typeof value === "number" ? value * xScale : value;
       }),
       y: rows.map((row) => Number(cell(columns, y, row)) * scale),
     };

@@ -8,18 +8,18 @@ import { setAt } from "../editor/path";
 import { useOpenInLab } from "../shell/useOpenInLab";
 import { pointerOf } from "../sweep/fields";
 
-export interface Place {
+export interface RunAtValues {
   readonly run: number;
   /** The swept fields' values. */
   readonly at: Readonly<Record<string, JsonValue>>;
 }
 
 /** The scenario of a place. */
-export const scenarioAt = (base: Scenario, at: Place["at"]): Scenario =>
+export const scenarioAt = (base: Scenario, at: RunAtValues["at"]): Scenario =>
   Object.entries(at).reduce((scenario, [name, value]) => setAt(scenario, pointerOf(name), value), base);
 
 export interface Opening {
-  readonly open: (place: Place) => void;
+  readonly open: (run: RunAtValues) => void;
   /** The run being opened. */
   readonly run: number | null;
   readonly error: string | null;
@@ -28,13 +28,13 @@ export interface Opening {
 export function useOpenRun(batch: Batch): Opening {
   const openInLab = useOpenInLab();
   const opening = useMutation({
-    mutationFn: ({ at }: Place) => api.createRun(scenarioAt(batch.scenario, at), batch.strategies),
+    mutationFn: ({ at }: RunAtValues) => api.createRun(scenarioAt(batch.scenario, at), batch.strategies),
     networkMode: "always",
   });
   const { error } = opening;
   return {
-    open: (place) => {
-      if (!opening.isPending) opening.mutate(place, { onSuccess: openInLab() });
+    open: (run) => {
+      if (!opening.isPending) opening.mutate(run, { onSuccess: openInLab() });
     },
     run: opening.isPending ? opening.variables.run : null,
     error: error && explain(error),

@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import type { StrategyId } from "../api/types";
 import { changedFields, changesText } from "../editor/diff";
 import { againstPin, type Against } from "../state/compare";
-import { useDesk } from "../state/context";
+import { useLabContext } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
 import classes from "./compare.module.css";
@@ -18,7 +18,7 @@ import { SpeedSelect } from "./SpeedSelect";
 const STRATEGY = "strategy:";
 
 export function CompareBar({ scene }: { readonly scene: Scene }) {
-  const { router } = useDesk();
+  const { router } = useLabContext();
   return (
     <div className={classes.bar}>
       <AgainstSelect scene={scene} />
@@ -37,7 +37,7 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
 }
 
 function AgainstSelect({ scene: { strategies, pins, before, reference, baseline } }: { readonly scene: Scene }) {
-  const { lab, router } = useDesk();
+  const { lab, router } = useLabContext();
   const variants = [
     ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
     ...pins.map(({ name, shown }) => ({ value: againstPin(shown.runId ?? ""), label: name })),

@@ -4,14 +4,14 @@ import { Button, Tooltip } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../editor/diff";
 import { IconPin } from "../icons";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { defaultName, MOST_PINS } from "../state/pins";
 import { schemaQuery } from "../state/queries";
 import { useStore } from "../state/store";
 import { ownPins } from "./usePins";
 
 export function PinButton() {
-  const { lab, standard } = useDesk();
+  const { lab, standard } = useLabContext();
   const form = useQuery(schemaQuery).data;
   const pins = useStore(ownPins);
   const run = useLab(({ shown, stale, shared }) => (shown?.source === "exact" && !stale && !shared ? shown.runId : null));

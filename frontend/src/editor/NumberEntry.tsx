@@ -4,7 +4,7 @@ import { TextInput } from "@mantine/core";
 import { useState } from "react";
 import { prettyUnit } from "../units/format";
 import classes from "./editor.module.css";
-import { readTyped, stepped, typedText } from "./limits";
+import { parseTyped, stepped, typedText } from "./limits";
 import type { NumberField } from "./schema";
 import { useKeyRest } from "./useKeyRest";
 import type { LeafState } from "./useLeaf";
@@ -31,15 +31,15 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
   const finish = () => {
     rest.flush();
     if (draft === null) return;
-    const reading = readTyped(field, draft);
+    const parsed = parseTyped(field, draft);
     setDraft(null);
-    if (reading.ok) leaf.commit(reading.value);
-    else leaf.reject({ text: draft, message: reading.message });
+    if (parsed.ok) leaf.commit(parsed.value);
+    else leaf.reject({ text: draft, message: parsed.message });
   };
 
   const step = (steps: number) => {
-    const reading = draft === null ? null : readTyped(field, draft);
-    const from = reading === null ? leaf.value : reading.ok ? reading.value : null;
+    const parsed = draft === null ? null : parseTyped(field, draft);
+    const from = parsed === null ? leaf.value : parsed.ok ? parsed.value : null;
     if (typeof from !== "number") return;
     setDraft(null);
     leaf.drag(stepped(field, from, steps));

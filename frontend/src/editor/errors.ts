@@ -5,7 +5,7 @@ import type { Pointer } from "./path";
 import { leavesOf } from "./diff";
 import type { Group } from "./schema";
 
-export interface PlacedErrors {
+export interface ErrorsByField {
   /** By field of the form. */
   readonly fields: Readonly<Record<Pointer, string>>;
   /** What belongs to no field. */
@@ -23,7 +23,7 @@ export function fieldFor(root: Group, pointer: string): Pointer | null {
   return above ?? pointers.find((candidate) => candidate.startsWith(`${inside}/`)) ?? null;
 }
 
-export function placeErrors(root: Group, errors: readonly FieldError[], fallback: string): PlacedErrors {
+export function errorsByField(root: Group, errors: readonly FieldError[], fallback: string): ErrorsByField {
   const fields: Record<Pointer, string> = {};
   const general: string[] = [];
   for (const { pointer, message } of errors) {

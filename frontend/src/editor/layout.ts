@@ -45,15 +45,15 @@ export function sections(form: Group): readonly Section[] {
 /** What is left of a section where every word has to stand in a field's name or in the names of the parts it lies in. */
 export function matching(section: Section, text: string): Section | null {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const members = kept(section.members, section.title, words);
+  const members = withWords(section.members, section.title, words);
   return members.length === 0 ? null : { ...section, members };
 }
 
-function kept(members: readonly Member[], parts: string, words: readonly string[]): readonly Member[] {
+function withWords(members: readonly Member[], parts: string, words: readonly string[]): readonly Member[] {
   return members.flatMap((member): readonly Member[] => {
     const inside = `${parts} ${member.title}`;
     if (member.kind === "group") {
-      const below = kept(member.members, inside, words);
+      const below = withWords(member.members, inside, words);
       return below.length === 0 ? [] : [{ ...member, members: below }];
     }
     const entries = member.kind === "vector" ? member.items.map(({ title }) => title).join(" ") : "";

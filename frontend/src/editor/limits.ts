@@ -1,15 +1,15 @@
 /** Hard limits of typed values, slider steps and slider scales. */
 
 import { formatExact, formatInput } from "../units/format";
-import { readQuantity } from "../units/quantity";
+import { parseQuantity } from "../units/quantity";
 import type { NumberField } from "./schema";
 
-export type Reading = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
+export type ParsedValue = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
 
 /** Reads and checks a typed value against the field's own limits; the server checks what involves other fields. */
-export function readTyped(field: NumberField, text: string): Reading {
+export function parseTyped(field: NumberField, text: string): ParsedValue {
   if (text.trim() === "") return { ok: false, message: "Needs a value" };
-  const typed = readQuantity(text, field.shown.unit);
+  const typed = parseQuantity(text, field.shown.unit);
   if (!typed.ok) return typed;
   const value = rounded(typed.value / field.shown.scale);
   if (field.integer && !Number.isInteger(value)) return { ok: false, message: "Must be a whole number" };

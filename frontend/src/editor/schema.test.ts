@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { changedFields, changedPointers, changesText, leavesOf, resetMember, standardScenario } from "./diff";
-import { fieldFor, placeErrors } from "./errors";
+import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
 import { matching, sections } from "./layout";
-import { readTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
+import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import type { NumberField } from "./schema";
 
@@ -100,7 +100,7 @@ describe("errors of the server", () => {
   });
 
   it("keep what belongs to no field", () => {
-    const placed = placeErrors(
+    const placed = errorsByField(
       FORM,
       [
         { pointer: "/scenario/road/seed", message: "a" },
@@ -110,19 +110,19 @@ describe("errors of the server", () => {
       "fallback",
     );
     expect(placed).toEqual({ fields: { "/road/seed": "a. b" }, general: ["c"] });
-    expect(placeErrors(FORM, [], "fallback").general).toEqual(["fallback"]);
+    expect(errorsByField(FORM, [], "fallback").general).toEqual(["fallback"]);
   });
 });
 
 describe("typed values", () => {
   it("are checked against the hard limits", () => {
     const height = numberField("/road/bump/height");
-    expect(readTyped(height, "12")).toEqual({ ok: true, value: 0.12 });
-    expect(readTyped(height, "120 mm")).toEqual({ ok: true, value: 0.12 });
-    expect(readTyped(height, "2 m")).toEqual({ ok: false, message: "Must be from −100 to 100\u00a0cm" });
-    expect(readTyped(height, "high").ok).toBe(false);
-    expect(readTyped(height, " ").ok).toBe(false);
-    expect(readTyped(numberField("/road/seed"), "1.5")).toEqual({ ok: false, message: "Must be a whole number" });
+    expect(parseTyped(height, "12")).toEqual({ ok: true, value: 0.12 });
+    expect(parseTyped(height, "120 mm")).toEqual({ ok: true, value: 0.12 });
+    expect(parseTyped(height, "2 m")).toEqual({ ok: false, message: "Must be from −100 to 100\u00a0cm" });
+    expect(parseTyped(height, "high").ok).toBe(false);
+    expect(parseTyped(height, " ").ok).toBe(false);
+    expect(parseTyped(numberField("/road/seed"), "1.5")).toEqual({ ok: false, message: "Must be a whole number" });
   });
 });
 

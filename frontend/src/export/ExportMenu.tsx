@@ -7,7 +7,7 @@ import { useState } from "react";
 import { api } from "../api/client";
 import { useCompared } from "../compare/useCompared";
 import { useCommands } from "../state/commands";
-import { useDesk, useLab, useView } from "../state/context";
+import { useLabContext, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { axisKey, makeScene } from "../state/scene";
 import { useController } from "../hil/useController";
@@ -40,7 +40,7 @@ export function ExportMenu() {
   const view = useView();
   const client = useQueryClient();
   const compared = useCompared();
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const figures = useQuery(figuresQuery).data;
   const strategies = useQuery(strategiesQuery).data;
   const form = useQuery(schemaQuery).data;

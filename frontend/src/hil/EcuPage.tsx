@@ -8,7 +8,7 @@ import { ApiProblem, isTransient } from "../api/problem";
 import type { Summary } from "../api/types";
 import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
-import { placeErrors } from "../editor/errors";
+import { errorsByField } from "../editor/errors";
 import { CouldNotLoad } from "../shell/Blank";
 import { useSchemeColours } from "../state/useSchemeColours";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
@@ -37,7 +37,7 @@ export function EcuPage() {
 
   const refused = useMemo(() => {
     if (!error || isTransient(error) || !schema.data) return NO_ERRORS;
-    return error instanceof ApiProblem ? placeErrors(schema.data, error.errors, error.message) : { fields: {}, general: [error.message] };
+    return error instanceof ApiProblem ? errorsByField(schema.data, error.errors, error.message) : { fields: {}, general: [error.message] };
   }, [error, schema.data]);
   const coloured = useSchemeColours(strategies.data);
   const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured?.find((each) => each.id === id) ?? []), [coloured]);

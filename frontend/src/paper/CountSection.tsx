@@ -127,7 +127,7 @@ function Missed({ paper, words }: Props) {
           <li key={cellId(cell)}>
             <VerdictMark verdict={cell.verdict} certain={cell.certain} />
             <Anchor href={`#${cellId(cell)}`} size="sm">
-              {placeOf(cell, words)}
+              {cellName(cell, words)}
             </Anchor>
           </li>
         ))}
@@ -139,5 +139,5 @@ function Missed({ paper, words }: Props) {
   );
 }
 
-const placeOf = ({ table, strategy, against, signal }: PaperCell, words: Words) =>
+const cellName = ({ table, strategy, against, signal }: PaperCell, words: Words) =>
   `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;

@@ -8,7 +8,7 @@ import { useEffect, type ReactNode } from "react";
 import { api } from "../api/client";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Paper } from "../api/types";
-import { InShell } from "../shell/places";
+import { ShellSlot } from "../shell/slots";
 import shell from "../shell/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
@@ -40,7 +40,7 @@ export function PaperPage() {
 
   return (
     <>
-      <InShell place="tools">
+      <ShellSlot name="tools">
         <span className={shell.grow} />
         <Button
           component="a"
@@ -53,7 +53,7 @@ export function PaperPage() {
         >
           Report
         </Button>
-      </InShell>
+      </ShellSlot>
       <div className={classes.page}>
         <Contents paper={paper} />
         <main className={classes.main} aria-busy={waiting || paper?.complete === false}>

@@ -66,14 +66,14 @@ interface Scaled {
   readonly scale: readonly [number, number];
 }
 
-const placeOf = (value: number, [low, high]: Scaled["scale"]) => `${((value - low) / (high - low)) * 100}%`;
+const offsetOf = (value: number, [low, high]: Scaled["scale"]) => `${((value - low) / (high - low)) * 100}%`;
 
 function Ends({ scale }: Scaled) {
   return (
     <span className={classes.ends}>
       <span className="visually-hidden">Bar, from </span>
       {[0, 100].map((value) => (
-        <span key={value} style={{ left: placeOf(value, scale) }}>
+        <span key={value} style={{ left: offsetOf(value, scale) }}>
           {value} %
         </span>
       ))}
@@ -86,10 +86,10 @@ function Bar({ share, scale }: Scaled & { readonly share: Share }) {
   return (
     <div className={classes.bar} role="img" aria-label={text}>
       {segmentsOf(share).map(({ part, from, to }) => (
-        <span key={part} className={classes.segment} data-part={part} style={{ left: placeOf(from, scale), width: `calc(${placeOf(to, scale)} - ${placeOf(from, scale)})` }} />
+        <span key={part} className={classes.segment} data-part={part} style={{ left: offsetOf(from, scale), width: `calc(${offsetOf(to, scale)} - ${offsetOf(from, scale)})` }} />
       ))}
       {[0, 100].map((value) => (
-        <span key={value} className={classes.line} style={{ left: placeOf(value, scale) }} />
+        <span key={value} className={classes.line} style={{ left: offsetOf(value, scale) }} />
       ))}
     </div>
   );

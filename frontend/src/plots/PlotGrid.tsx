@@ -4,7 +4,7 @@ import { useComputedColorScheme } from "@mantine/core";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../state/address";
-import { useDesk } from "../state/context";
+import { useLabContext } from "../state/context";
 import type { Scene } from "../state/scene";
 import { layersOf } from "./layers";
 import { PALETTES } from "./palettes";
@@ -51,7 +51,7 @@ export function PlotGrid({ templates, scene }: Props) {
 
 /** Zooms all plots; without a range from the bump to the whole run and back. */
 export function useZoom(): (zoom: Zoom | null) => void {
-  const { router } = useDesk();
+  const { router } = useLabContext();
   return useCallback(
     (zoom) => {
       const { zoom: before } = router.get().view;

@@ -21,6 +21,6 @@ export function layersOf({ shown, before, pins }: Pick<Scene, "shown" | "before"
   const ghost = before ? [{ name: "before the edit", series: before.series, line: { width: 1 }, opacity: 0.65 }] : [];
   // A pinned result that is what is shown has no curves beside those.
   const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== shown.runId);
-  const pinned = others.map(({ name, shown: { series }, place = 0 }) => ({ name, series, line: { width: 1.2, dash: pinDash(place) }, opacity: 0.8 }));
+  const pinned = others.map(({ name, shown: { series }, index = 0 }) => ({ name, series, line: { width: 1.2, dash: pinDash(index) }, opacity: 0.8 }));
   return [...ghost, ...pinned];
 }

@@ -68,8 +68,8 @@ export function paperFigure(template: FigureTemplate, curves: Curves, { width, f
 export function sized(svg: string, width: number, height: number): string {
   const [pixelsWide, pixelsHigh] = [Math.round(width * MM), Math.round(height * MM)];
   return svg.replace(/<svg[^>]*>/, (root) => {
-    const kept = root.replace(/ (?:width|height|viewBox)="[^"]*"/g, "");
-    return kept.replace("<svg", `<svg width="${width}mm" height="${height}mm" viewBox="0 0 ${pixelsWide} ${pixelsHigh}"`);
+    const unsized = root.replace(/ (?:width|height|viewBox)="[^"]*"/g, "");
+    return unsized.replace("<svg", `<svg width="${width}mm" height="${height}mm" viewBox="0 0 ${pixelsWide} ${pixelsHigh}"`);
   });
 }
 

@@ -57,10 +57,10 @@ interface TrackProps {
 }
 
 function Track({ summary, strategy, figureSummary, figure: { label, unit, scale }, end }: TrackProps) {
-  const place = (value: number) => `${Math.max(0, Math.min(100, (100 * value * scale) / end))}%`;
+  const offset = (value: number) => `${Math.max(0, Math.min(100, (100 * value * scale) / end))}%`;
   const at = (percent: number) => quantile(summary, figureSummary, percent);
   const span = (low: number | null, high: number | null) =>
-    low === null || high === null ? { display: "none" } : { left: place(low), width: `calc(${place(high)} - ${place(low)})`, background: strategy.colour };
+    low === null || high === null ? { display: "none" } : { left: offset(low), width: `calc(${offset(high)} - ${offset(low)})`, background: strategy.colour };
   const [p5, p25, p50, p75, p95] = [at(5), at(25), at(50), at(75), at(95)];
   const said = (value: number | null) => (value === null ? "none" : formatResult(value * scale));
   const words = `${strategy.label}, ${label}: median ${said(p50)}, 5 % ${said(p5)}, 95 % ${said(p95)}, worst ${said(figureSummary.highest?.value ?? null)}, nominal ${said(figureSummary.nominal)} ${prettyUnit(unit)}`;
@@ -68,9 +68,9 @@ function Track({ summary, strategy, figureSummary, figure: { label, unit, scale 
     <span className={styles.track} role="img" aria-label={words} title={words}>
       <span className={styles.bar} style={span(p5, p95)} />
       <span className={styles.box} style={span(p25, p75)} />
-      {p50 !== null && <span className={styles.median} style={{ left: place(p50) }} />}
-      {figureSummary.highest && <span className={styles.worst} style={{ left: place(figureSummary.highest.value), borderColor: strategy.colour }} />}
-      {figureSummary.nominal !== null && <span className={styles.nominal} style={{ left: place(figureSummary.nominal) }} />}
+      {p50 !== null && <span className={styles.median} style={{ left: offset(p50) }} />}
+      {figureSummary.highest && <span className={styles.worst} style={{ left: offset(figureSummary.highest.value), borderColor: strategy.colour }} />}
+      {figureSummary.nominal !== null && <span className={styles.nominal} style={{ left: offset(figureSummary.nominal) }} />}
     </span>
   );
 }

@@ -4,7 +4,7 @@ import { Text } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../api/types";
 import { StrategyKey } from "../tables/StrategyKey";
 import { formatFixed, formatResult, formatWhole } from "../units/format";
-import { PlaceButton } from "./PlaceButton";
+import { RunButton } from "./RunButton";
 import classes from "./robustness.module.css";
 import { AIRBORNE, quantile, TRAVEL, type FigureSummary } from "./summary";
 import type { Opening } from "../batch/useOpenRun";
@@ -74,7 +74,7 @@ export function Limits({ summary, strategies, opening }: Props) {
                     <td>{stability.nominal === null ? "–" : formatFixed(stability.nominal, 2)}</td>
                     <td>{median === null ? "–" : formatFixed(median, 2)}</td>
                     <td>
-                      <PlaceButton place={stability.lowest} text={stability.lowest ? formatFixed(stability.lowest.value, 2) : "–"} what={`${strategy.label}: least damping`} opening={opening} />
+                      <RunButton run={stability.lowest} text={stability.lowest ? formatFixed(stability.lowest.value, 2) : "–"} what={`${strategy.label}: least damping`} opening={opening} />
                     </td>
                     <td data-bad={stability.unstable > 0 || undefined}>{times(stability.unstable, stability.known)}</td>
                   </>
@@ -114,7 +114,7 @@ function Event({ results, unit, what, opening }: EventProps) {
   return (
     <>
       <td data-bad={happens || undefined}>{times(results.above_zero, results.n)}</td>
-      <td>{happens && results.highest ? <PlaceButton place={results.highest} text={`${formatResult(results.highest.value)}\u00a0${unit}`} what={what} opening={opening} /> : "–"}</td>
+      <td>{happens && results.highest ? <RunButton run={results.highest} text={`${formatResult(results.highest.value)}\u00a0${unit}`} what={what} opening={opening} /> : "–"}</td>
     </>
   );
 }

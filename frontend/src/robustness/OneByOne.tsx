@@ -113,20 +113,20 @@ function Bars({ tornado: { nominal, bars }, figure, opening, batch }: BarsProps)
   const values = [nominal, ...bars.flatMap(({ low, high }) => [low, high].flatMap((end) => (end ? [end.value] : [])))];
   const [least, most] = [Math.min(...values), Math.max(...values)];
   const width = Math.max(most - least, 1e-12);
-  const place = (value: number) => (value - least) / width;
+  const offset = (value: number) => (value - least) / width;
   const base = `${formatResult(nominal * figure.scale)} ${prettyUnit(figure.unit)}`.trim();
   return (
     <div className={styles.tornado} data-testid="tornado">
       <div className={styles.tornadoRow} aria-hidden>
         <span />
         <span className={styles.tornadoTrack}>
-          <span className={styles.tornadoBase} style={shares(place(nominal))}>
+          <span className={styles.tornadoBase} style={shares(offset(nominal))}>
             {base}
           </span>
         </span>
       </div>
       {bars.map((bar) => (
-        <BarRow key={bar.field.name} {...{ bar, nominal, place, figure, opening, batch }} />
+        <BarRow key={bar.field.name} {...{ bar, nominal, offset, figure, opening, batch }} />
       ))}
     </div>
   );
@@ -135,10 +135,10 @@ function Bars({ tornado: { nominal, bars }, figure, opening, batch }: BarsProps)
 interface BarRowProps extends Omit<BarsProps, "tornado"> {
   readonly bar: Bar;
   readonly nominal: number;
-  readonly place: (value: number) => number;
+  readonly offset: (value: number) => number;
 }
 
-function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, batch }: BarRowProps) {
+function BarRow({ bar: { field, low, high }, nominal, offset, figure, opening, batch }: BarRowProps) {
   const ends = ([["low", low], ["high", high]] as const).flatMap(([side, end]) => (end ? [{ side, end }] : []));
   const change = ({ value }: End) => (nominal === 0 ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}` : formatPercent(100 * (value / nominal - 1)));
   const fieldText = useFieldText();
@@ -147,9 +147,9 @@ function BarRow({ bar: { field, low, high }, nominal, place, figure, opening, ba
     <div className={styles.tornadoRow} data-field={field.name}>
       <span className={styles.tornadoName}>{nameOf(field.name, [field])}</span>
       <span className={styles.tornadoTrack}>
-        <span className={styles.tornadoLine} style={shares(place(nominal))} />
+        <span className={styles.tornadoLine} style={shares(offset(nominal))} />
         {ends.map(({ side, end }) => {
-          const [from, to] = [place(Math.min(nominal, end.value)), place(Math.max(nominal, end.value))];
+          const [from, to] = [offset(Math.min(nominal, end.value)), offset(Math.max(nominal, end.value))];
           const left = end.value < nominal;
           const run = (end.row - (end.row % batch.strategies.length));
           return (

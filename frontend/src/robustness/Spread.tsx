@@ -8,7 +8,7 @@ import { formatPercent } from "../tables/change";
 import { StrategyKey } from "../tables/StrategyKey";
 import { formatResult, prettyUnit } from "../units/format";
 import { Intervals } from "./Intervals";
-import { PlaceButton } from "./PlaceButton";
+import { RunButton } from "./RunButton";
 import classes from "./robustness.module.css";
 import { quantile, type FigureSummary } from "./summary";
 import type { Opening } from "../batch/useOpenRun";
@@ -110,7 +110,7 @@ function Row({ summary, strategy, figure, figureSummary, opening }: RowProps) {
       <td>{value(quantile(summary, figureSummary, 5))}</td>
       <td>{value(quantile(summary, figureSummary, 95))}</td>
       <td>
-        <PlaceButton place={figureSummary.highest} text={value(figureSummary.highest?.value ?? null)} what={`${strategy.label}, ${figure.label}: worst case`} opening={opening} />
+        <RunButton run={figureSummary.highest} text={value(figureSummary.highest?.value ?? null)} what={`${strategy.label}, ${figure.label}: worst case`} opening={opening} />
       </td>
       {[50, 5, 95].map(change)}
     </tr>

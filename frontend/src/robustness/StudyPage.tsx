@@ -11,7 +11,7 @@ import { BatchState } from "../batch/BatchState";
 import { otherThanPaper } from "../origin/otherThanPaper";
 import { BATCH, useJob } from "../jobs/useJob";
 import { Blank, CouldNotLoad } from "../shell/Blank";
-import { InShell } from "../shell/places";
+import { ShellSlot } from "../shell/slots";
 import shell from "../shell/shell.module.css";
 import { useCatalogues } from "../state/useCatalogues";
 import { defaultsQuery } from "./defaults";
@@ -35,7 +35,7 @@ export function StudyPage() {
 
   return (
     <>
-      <InShell place="tools">
+      <ShellSlot name="tools">
         <span className={shell.grow} />
           {batch && defaults.data && (
             <Button size="xs" variant="default" aria-expanded={changing} aria-label="Change it" classNames={compact} leftSection={<IconAdjustments size={15} />} onClick={toggle}>
@@ -45,7 +45,7 @@ export function StudyPage() {
           <Button size="xs" variant="default" aria-label="New study" classNames={compact} leftSection={<IconPlus size={15} />} renderRoot={(props) => <Link to="/robustness" {...props} />}>
             New study
           </Button>
-      </InShell>
+      </ShellSlot>
       <main className={ui.main}>
         {fault ? (
           isNotFound(error) ? (

@@ -33,7 +33,7 @@ export interface Sweeps {
   readonly oneByOne: Sweep | null;
 }
 
-export type Reading = { readonly ok: true; readonly sweeps: Sweeps } | { readonly ok: false; readonly errors: DraftErrors };
+export type ParsedDraft = { readonly ok: true; readonly sweeps: Sweeps } | { readonly ok: false; readonly errors: DraftErrors };
 
 /** As it was sent: the server takes nothing else. */
 export const sweepOf = ({ sweep }: Pick<Batch, "sweep">) => sweep as Sweep;
@@ -74,16 +74,16 @@ export function restoreStudy(stored: unknown, opening: StudyDraft): StudyDraft |
 }
 
 /** What is sent, or what has to be changed first. */
-export function readStudy({ ranges, samples, seed, strategies, oneByOne }: StudyDraft): Reading {
+export function readStudy({ ranges, samples, seed, strategies, oneByOne }: StudyDraft): ParsedDraft {
   const varied = ranges.filter(({ on }) => on);
   const fields = varied.map(({ field, from, to }) => ({ ...draftField(field), from, to }));
-  const reading = readDraft({ method: "hypercube", fields, samples, seed, strategies });
-  if (!reading.ok) {
-    const { fields: none, ...errors } = reading.errors;
+  const parsed = readDraft({ method: "hypercube", fields, samples, seed, strategies });
+  if (!parsed.ok) {
+    const { fields: none, ...errors } = parsed.errors;
     return { ok: false, errors: { ...errors, ...(none === undefined ? {} : { fields: "Nothing is uncertain: switch on at least one field" }) } };
   }
   if (Number(samples) < LEAST_SAMPLES) return { ok: false, errors: { samples: `Samples: at least ${LEAST_SAMPLES}, for quantiles to mean anything` } };
-  return { ok: true, sweeps: { cube: reading.sweep, oneByOne: oneByOne ? alone(reading.sweep) : null } };
+  return { ok: true, sweeps: { cube: parsed.sweep, oneByOne: oneByOne ? alone(parsed.sweep) : null } };
 }
 
 const LEAST_SAMPLES = 20;

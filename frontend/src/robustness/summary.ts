@@ -8,7 +8,7 @@ import type { Batch, BatchSummary, StrategyId } from "../api/types";
 export type StrategySummary = BatchSummary["strategies"][string];
 export type FigureSummary = StrategySummary["figures"][string];
 export type Margin = NonNullable<FigureSummary["margin"]>;
-export type Place = NonNullable<FigureSummary["highest"]>;
+export type ExtremeRun = NonNullable<FigureSummary["highest"]>;
 export type Sensitivity = FigureSummary["sensitivity"][number];
 
 export const TRAVEL = "events.travel_exceeded_mm";

@@ -36,8 +36,8 @@ export function tornadoOf(batch: Batch, columns: Columns, strategy: StrategyId, 
   const nominal = valueAt(rows[0]);
   if (nominal === null) return null;
   const bars = batch.fields.map((field, index): Bar => {
-    const [low = null, high = null] = [1, 2].map((place): End | null => {
-      const row = rows[2 * index + place];
+    const [low = null, high = null] = [1, 2].map((step): End | null => {
+      const row = rows[2 * index + step];
       const value = valueAt(row);
       return row === undefined || value === null ? null : { row, at: cell(columns, field.name, row), value };
     });

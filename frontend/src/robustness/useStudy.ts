@@ -5,21 +5,21 @@ import { batches } from "../api/jobs";
 import type { Scenario } from "../api/types";
 import { STUDY_LABEL } from "../jobs/study";
 import { useSubmission } from "../submission/useSubmission";
-import { sweepPlaces } from "../sweep/problems";
+import { sweepFieldName } from "../sweep/problems";
 import { readStudy, type StudyDraft } from "./study";
 
 export function useStudy(draft: StudyDraft, scenario: Scenario | undefined, onSubmitted: () => void) {
-  const reading = useMemo(() => readStudy(draft), [draft]);
+  const parsed = useMemo(() => readStudy(draft), [draft]);
   return useSubmission({
     kind: "batch",
-    body: reading.ok && scenario ? { scenario, strategies: draft.strategies, sweep: reading.sweeps.cube, label: STUDY_LABEL } : null,
-    errors: reading.ok ? null : reading.errors,
-    placeOf: sweepPlaces(draft.ranges.map(({ field }) => field.name)),
+    body: parsed.ok && scenario ? { scenario, strategies: draft.strategies, sweep: parsed.sweeps.cube, label: STUDY_LABEL } : null,
+    errors: parsed.ok ? null : parsed.errors,
+    fieldNameOf: sweepFieldName(draft.ranges.map(({ field }) => field.name)),
     estimate: batches.estimate,
     onSubmitted,
     submit: async (body, keyOf) => {
       const submit = (sent: typeof body) => batches.create(sent, keyOf(sent));
-      const oneByOne = reading.ok ? reading.sweeps.oneByOne : null;
+      const oneByOne = parsed.ok ? parsed.sweeps.oneByOne : null;
       const alone = oneByOne && (await submit({ ...body, sweep: oneByOne, label: `${STUDY_LABEL}: each field alone` }));
       return { to: "/robustness/$id", params: { id: (await submit(body)).id }, search: alone ? { one: alone.id } : {} };
     },

@@ -3,7 +3,7 @@
 import { useQuery } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { useCompared } from "../compare/useCompared";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { cursor } from "../state/cursor";
 import type { LabState } from "../state/labState";
 import { strategiesQuery } from "../state/queries";
@@ -22,7 +22,7 @@ function obstacleOf({ failure, shown, stale, refused }: LabState): string | null
 }
 
 export function ShareRun() {
-  const { lab, router } = useDesk();
+  const { lab, router } = useLabContext();
   const obstacle = useLab(obstacleOf);
   const catalogue = useQuery(strategiesQuery).data ?? [];
   const compared = useCompared();

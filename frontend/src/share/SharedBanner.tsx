@@ -6,7 +6,7 @@ import { useMutation } from "@tanstack/react-query";
 import { api } from "../api/client";
 import type { Link } from "../api/types";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { useStore } from "../state/store";
 import { DifferencesCard } from "./DifferencesCard";
 import { SharedNote } from "./SharedNote";
@@ -20,7 +20,7 @@ interface Props {
 }
 
 export function SharedBanner(props: Props) {
-  const { router } = useDesk();
+  const { router } = useLabContext();
   const { slug } = useStore(router);
   const shared = useLab((state) => state.shared);
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
@@ -30,7 +30,7 @@ export function SharedBanner(props: Props) {
 }
 
 function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
   const again = useMutation({
     mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),

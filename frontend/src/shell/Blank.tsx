@@ -4,7 +4,7 @@ import { Button, Skeleton, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import type { ReactNode } from "react";
-import { useDesk } from "../state/context";
+import { useLabContext } from "../state/context";
 import classes from "./shell.module.css";
 
 interface Props {
@@ -31,7 +31,7 @@ export function Blank({ title, text, children }: Props) {
 }
 
 export function NothingChosen({ suggestion }: { readonly suggestion: readonly string[] }) {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   return (
     <Blank title="No strategy chosen" text="Switch on at least one above to see how the car rides.">
       <Button onClick={() => lab.setStrategies(suggestion)}>Show all strategies</Button>
@@ -40,7 +40,7 @@ export function NothingChosen({ suggestion }: { readonly suggestion: readonly st
 }
 
 export function NotFound() {
-  const { lab, router } = useDesk();
+  const { lab, router } = useLabContext();
   const [title, text] =
     router.get().slug === null
       ? ["There is no run at this address", "The link may be cut short, or the run was made on another server."]

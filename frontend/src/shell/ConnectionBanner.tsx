@@ -70,7 +70,7 @@ function Reconnecting({ trouble, requestedWait, onBack }: Props) {
     <div className={classes.notice} data-kind="trouble" data-testid="connection" role="status">
       <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
       <Text size="sm">
-        {MESSAGE[readiness]} <span aria-hidden>Asking again in {wait} s.</span>
+        {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>
       </Text>
       <Button size="compact-xs" variant="default" onClick={() => void tryNow(new AbortController().signal)}>
         Try now

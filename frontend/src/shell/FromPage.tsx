@@ -6,11 +6,11 @@ import { Link } from "@tanstack/react-router";
 import { titleOf } from "../batch/title";
 import { BATCH, jobQuery } from "../jobs/useJob";
 import { parseSearch } from "../state/address";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { useStore } from "../state/store";
 
 export function FromPage() {
-  const { lab, router, restored } = useDesk();
+  const { lab, router, restored } = useLabContext();
   const { from, slug } = useStore(router);
   // An edit makes the scenario this visit's.
   const untouched = useLab((state) => state.history?.past.length === 0 && state.history.present === restored);

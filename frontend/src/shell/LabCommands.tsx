@@ -3,7 +3,7 @@
 import type { Preset, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
 import { useCommands, type Command } from "../state/commands";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { revealed } from "../state/reveal";
 import { sweepFields } from "../sweep/fields";
 import { useSelected } from "./useSelected";
@@ -15,7 +15,7 @@ interface Props {
 }
 
 export function LabCommands({ form, presets, strategies }: Props) {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const { selected, toggle } = useSelected(strategies);
   const isReadOnly = useLab((state) => state.shared !== null);
 

@@ -46,7 +46,7 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
         part={scene && (scene.range === scene.bump ? "bump" : scene.range === scene.whole ? "whole" : "range")}
         hasBump={scene !== null && scene.bump !== null}
       />
-      <StatusLine place="page" />
+      <StatusLine position="page" />
       {fault === undefined ? <Results {...{ strategies, catalogue, figures, scene }} /> : <CouldNotLoad message={fault} />}
     </main>
   );

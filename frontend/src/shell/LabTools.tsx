@@ -2,7 +2,7 @@
 
 import { IconArrowBackUp, IconArrowForwardUp } from "../icons";
 import type { Preset } from "../api/types";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { ExportMenu } from "../export/ExportMenu";
 import { LibraryButton } from "../library/LibraryButton";
 import { ShareRun } from "../share/ShareRun";
@@ -12,7 +12,7 @@ import classes from "./shell.module.css";
 import { StatusLine } from "./StatusLine";
 
 export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const canUndo = useLab((state) => state.shared === null && (state.history?.past.length ?? 0) > 0);
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
@@ -24,7 +24,7 @@ export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
       <IconButton label="Redo" disabled={!canRedo} onClick={lab.redo}>
         <IconArrowForwardUp size={18} stroke={1.7} />
       </IconButton>
-      <StatusLine place="header" />
+      <StatusLine position="header" />
       <span className={classes.grow} />
       <SweepButton />
       <ShareRun />

@@ -5,7 +5,7 @@ import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tans
 import { IconChevronDown } from "../icons";
 import type { Address } from "../state/address";
 import { useCommands } from "../state/commands";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import { labLink } from "../state/router";
 import { useStore } from "../state/store";
 import { Logo } from "./Logo";
@@ -21,7 +21,7 @@ function useRun(lab: Address): { readonly run?: string } {
 }
 
 export function Nav() {
-  const lab = useStore(useDesk().router);
+  const lab = useStore(useLabContext().router);
   const search = useRun(lab);
   const entries = [
     { section: "lab", label: "Lab", link: labLink(lab) },

@@ -3,7 +3,7 @@
 import { Button, Loader, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Strategy } from "../api/types";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import classes from "./shell.module.css";
 
 const SLOW_AFTER_MS = 1200;
@@ -13,7 +13,7 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
   const failure = useLab((state) => state.failure);
   const refused = useLab((state) => Object.keys(state.refused.fields).length + state.refused.general.length > 0);
   const shown = useLab((state) => state.shown);
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   return (
     <>
       {busy && <SlowNotice />}

@@ -6,7 +6,7 @@ import { CarView } from "../car/CarView";
 import { PlotGrid } from "../plots/PlotGrid";
 import { PlotlyFault } from "../plots/PlotlyFault";
 import { RoadStrip } from "../plots/RoadStrip";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 import type { Scene } from "../state/scene";
 import { Tables } from "../tables/Tables";
 import { CouldNotLoad, Loading, NoHistories, NotFound, NothingChosen } from "./Blank";
@@ -28,7 +28,7 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   const none = useLab((state) => state.strategies.length === 0);
   const shown = useLab((state) => state.shown !== null);
   const refused = useLab((state) => [...Object.values(state.refused.fields), ...state.refused.general].join(". "));
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const stale = useLab((state) => state.stale);
   if (failure?.kind === "notFound") return <NotFound />;
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;

@@ -1,12 +1,12 @@
 /** Over how many roads the exact run goes. */
 
 import { NativeSelect, Tooltip } from "@mantine/core";
-import { useDesk, useLab, useReadOnly } from "../state/context";
+import { useLabContext, useLab, useReadOnly } from "../state/context";
 
 const CHOICES = [1, 5, 10, 20];
 
 export function RoadsSelect() {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const roads = useLab((state) => state.roads);
   const readOnly = useReadOnly();
   const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);

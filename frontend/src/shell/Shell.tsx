@@ -2,23 +2,23 @@
 
 import { Outlet } from "@tanstack/react-router";
 import { useMemo, useState } from "react";
-import { useDesk } from "../state/context";
+import { useLabContext } from "../state/context";
 import { ConnectionBanner } from "./ConnectionBanner";
 import { HeaderEnd } from "./HeaderEnd";
 import { Keyboard } from "./Keyboard";
 import { LoginGate } from "./LoginGate";
 import { Nav } from "./Nav";
-import { PlacesContext } from "./places";
+import { SlotsContext } from "./slots";
 import classes from "./shell.module.css";
 
 export function Shell() {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const [tools, setTools] = useState<HTMLElement | null>(null);
   const [notices, setNotices] = useState<HTMLElement | null>(null);
-  const places = useMemo(() => ({ tools, notices }), [tools, notices]);
+  const slots = useMemo(() => ({ tools, notices }), [tools, notices]);
   return (
     <LoginGate>
-      <PlacesContext value={places}>
+      <SlotsContext value={slots}>
         <div className={classes.shell}>
           <header className={classes.header}>
             <Nav />
@@ -32,7 +32,7 @@ export function Shell() {
             <ConnectionBanner onBack={lab.resume} />
           </div>
         </div>
-      </PlacesContext>
+      </SlotsContext>
     </LoginGate>
   );
 }

@@ -16,17 +16,17 @@ function describe({ source, timing }: Shown): string {
 
 interface Props {
   /** Where it stands: in the header, or under it where the header has no room. */
-  readonly place: "header" | "page";
+  readonly position: "header" | "page";
 }
 
-export function StatusLine({ place }: Props) {
+export function StatusLine({ position }: Props) {
   const shown = useLab((state) => state.shown);
   const behind = useLab((state) => state.stale && !state.busy);
   return (
     <Text
       className={classes.status}
-      data-place={place}
-      data-testid={`status-${place}`}
+      data-position={position}
+      data-testid={`status-${position}`}
       title={shown ? `Computed by core ${shown.coreVersion}` : ""}
     >
       {shown ? (behind ? "The last result, not yet of the form’s values" : describe(shown)) : "\u00a0"}

@@ -5,7 +5,7 @@ import { memo } from "react";
 import type { Strategy } from "../api/types";
 import type { ViewZoom } from "../state/address";
 import { switchAxis } from "../state/axis";
-import { useDesk, useView } from "../state/context";
+import { useLabContext, useView } from "../state/context";
 import { makeScene } from "../state/scene";
 import { RoadsSelect } from "./RoadsSelect";
 import { StrategyChoice } from "./StrategyChoice";
@@ -19,7 +19,7 @@ interface Props {
 }
 
 export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Props) {
-  const { router, lab } = useDesk();
+  const { router, lab } = useLabContext();
   const { axis } = useView();
   return (
     <div className={bar.toolbar}>
@@ -57,7 +57,7 @@ interface ZoomProps {
 }
 
 function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
-  const { router } = useDesk();
+  const { router } = useLabContext();
   return (
     <Tooltip label={tip} openDelay={500}>
       <Button size="xs" variant={shown ? "light" : "default"} aria-pressed={shown} disabled={disabled} onClick={() => router.setView({ zoom })}>

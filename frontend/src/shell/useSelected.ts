@@ -1,10 +1,10 @@
 /** The strategies that are switched on, and how one is switched. */
 
 import type { Strategy, StrategyId } from "../api/types";
-import { useDesk, useLab } from "../state/context";
+import { useLabContext, useLab } from "../state/context";
 
 export function useSelected(strategies: readonly Strategy[]) {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const selected = useLab((state) => state.strategies);
   const toggle = (id: StrategyId) => lab.setStrategies(strategies.map((each) => each.id).filter((other) => selected.includes(other) !== (other === id)));
   return { selected, toggle };

@@ -2,10 +2,10 @@
 
 import type { Question } from "../api/types";
 import type { Figure } from "../batch/figures";
-import { readTyped } from "../editor/limits";
+import { parseTyped } from "../editor/limits";
 import type { NumberField } from "../editor/schema";
 import type { SweepField } from "../sweep/fields";
-import { readQuantity } from "../units/quantity";
+import { parseQuantity } from "../units/quantity";
 
 export interface SolveDraft {
   /** Its dotted name. */
@@ -19,7 +19,7 @@ export interface SolveDraft {
 }
 
 /** What is asked, or what has to be changed first; neither while the limit is missing. */
-export interface Reading {
+export interface ParsedDraft {
   readonly question: Question | null;
   readonly wrong: string | null;
 }
@@ -29,11 +29,11 @@ const UNORDERED = "road.seed";
 
 export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== UNORDERED;
 
-export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): Reading {
-  const ends = [draft.from, draft.to].map((text) => readTyped(field, text));
+export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): ParsedDraft {
+  const ends = [draft.from, draft.to].map((text) => parseTyped(field, text));
   const [from, to] = ends;
-  const limit = readQuantity(draft.limit, figure.unit);
-  const wrong = (message: string): Reading => ({ question: null, wrong: message });
+  const limit = parseQuantity(draft.limit, figure.unit);
+  const wrong = (message: string): ParsedDraft => ({ question: null, wrong: message });
   if (from?.ok === false) return wrong(`From: ${from.message}`);
   if (to?.ok === false) return wrong(`To: ${to.message}`);
   if (!from || !to || from.value >= to.value) return wrong("From has to be less than to");

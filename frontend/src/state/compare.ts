@@ -7,7 +7,7 @@ export interface Variant {
   readonly name: string;
   readonly shown: Shown;
   /** Its place among the pins, which gives it its line. */
-  readonly place?: number;
+  readonly index?: number;
 }
 
 /** What changes in percent are against: another strategy, the state before the last edit, or a pinned run. */

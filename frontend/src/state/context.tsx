@@ -7,7 +7,7 @@ import type { Lab, LabState } from "./labState";
 import type { Router } from "./router";
 import { useSelect } from "./store";
 
-interface Desk {
+interface LabContextValue {
   readonly lab: Lab;
   readonly router: Router;
   /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
@@ -16,24 +16,24 @@ interface Desk {
   readonly restored: Scenario | null;
 }
 
-const DeskContext = createContext<Desk | null>(null);
+const LabContext = createContext<LabContextValue | null>(null);
 
-export function DeskProvider({ value, children }: { readonly value: Desk; readonly children: ReactNode }) {
-  return <DeskContext value={value}>{children}</DeskContext>;
+export function LabContextProvider({ value, children }: { readonly value: LabContextValue; readonly children: ReactNode }) {
+  return <LabContext value={value}>{children}</LabContext>;
 }
 
-export function useDesk(): Desk {
-  const desk = use(DeskContext);
-  if (desk === null) throw new Error("useDesk needs a DeskProvider above it");
-  return desk;
+export function useLabContext(): LabContextValue {
+  const value = use(LabContext);
+  if (value === null) throw new Error("useLabContext needs a LabContextProvider above it");
+  return value;
 }
 
 export function useLab<Part>(select: (state: LabState) => Part): Part {
-  return useSelect(useDesk().lab, select);
+  return useSelect(useLabContext().lab, select);
 }
 
 export function useView(): View {
-  return useSelect(useDesk().router, (address) => address.view);
+  return useSelect(useLabContext().router, (address) => address.view);
 }
 
 /** Nothing can be edited: the page shows a shared result. */
@@ -43,19 +43,19 @@ export function useReadOnly(): boolean {
 
 /** The scenario as the form shows it: under a moving slider, else the last one set. */
 export function useScenario(): Scenario {
-  const { standard } = useDesk();
+  const { standard } = useLabContext();
   return useLab((state) => state.drag ?? state.history?.present ?? standard);
 }
 
 /** One stable piece of the edited scenario: the component renders anew only when that piece changes. */
 export function useFromScenario<Part>(select: (scenario: Scenario) => Part): Part {
-  const { standard } = useDesk();
+  const { standard } = useLabContext();
   return useLab((state) => select(state.drag ?? state.history?.present ?? standard));
 }
 
 /** How a field changes the scenario, always from its newest state. */
 export function useEdit() {
-  const { lab, standard } = useDesk();
+  const { lab, standard } = useLabContext();
   return {
     newest: (): Scenario => {
       const { drag, history } = lab.get();

@@ -1,4 +1,4 @@
-/** The cursor all plots and the car share, and its playback. Kept out of React: it moves with every frame. */
+/** The cursor all plots and the car share, and its playback. Outside React: it moves with every frame. */
 
 import { createStore } from "./store";
 

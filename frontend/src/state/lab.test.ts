@@ -2,7 +2,7 @@ import { QueryClient } from "@tanstack/react-query";
 import { describe, expect, it } from "vitest";
 import type { LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import { DEFAULT_VIEW, type Address } from "./address";
-import type { LabApi } from "./asking";
+import type { LabApi } from "./requests";
 import { createLab } from "./lab";
 import type { Router } from "./router";
 import { createStore } from "./store";
@@ -28,10 +28,10 @@ function fakeRouter() {
     subscribe: store.subscribe,
     showRun: (runId, view) => store.set(({ view: old }) => ({ runId, slug: null, view: { ...old, ...view } })),
     setView: (change) => store.set((address) => ({ ...address, view: { ...address.view, ...change } })),
-    onTravel: () => () => undefined,
-    arrive: () => undefined,
-    stay: () => undefined,
-    leaveFrom: () => undefined,
+    onNavigate: () => () => undefined,
+    confirmNavigation: () => undefined,
+    cancelNavigation: () => undefined,
+    clearFrom: () => undefined,
   };
   return router;
 }
@@ -59,13 +59,13 @@ function harness() {
   };
   const router = fakeRouter();
   const lab = createLab({ api, router, queries: new QueryClient() });
-  const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
+  const tick = () => new Promise((resolve) => setTimeout(resolve, 0));
   const answer = async (kind: keyof typeof held) => {
     held[kind].at(-1)?.answer();
-    await settle();
+    await tick();
   };
-  /** The newest run and its curves arrive. */
-  const land = async () => {
+  /** The newest run and its curves are answered. */
+  const respond = async () => {
     await answer("runs");
     await answer("series");
   };
@@ -76,14 +76,14 @@ function harness() {
   };
   const start = async () => {
     lab.open(router.get());
-    await land();
+    await respond();
   };
-  return { lab, router, held, answer, land, settle, agree, start };
+  return { lab, router, held, answer, respond, tick, agree, start };
 }
 
 describe("the lab's address and page", () => {
   it("agree when a strategy is switched on and off while others come back", async () => {
-    const { lab, router, land, agree, start, held } = harness();
+    const { lab, router, respond, agree, start, held } = harness();
     await start();
     const first = router.get().runId;
     lab.setStrategies(["lqr", "passive"]);
@@ -92,23 +92,23 @@ describe("the lab's address and page", () => {
     lab.setStrategies(OPENING); // all of it is there
     expect(held.runs.at(-1)?.signal?.aborted).toBe(true);
     expect(lab.get()).toMatchObject({ busy: false, stale: false });
-    await land();
+    await respond();
     expect(router.get().runId).toBe(first);
     expect(agree()).toEqual({ run: true, strategies: OPENING, selected: OPENING });
   });
 
   it("agree when strategies are switched while other roads are under way", async () => {
-    const { lab, land, agree, start } = harness();
+    const { lab, respond, agree, start } = harness();
     await start();
     lab.setRoads(5);
     lab.setStrategies(["lv", "passive"]);
-    await land();
+    await respond();
     expect(lab.get().shown?.over?.roads).toBe(5);
     expect(agree()).toEqual({ run: true, strategies: ["lv", "passive"], selected: ["lv", "passive"] });
   });
 
   it("agree with the newest edit, whose predecessor's curves are no longer waited for", async () => {
-    const { lab, router, held, answer, land, start } = harness();
+    const { lab, router, held, answer, respond, start } = harness();
     await start();
     lab.commit(LOW);
     await answer("runs");
@@ -116,44 +116,44 @@ describe("the lab's address and page", () => {
     lab.commit({ height: 0.2 });
     expect(late?.signal?.aborted).toBe(true);
     late?.answer();
-    await land();
+    await respond();
     expect(lab.get().shown?.scenario).toEqual({ height: 0.2 });
     expect(router.get().runId).toBe(idOf({ height: 0.2 }, OPENING));
   });
 
   it("keep an undo while the edit is under way", async () => {
-    const { lab, land, start } = harness();
+    const { lab, respond, start } = harness();
     await start();
     lab.commit(LOW);
     lab.undo();
-    await land();
+    await respond();
     expect(lab.get()).toMatchObject({ shown: { scenario: PAPER }, history: { present: PAPER }, before: null });
   });
 });
 
 describe("the state before the last edit", () => {
   it("is what was shown, from the first movement of a slider to the next edit", async () => {
-    const { lab, answer, land, start } = harness();
+    const { lab, answer, respond, start } = harness();
     await start();
     lab.drag(LOW);
     await answer("live");
     expect(lab.get()).toMatchObject({ shown: { source: "live" }, exact: { scenario: PAPER }, before: null });
     lab.commit(LOW);
-    await land();
+    await respond();
     expect(lab.get()).toMatchObject({ shown: { scenario: LOW }, before: { scenario: PAPER } });
     lab.undo();
-    await land();
+    await respond();
     expect(lab.get().before?.scenario).toEqual(LOW);
   });
 
   it("stays when the strategies or the roads change", async () => {
-    const { lab, land, start } = harness();
+    const { lab, respond, start } = harness();
     await start();
     lab.commit(LOW);
-    await land();
+    await respond();
     lab.setStrategies(["lv"]);
     lab.setRoads(5);
-    await land();
+    await respond();
     expect(lab.get()).toMatchObject({ shown: { scenario: LOW, over: { roads: 5 } }, before: { scenario: PAPER } });
   });
 });

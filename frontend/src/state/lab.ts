@@ -1,6 +1,6 @@
 /** The page's one controller: what is edited, over what it is driven, and which of it is shown. */
 
-import { createAsking, type Form, type Services } from "./asking";
+import { createRequests, type Form, type Services } from "./requests";
 import type { Scenario, StrategyId } from "../api/types";
 import { begin, record, redo, undo, type History } from "./history";
 import type { Lab, LabState } from "./labState";
@@ -32,8 +32,8 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
   const store = createStore<LabState>({ ...OPENING, ...initial });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   let form: Form = { group: null, signals: [] };
-  const asking = createAsking(store, services, () => form);
-  const { submit } = asking;
+  const requests = createRequests(store, services, () => form);
+  const { submit } = requests;
 
   const move = (step: (history: History<Scenario>) => History<Scenario>) => {
     const { history, shared } = store.get();
@@ -46,13 +46,13 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
 
   /** Shows those of the result that is there; no other answer is waited for. */
   const hideOthers = (strategies: readonly StrategyId[], computed: readonly StrategyId[]) => {
-    asking.settle();
+    requests.cancel();
     router.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
   };
 
   const open: Lab["open"] = ({ runId, slug, view }) => {
-    if (slug !== null) asking.openLink(slug);
-    else if (runId !== null) asking.load(runId, view.hidden);
+    if (slug !== null) requests.openLink(slug);
+    else if (runId !== null) requests.load(runId, view.hidden);
     else submit("replace");
   };
 
@@ -60,7 +60,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     get: store.get,
     subscribe: store.subscribe,
     open,
-    travel: (address) => {
+    navigate: (address) => {
       open(address);
       // The browser has changed the address already: that what is shown is not of it is said at once.
       patch({ stale: true });
@@ -79,7 +79,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     drag: (scenario) => {
       if (store.get().shared) return;
       patch({ drag: scenario });
-      asking.preview(scenario);
+      requests.preview(scenario);
     },
     commit: (scenario) => {
       const { history, shared } = store.get();
@@ -115,6 +115,6 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       router.setView({ baseline, against: "baseline" });
       if (!shared && shown?.over && shown.over.baseline !== baseline) submit("push");
     },
-    resume: asking.resume,
+    resume: requests.resume,
   };
 }

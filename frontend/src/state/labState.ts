@@ -2,7 +2,7 @@
 
 import type { Link } from "../api/types";
 import type { Scenario, StrategyId } from "../api/types";
-import type { PlacedErrors } from "../editor/errors";
+import type { ErrorsByField } from "../editor/errors";
 import type { Pointer } from "../editor/path";
 import type { Group } from "../editor/schema";
 import type { Address } from "./address";
@@ -23,7 +23,7 @@ export interface LabState {
   /** The scenario under a moving slider. */
   readonly drag: Scenario | null;
   readonly rejected: Readonly<Record<Pointer, Rejected>>;
-  readonly refused: PlacedErrors;
+  readonly refused: ErrorsByField;
   readonly strategies: readonly StrategyId[];
   /** How many roads an exact run drives. */
   readonly roads: number;
@@ -43,7 +43,7 @@ export interface LabState {
 export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly open: (address: Address) => void;
   /** Opens where Back or Forward led to. */
-  readonly travel: (address: Address) => void;
+  readonly navigate: (address: Address) => void;
   readonly openPaper: () => void;
   /** Leaves the shared result: its scenario, run anew and open to edits. */
   readonly openCopy: () => void;

@@ -20,43 +20,43 @@ function harness() {
     onAnswer: (answer) => answers.push(answer),
     onError: (error) => errors.push(error instanceof Error ? error.message : ""),
   });
-  const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
-  return { calls, answers, errors, latest, settle };
+  const tick = () => new Promise((resolve) => setTimeout(resolve, 0));
+  return { calls, answers, errors, latest, tick };
 }
 
 describe("one request at a time, the newest next", () => {
   it("skips what was overtaken", async () => {
-    const { calls, answers, latest, settle } = harness();
+    const { calls, answers, latest, tick } = harness();
     for (const body of [1, 2, 3, 4]) latest.request(body);
     expect(calls.map(({ body }) => body)).toEqual([1]);
     calls[0]?.answer("one");
-    await settle();
+    await tick();
     expect(calls.map(({ body }) => body)).toEqual([1, 4]);
     calls[1]?.answer("four");
-    await settle();
+    await tick();
     expect(answers).toEqual(["one", "four"]);
   });
 
   it("drops everything on cancel, also an answer that still comes", async () => {
-    const { calls, answers, latest, settle } = harness();
+    const { calls, answers, latest, tick } = harness();
     latest.request(1);
     latest.request(2);
     latest.cancel();
     expect(calls[0]?.signal.aborted).toBe(true);
     calls[0]?.answer("late");
-    await settle();
+    await tick();
     expect(answers).toEqual([]);
     expect(calls).toHaveLength(1);
   });
 
   it("goes on after an error", async () => {
-    const { calls, answers, errors, latest, settle } = harness();
+    const { calls, answers, errors, latest, tick } = harness();
     latest.request(1);
     latest.request(2);
     calls[0]?.fail(new Error("no"));
-    await settle();
+    await tick();
     calls[1]?.answer("two");
-    await settle();
+    await tick();
     expect(errors).toEqual(["no"]);
     expect(answers).toEqual(["two"]);
   });

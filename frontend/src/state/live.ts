@@ -2,7 +2,7 @@
 
 import { ApiProblem, isTransient } from "../api/problem";
 import type { LiveAnswer, Scenario } from "../api/types";
-import type { Form, Services } from "./asking";
+import type { Form, Services } from "./requests";
 import type { LabState } from "./labState";
 import { createLatest } from "./latest";
 import { NO_ERRORS, refusal } from "./problems";
@@ -14,7 +14,7 @@ import type { Timer } from "./timer";
 const POINTS = 700;
 const POINTS_MOST = 2500;
 
-interface Wish {
+interface LiveRequest {
   readonly scenario: Scenario;
   readonly startedAt: number;
 }
@@ -37,16 +37,16 @@ export function createLive({ store, grace, api, router, form }: Parts) {
     return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
   };
 
-  const { request, cancel } = createLatest<Wish, LiveAnswer>({
+  const { request, cancel } = createLatest<LiveRequest, LiveAnswer>({
     run: ({ scenario }, signal) => {
       grace.start();
       return api.live({ scenario, strategies: store.get().strategies, signals: form().signals, points: points() }, signal);
     },
     onAnswer: (answer, { scenario, startedAt }) => {
       grace.stop();
-      const settled = store.get().drag === scenario;
+      const isNewest = store.get().drag === scenario;
       const shown = fromLive(answer, performance.now() - startedAt);
-      patch({ shown, refused: NO_ERRORS, failure: null, ...(settled ? { busy: false, stale: false } : {}) });
+      patch({ shown, refused: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
     },
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.

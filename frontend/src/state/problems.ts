@@ -1,19 +1,19 @@
 /** What went wrong with a request of the lab: at a field, in a notice, or for want of a server. */
 
 import { ApiProblem, isAbort, isNotFound, isTransient } from "../api/problem";
-import { placeErrors, type PlacedErrors } from "../editor/errors";
+import { errorsByField, type ErrorsByField } from "../editor/errors";
 import type { Group } from "../editor/schema";
 import type { LabState } from "./labState";
 
-export const NO_ERRORS: PlacedErrors = { fields: {}, general: [] };
+export const NO_ERRORS: ErrorsByField = { fields: {}, general: [] };
 
-export const hasErrors = ({ fields, general }: PlacedErrors) => general.length > 0 || Object.keys(fields).length > 0;
+export const hasErrors = ({ fields, general }: ErrorsByField) => general.length > 0 || Object.keys(fields).length > 0;
 
 type Change = Partial<Pick<LabState, "refused" | "failure">>;
 
 /** What the server refuses: at its field, where it names one. */
 export function refusal(problem: ApiProblem, form: Group | null): Change {
-  if (problem.status === 422 && form) return { refused: placeErrors(form, problem.errors, problem.message) };
+  if (problem.status === 422 && form) return { refused: errorsByField(form, problem.errors, problem.message) };
   return { failure: { kind: "failed", message: problem.message } };
 }
 

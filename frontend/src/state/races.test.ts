@@ -4,7 +4,7 @@ import { ApiProblem } from "../api/problem";
 import type { Run, Scenario, StrategyId, Summary } from "../api/types";
 import type { AppRouter } from "../router";
 import { parseSearch, stringifySearch } from "./address";
-import type { LabApi } from "./asking";
+import type { LabApi } from "./requests";
 import { createLab } from "./lab";
 import type { LabState } from "./labState";
 import { createLabRouter } from "./router";
@@ -76,82 +76,82 @@ function harness(path: string, initial: Partial<LabState> = {}) {
   const { pages, ...page } = browser(path);
   const router = createLabRouter(pages);
   const lab = createLab({ api, router, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) }, initial);
-  router.onTravel(lab.travel);
-  const land = async () => {
+  router.onNavigate(lab.navigate);
+  const respond = async () => {
     held.at(-1)?.();
     await wait();
   };
   /** What is shown, once everything that was asked for is there. */
-  const settled = async () => {
+  const respondToAll = async () => {
     held.forEach((answer) => answer());
     await wait();
     held.forEach((answer) => answer());
     await wait();
     return { bar: page.href(), shown: lab.get().shown?.runId };
   };
-  return { lab, router, ...page, land, settled };
+  return { lab, router, ...page, respond, respondToAll };
 }
 
 /** A lab with the runs h1 and h2 behind it. */
 async function twoRuns() {
-  const desk = harness("/");
-  await desk.land();
-  desk.lab.commit({ height: 2 });
-  await desk.land();
-  return desk;
+  const opened = harness("/");
+  await opened.respond();
+  opened.lab.commit({ height: 2 });
+  await opened.respond();
+  return opened;
 }
 
 describe("an edit while a run that was followed to still loads", () => {
   it("leaves the address with what is shown, when strategies are switched", async () => {
-    const { lab, follow, entries, settled } = await twoRuns();
+    const { lab, follow, entries, respondToAll } = await twoRuns();
     follow("/r/h7");
     lab.setStrategies(["lqr", "passive"]);
-    expect(await settled()).toEqual({ bar: "/r/h2?hide=lv", shown: "h2" });
+    expect(await respondToAll()).toEqual({ bar: "/r/h2?hide=lv", shown: "h2" });
     expect(entries).toEqual(["/r/h1", "/r/h2", "/r/h7", "/r/h2?hide=lv"]);
   });
 
   it("leaves the address with what is shown, under a moving slider", async () => {
-    const { lab, follow, href, settled } = await twoRuns();
+    const { lab, follow, href, respondToAll } = await twoRuns();
     follow("/r/h7");
     lab.drag({ height: 3 });
     expect(href()).toBe("/r/h2");
     lab.commit({ height: 3 });
-    expect(await settled()).toEqual({ bar: "/r/h3", shown: "h3" });
+    expect(await respondToAll()).toEqual({ bar: "/r/h3", shown: "h3" });
   });
 
   it("leaves the address with what is shown, when it is refused", async () => {
-    const { lab, follow, settled } = await twoRuns();
+    const { lab, follow, respondToAll } = await twoRuns();
     follow("/r/h7");
     lab.commit({ height: -1 });
-    expect(await settled()).toEqual({ bar: "/r/h2", shown: "h2" });
+    expect(await respondToAll()).toEqual({ bar: "/r/h2", shown: "h2" });
   });
 });
 
 it("Nothing is shown under an address with no run, and a strategy asks for one again", async () => {
-  const { lab, follow, settled } = await twoRuns();
+  const { lab, follow, respondToAll } = await twoRuns();
   follow("/r/h99");
-  expect(await settled()).toEqual({ bar: "/r/h99", shown: undefined });
+  expect(await respondToAll()).toEqual({ bar: "/r/h99", shown: undefined });
   lab.setStrategies(["lqr", "passive"]);
-  expect(await settled()).toEqual({ bar: "/r/h2", shown: "h2" });
+  expect(await respondToAll()).toEqual({ bar: "/r/h2", shown: "h2" });
 });
 
 it("The paper's scenario leads back to no page; an edit and other strategies of an opened run do", async () => {
-  const { lab, settled } = harness("/r/h7?from=/paper");
-  await settled();
+  const { lab, respondToAll } = harness("/r/h7?from=/paper");
+  await respondToAll();
   lab.setStrategies([...OPENING, "speed_only"]);
-  expect((await settled()).bar).toBe("/r/h7?from=/paper");
+  expect((await respondToAll()).bar).toBe("/r/h7?from=/paper");
   lab.commit({ height: 9 });
-  expect((await settled()).bar).toBe("/r/h9?from=/paper");
+  expect((await respondToAll()).bar).toBe("/r/h9?from=/paper");
   const other = harness("/r/h7?from=/paper");
-  await other.settled();
+  await other.respondToAll();
   other.lab.openPaper();
-  expect((await other.settled()).bar).toBe("/r/h1");
+  expect((await other.respondToAll()).bar).toBe("/r/h1");
 });
 
 it("A run that is merely opened has no state before the last edit", async () => {
-  const { lab, follow, settled } = await twoRuns();
+  const { lab, follow, respondToAll } = await twoRuns();
   expect(lab.get().before?.runId).toBe("h1");
   follow("/r/h7");
-  await settled();
+  await respondToAll();
   expect(lab.get()).toMatchObject({ shown: { runId: "h7" }, before: null });
 });

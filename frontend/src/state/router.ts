@@ -10,15 +10,15 @@ export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
   /** Shows another run; a new entry in the browser's history unless it is the same one. */
   readonly showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => void;
   /** The next run is no other page's: nothing leads back there. */
-  readonly leaveFrom: () => void;
+  readonly clearFrom: () => void;
   /** Changes how the run is looked at; no new entry. */
   readonly setView: (change: Partial<View>) => void;
   /** The address bar names something of the lab that is not shown: at once where it does so already. */
-  readonly onTravel: (listener: (address: Address) => void) => void;
+  readonly onNavigate: (listener: (address: Address) => void) => void;
   /** What the address bar names is shown now. */
-  readonly arrive: () => void;
+  readonly confirmNavigation: () => void;
   /** What the address bar names is not waited for any more: it names again what is shown, as a new entry. */
-  readonly stay: () => void;
+  readonly cancelNavigation: () => void;
 }
 
 const START: Address = { runId: null, slug: null, view: DEFAULT_VIEW };
@@ -58,27 +58,27 @@ export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Rout
   /** Where a link, back or forward led, until it is shown. */
   let pending: Address | null = null;
   /** The lab's address when the browser left it for another page, `null` while it is on one of the lab's. */
-  let left: Address | null = null;
+  let addressBeforeLeaving: Address | null = null;
   let isOpen = false;
   let isWriting = false;
   const current = () => pending ?? store.get();
 
   const write = (address: Address, replace: boolean) => {
-    if (left) return; // the address bar is another page's
+    if (addressBeforeLeaving) return; // the address bar is another page's
     const how = { replace, resetScroll: false };
     isWriting = true;
     void router.navigate({ ...how, ...labLink(address) });
     isWriting = false;
   };
 
-  const look = (listener: (address: Address) => void) => {
+  const readAddressBar = (listener: (address: Address) => void) => {
     const address = readAddress(router);
     if (address === null) {
-      left ??= current();
+      addressBeforeLeaving ??= current();
       return;
     }
-    const before = left;
-    left = null;
+    const before = addressBeforeLeaving;
+    addressBeforeLeaving = null;
     if (isOpen && isSame(address, current())) return;
     // Back at the lab as it is: what has come of it meanwhile stays.
     if (isOpen && (isSame(address, START) || (before && isSame(address, before)))) write(current(), true);
@@ -98,24 +98,24 @@ export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Rout
       store.set(({ from, view: before }) => ({ runId, slug: null, view: { ...before, ...view }, ...(from !== undefined && { from }) }));
       write(store.get(), isSameRun || mode === "replace");
     },
-    leaveFrom: () => store.set(({ runId, slug, view }) => ({ runId, slug, view })),
+    clearFrom: () => store.set(({ runId, slug, view }) => ({ runId, slug, view })),
     setView: (change) => {
       const changed = (address: Address): Address => ({ ...address, view: { ...address.view, ...change } });
       store.set(changed);
       pending = pending && changed(pending);
       write(current(), true);
     },
-    onTravel: (listener) => {
-      look(listener);
+    onNavigate: (listener) => {
+      readAddressBar(listener);
       router.history.subscribe(() => {
-        if (!isWriting) look(listener);
+        if (!isWriting) readAddressBar(listener);
       });
     },
-    arrive: () => {
+    confirmNavigation: () => {
       if (pending) store.set(pending);
       pending = null;
     },
-    stay: () => {
+    cancelNavigation: () => {
       if (pending === null) return;
       const { runId, slug } = pending;
       pending = null;

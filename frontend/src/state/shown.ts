@@ -100,12 +100,12 @@ interface Results {
 const isOther = (exact: Shown | null, next: Shown) => exact !== null && !sameValue(exact.scenario, next.scenario);
 
 /** A new exact result is shown. The one of another scenario before it stays to compare with. */
-export function landed({ exact, before }: Results, next: Shown): Results {
+export function resultsAfterEdit({ exact, before }: Results, next: Shown): Results {
   return { shown: next, exact: next, before: isOther(exact, next) ? exact : before };
 }
 
 /** An exact result is opened: what was shown before it is not the state before an edit. */
-export function opened({ exact, before }: Results, next: Shown): Results {
+export function resultsAfterOpening({ exact, before }: Results, next: Shown): Results {
   return { shown: next, exact: next, before: isOther(exact, next) ? null : before };
 }
 

@@ -6,7 +6,7 @@ import { useRouter, type NavigateOptions } from "@tanstack/react-router";
 import { useRef } from "react";
 import { ApiProblem } from "../api/problem";
 import { fromHere } from "../shell/fromHere";
-import { placeProblems, type DraftErrors, type PlaceOf } from "./problems";
+import { problemsByField, type DraftErrors, type FieldNameOf } from "./problems";
 
 const REST_MS = 350;
 
@@ -16,7 +16,7 @@ interface Submission<Body, Estimate> {
   readonly body: Body | null;
   /** What the form itself finds wrong; null when nothing is. */
   readonly errors: DraftErrors | null;
-  readonly placeOf: PlaceOf;
+  readonly fieldNameOf: FieldNameOf;
   readonly estimate: (body: Body, signal: AbortSignal) => Promise<Estimate>;
   /** Begins it and says where it can be seen. What is sent carries its `keyOf`. */
   readonly submit: (body: Body, keyOf: (sent: unknown) => string) => Promise<NavigateOptions>;
@@ -40,12 +40,12 @@ function randomKey(): string {
 
 export function useSubmission<Body, Estimate>(submission: Submission<Body, Estimate>): SubmissionState<Estimate> {
   const text = submission.body === null ? "" : JSON.stringify(submission.body);
-  const [settledText] = useDebouncedValue(text, REST_MS);
-  const settled = settledText === text;
+  const [debouncedText] = useDebouncedValue(text, REST_MS);
+  const isUpToDate = debouncedText === text;
   const estimate = useQuery({
-    queryKey: ["estimate", submission.kind, settledText],
-    queryFn: ({ signal }) => submission.estimate(JSON.parse(settledText) as Body, signal),
-    enabled: settledText !== "" && settled,
+    queryKey: ["estimate", submission.kind, debouncedText],
+    queryFn: ({ signal }) => submission.estimate(JSON.parse(debouncedText) as Body, signal),
+    enabled: debouncedText !== "" && isUpToDate,
     gcTime: 60_000,
   });
 
@@ -64,17 +64,17 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     networkMode: "always",
   });
 
-  const problem = started.error ?? (settled ? estimate.error : null);
+  const problem = started.error ?? (isUpToDate ? estimate.error : null);
   const placed =
     problem instanceof ApiProblem
-      ? placeProblems(problem.errors, submission.placeOf, problem.message)
+      ? problemsByField(problem.errors, submission.fieldNameOf, problem.message)
       : { fields: {}, general: problem ? [problem.message] : [] };
 
   return {
     errors: submission.errors ?? placed.fields,
     general: submission.errors ? [] : placed.general,
-    estimate: text && settled && !estimate.isError ? estimate.data : undefined,
-    pending: text !== "" && (!settled || estimate.isFetching),
+    estimate: text && isUpToDate && !estimate.isError ? estimate.data : undefined,
+    pending: text !== "" && (!isUpToDate || estimate.isFetching),
     starting: started.isPending,
     start: () => submission.body !== null && started.mutate(submission.body, { onSuccess: fromHere(router).go }),
   };

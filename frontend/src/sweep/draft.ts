@@ -1,7 +1,7 @@
 /** A sweep while somebody puts it together: texts as they are typed, and what becomes of them. */
 
 import type { StrategyId, Sweep } from "../api/types";
-import { readTyped, typedText } from "../editor/limits";
+import { parseTyped, typedText } from "../editor/limits";
 import { optionValue, type NumberField } from "../editor/schema";
 import type { DraftErrors } from "../submission/problems";
 import { isLike } from "../state/storage";
@@ -32,7 +32,7 @@ export interface SweepDraft {
 }
 
 /** Errors by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
-export type Reading = { readonly ok: true; readonly sweep: Sweep } | { readonly ok: false; readonly errors: DraftErrors };
+export type ParsedDraft = { readonly ok: true; readonly sweep: Sweep } | { readonly ok: false; readonly errors: DraftErrors };
 
 const DEFAULT_COUNT = 5;
 const MOST_VALUES = 10_000;
@@ -83,9 +83,9 @@ export function spread(field: NumberField, from: number, to: number, count: numb
 class FieldError extends Error {}
 
 function typed(field: NumberField, text: string, what: string): number {
-  const reading = readTyped(field, text);
-  if (!reading.ok) throw new FieldError(`${what}: ${lowerFirst(reading.message)}`);
-  return reading.value;
+  const parsed = parseTyped(field, text);
+  if (!parsed.ok) throw new FieldError(`${what}: ${lowerFirst(parsed.message)}`);
+  return parsed.value;
 }
 
 const lowerFirst = (text: string) => text.charAt(0).toLowerCase() + text.slice(1);
@@ -121,7 +121,7 @@ function gridValues(draft: FieldDraft): readonly (number | string | boolean)[] {
 }
 
 /** What is sent, or what has to be changed first. */
-export function readDraft(draft: SweepDraft): Reading {
+export function readDraft(draft: SweepDraft): ParsedDraft {
   const errors: Record<string, string> = {};
   const attempt = <T>(name: string, read: () => T): T | undefined => {
     try {

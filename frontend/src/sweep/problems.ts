@@ -1,9 +1,9 @@
 /** Where the server's errors about a sweep belong. */
 
-import type { PlaceOf } from "../submission/problems";
+import type { FieldNameOf } from "../submission/problems";
 
-export const sweepPlaces =
-  (names: readonly string[]): PlaceOf =>
+export const sweepFieldName =
+  (names: readonly string[]): FieldNameOf =>
   ([root, form, ...rest]) => {
     if (root === "strategies") return "strategies";
     if (root !== "sweep") return null;

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { FORM } from "../editor/form.fixture";
-import { placeProblems } from "../submission/problems";
+import { problemsByField } from "../submission/problems";
 import { draftField, readDraft, spread, type FieldDraft, type SweepDraft } from "./draft";
 import { sweepFields } from "./fields";
-import { sweepPlaces } from "./problems";
+import { sweepFieldName } from "./problems";
 
 const FIELDS = sweepFields(FORM);
 const field = (name: string) => {
@@ -118,10 +118,10 @@ describe("errors of the server", () => {
       { pointer: "/sweep", message: "over the limit" },
       { pointer: "/scenario/road/length", message: "too short" },
     ];
-    expect(placeProblems(errors, sweepPlaces(["road.bump.height", "mpc.lag"]), "")).toEqual({
+    expect(problemsByField(errors, sweepFieldName(["road.bump.height", "mpc.lag"]), "")).toEqual({
       fields: { "road.bump.height": "too high", "mpc.lag": "no range", samples: "too many", strategies: "unknown" },
       general: ["over the limit", "The scenario’s road.length: too short"],
     });
-    expect(placeProblems([], sweepPlaces([]), "Full").general).toEqual(["Full"]);
+    expect(problemsByField([], sweepFieldName([]), "Full").general).toEqual(["Full"]);
   });
 });

@@ -6,15 +6,15 @@ import type { Scenario } from "../api/types";
 import { BATCH } from "../jobs/useJob";
 import { useSubmission } from "../submission/useSubmission";
 import { readDraft, type SweepDraft } from "./draft";
-import { sweepPlaces } from "./problems";
+import { sweepFieldName } from "./problems";
 
 export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () => void) {
-  const reading = useMemo(() => readDraft(draft), [draft]);
+  const parsed = useMemo(() => readDraft(draft), [draft]);
   return useSubmission({
     kind: "batch",
-    body: reading.ok ? { scenario, strategies: draft.strategies, sweep: reading.sweep } : null,
-    errors: reading.ok ? null : reading.errors,
-    placeOf: sweepPlaces(draft.fields.map(({ field }) => field.name)),
+    body: parsed.ok ? { scenario, strategies: draft.strategies, sweep: parsed.sweep } : null,
+    errors: parsed.ok ? null : parsed.errors,
+    fieldNameOf: sweepFieldName(draft.fields.map(({ field }) => field.name)),
     estimate: batches.estimate,
     onSubmitted,
     submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await batches.create(body, keyOf(body))).id } }),

@@ -83,7 +83,7 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
                     key={`${window} ${signal}`}
                     first={index === 0}
                     name={`${window}.${signal}.${statistic}`}
-                    place={{ window, signal, statistic }}
+                    metric={{ window, signal, statistic }}
                     scale={shownUnit(signal, figures, catalogue).scale}
                     {...{ scene, entry }}
                   />

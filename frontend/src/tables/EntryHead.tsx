@@ -1,7 +1,7 @@
 /** Who a row or column is: the strategy, at which speed it met the bump, and the caveats of its result. */
 
 import type { Catalogue } from "../api/types";
-import { useDesk } from "../state/context";
+import { useLabContext } from "../state/context";
 import { CaveatMark } from "./CaveatMark";
 import { caveatsOf } from "./caveats";
 import type { Entry } from "./entries";
@@ -17,7 +17,7 @@ interface Props {
 }
 
 export function EntryHead({ entry: { strategy, summary, isReference }, catalogue, upright = false }: Props) {
-  const { lab } = useDesk();
+  const { lab } = useLabContext();
   const speed = summary?.arrival_speed_kmh;
   return (
     <span className={classes.entryHead} data-upright={upright || undefined}>

@@ -43,7 +43,7 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
                 <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${catalogue.signals.find(({ key }) => key === signal)?.label ?? signal}, ${window.replace("_", " ")}`} />
               </th>
               {entries.map((entry) => (
-                <ResultCell key={entry.key} name={`${window}.${signal}.${statistic}`} place={{ window, signal, statistic }} marked {...{ scene, entry, scale }} />
+                <ResultCell key={entry.key} name={`${window}.${signal}.${statistic}`} metric={{ window, signal, statistic }} marked {...{ scene, entry, scale }} />
               ))}
             </tr>
           );

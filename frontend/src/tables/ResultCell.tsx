@@ -4,13 +4,13 @@ import type { Scene } from "../state/scene";
 import { ChangeText } from "./ChangeMark";
 import { changeOf, type Entry } from "./entries";
 import { Estimated } from "./Estimated";
-import { intervalAt, valueAt, type Place } from "./place";
+import { intervalAt, valueAt, type MetricPath } from "./metric";
 import classes from "./tables.module.css";
 
 interface Props {
   readonly scene: Scene;
   readonly entry: Entry;
-  readonly place: Place;
+  readonly metric: MetricPath;
   /** What the cell is called, for whoever looks for it. */
   readonly name: string;
   /** From SI to the unit shown. */
@@ -20,8 +20,8 @@ interface Props {
   readonly marked?: boolean;
 }
 
-export function ResultCell({ scene, entry, place, name, scale, first = false, marked = false }: Props) {
-  const value = valueAt(entry.summary, place);
+export function ResultCell({ scene, entry, metric, name, scale, first = false, marked = false }: Props) {
+  const value = valueAt(entry.summary, metric);
   return (
     <td
       className={classes.cell}
@@ -30,8 +30,8 @@ export function ResultCell({ scene, entry, place, name, scale, first = false, ma
       data-cell={name}
       data-value={value ?? ""}
     >
-      <Estimated value={value} interval={intervalAt(entry.shown, entry.strategy.id, place)} scale={scale} />
-      <ChangeText change={changeOf(scene, entry, place, scale)} />
+      <Estimated value={value} interval={intervalAt(entry.shown, entry.strategy.id, metric)} scale={scale} />
+      <ChangeText change={changeOf(scene, entry, metric, scale)} />
     </td>
   );
 }

@@ -6,7 +6,7 @@ import { formatNumber, formatResult, prettyUnit } from "../units/format";
 import { ChangeText } from "./ChangeMark";
 import { changeOf, entryGroups, type Entry } from "./entries";
 import { Estimated } from "./Estimated";
-import { intervalAt, valueAt, type Place } from "./place";
+import { intervalAt, valueAt, type MetricPath } from "./metric";
 import { StrategyKey } from "./StrategyKey";
 import classes from "./tables.module.css";
 import { VariantHeads } from "./VariantHeads";
@@ -17,16 +17,16 @@ type Value = number | boolean | null | undefined;
 interface Row {
   readonly quantity: Quantity;
   /** Where its number stands; an event has none. */
-  readonly place: Place | null;
+  readonly metric: MetricPath | null;
   /** Lower is better, so that a change has a verdict. */
   readonly judged: boolean;
 }
 
 function rows(catalogue: Catalogue): readonly Row[] {
   return [
-    ...catalogue.comfort.map((quantity) => ({ quantity, place: { comfort: quantity.key }, judged: true })),
-    ...catalogue.run_figures.map((quantity) => ({ quantity, place: { run: quantity.key }, judged: quantity.key === "travel_time" })),
-    ...catalogue.events.map((quantity) => ({ quantity, place: null, judged: false })),
+    ...catalogue.comfort.map((quantity) => ({ quantity, metric: { comfort: quantity.key }, judged: true })),
+    ...catalogue.run_figures.map((quantity) => ({ quantity, metric: { run: quantity.key }, judged: quantity.key === "travel_time" })),
+    ...catalogue.events.map((quantity) => ({ quantity, metric: null, judged: false })),
   ];
 }
 
@@ -73,13 +73,13 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
   );
 }
 
-function RunCell({ scene, entry, row: { quantity, place, judged } }: { readonly scene: Scene; readonly entry: Entry; readonly row: Row }) {
-  const interval = place ? intervalAt(entry.shown, entry.strategy.id, place) : undefined;
-  const value = place ? valueAt(entry.summary, place) : entry.summary?.events[quantity.key];
+function RunCell({ scene, entry, row: { quantity, metric, judged } }: { readonly scene: Scene; readonly entry: Entry; readonly row: Row }) {
+  const interval = metric ? intervalAt(entry.shown, entry.strategy.id, metric) : undefined;
+  const value = metric ? valueAt(entry.summary, metric) : entry.summary?.events[quantity.key];
   return (
     <td className={classes.cell} data-cell={`${entry.strategy.id}.${quantity.key}`}>
       {interval ? <Estimated value={interval.mean} interval={interval} scale={1} /> : <span className={classes.value}>{show(value)}</span>}
-      {judged && place && !entry.isReference && <ChangeText change={changeOf(scene, entry, place)} />}
+      {judged && metric && !entry.isReference && <ChangeText change={changeOf(scene, entry, metric)} />}
     </td>
   );
 }

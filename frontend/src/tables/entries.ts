@@ -4,7 +4,7 @@ import type { Strategy, Summary } from "../api/types";
 import type { Scene } from "../state/scene";
 import { roadsOf, type Shown } from "../state/shown";
 import { changeAgainst, pairedChange, separateChange, type Change } from "./change";
-import { intervalAt, pairedAt, valueAt, type Place } from "./place";
+import { intervalAt, pairedAt, valueAt, type MetricPath } from "./metric";
 
 export interface Entry {
   readonly key: string;
@@ -44,17 +44,17 @@ const NONE: Change = { percent: null, half: 0, verdict: "none" };
  * The change of an entry's number: against the same strategy in the reference, or against the baseline of its own
  * variant; `null` for what changes are against.
  */
-export function changeOf({ reference, baseline }: Scene, { strategy, shown, summary, isReference }: Entry, place: Place, scale = 1): Change | null {
+export function changeOf({ reference, baseline }: Scene, { strategy, shown, summary, isReference }: Entry, metric: MetricPath, scale = 1): Change | null {
   if (isReference) return null;
-  const value = valueAt(summary, place);
+  const value = valueAt(summary, metric);
   if (reference === null) {
-    const paired = pairedAt(shown, strategy.id, baseline, place);
+    const paired = pairedAt(shown, strategy.id, baseline, metric);
     if (paired) return pairedChange(paired);
-    return changeAgainst(value, baseline === null ? null : valueAt(shown.summaries[baseline], place), scale);
+    return changeAgainst(value, baseline === null ? null : valueAt(shown.summaries[baseline], metric), scale);
   }
   // A mean over roads and one road's number differ by the luck of the road.
   if (roadsOf(shown) !== roadsOf(reference.shown)) return NONE;
-  const [one, other] = [intervalAt(shown, strategy.id, place), intervalAt(reference.shown, strategy.id, place)];
+  const [one, other] = [intervalAt(shown, strategy.id, metric), intervalAt(reference.shown, strategy.id, metric)];
   if (one && other) return separateChange(one, other);
-  return changeAgainst(value, valueAt(reference.shown.summaries[strategy.id], place), scale);
+  return changeAgainst(value, valueAt(reference.shown.summaries[strategy.id], metric), scale);
 }

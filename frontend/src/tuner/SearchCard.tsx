@@ -40,10 +40,10 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   const several = objectives.length > 1;
   const [[x, y], setAxes] = useState<readonly [number, number]>([0, 1]);
   const figure = useMemo(() => {
-    const look = { palette, colour, trials, picked };
+    const style = { palette, colour, trials, picked };
     const [shown] = objectives;
-    if (!several && shown) return historyFigure({ ...look, paper: tuning.paper, shown });
-    return frontFigure({ ...look, front: tuning.front, named: namedOf(points), x, y, objectives });
+    if (!several && shown) return historyFigure({ ...style, paper: tuning.paper, shown });
+    return frontFigure({ ...style, front: tuning.front, named: namedOf(points), x, y, objectives });
   }, [palette, colour, trials, picked, objectives, several, tuning, points, x, y]);
   const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
   const axis = (which: "x" | "y") => (

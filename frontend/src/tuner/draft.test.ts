@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Figure } from "../batch/figures";
-import { placeProblems } from "../submission/problems";
-import { rangesFor, readDraft, objectiveOf, tuningPlace, type TuningDraft } from "./draft";
+import { problemsByField } from "../submission/problems";
+import { rangesFor, readDraft, objectiveOf, tuningFieldName, type TuningDraft } from "./draft";
 import { readSchema } from "../editor/schema";
 import { formatValue, numberFields, ownText, tunableOf, weightAt, withWeights } from "./space";
 
@@ -33,8 +33,8 @@ const DRAFT: TuningDraft = {
 };
 const read = (change: Partial<TuningDraft> = {}) => readDraft({ ...DRAFT, ...change }, NUMBERS, [TRAVEL, LOAD]);
 const errorsOf = (change: Partial<TuningDraft>) => {
-  const reading = read(change);
-  return reading.ok ? {} : reading.errors;
+  const parsed = read(change);
+  return parsed.ok ? {} : parsed.errors;
 };
 
 describe("a draft of a tuning", () => {
@@ -60,8 +60,8 @@ describe("a draft of a tuning", () => {
 
   it("takes ranges in the units that the form shows, and with any other", () => {
     expect(rangesFor(FORM, "lqr")["mpc.expected_noise"]).toEqual({ on: false, from: "0.05", to: "5" });
-    const reading = read({ ranges: { "mpc.expected_noise": { on: true, from: "0.5", to: "0,2 cm" } } });
-    expect(reading.ok && reading.body.search).toEqual({ "mpc.expected_noise": [0.0005, 0.002] });
+    const parsed = read({ ranges: { "mpc.expected_noise": { on: true, from: "0.5", to: "0,2 cm" } } });
+    expect(parsed.ok && parsed.body.search).toEqual({ "mpc.expected_noise": [0.0005, 0.002] });
     expect(errorsOf({ ranges: { "mpc.expected_noise": { on: true, from: "1", to: "101" } } })).toEqual({ "search.mpc.expected_noise": "Must be above 0 and at most 100\u00a0mm" });
     const noise = NUMBERS.find(({ name }) => name === "mpc.expected_noise");
     expect(noise && [noise.row, ownText({ mpc: { expected_noise: 0.003 } }, noise), formatValue(0.0025, noise.field)]).toEqual(["Expected preview noise [mm]", "3\u00a0mm", "2.5"]);
@@ -94,11 +94,11 @@ describe("the server's errors", () => {
       { pointer: "/scenario/road/length", message: "e" },
       { pointer: "", message: "f" },
     ];
-    expect(placeProblems(errors, tuningPlace, "x")).toEqual({
+    expect(problemsByField(errors, tuningFieldName, "x")).toEqual({
       fields: { "objectives.1": "a", "search.lqr.weights.0": "b", fresh_seeds: "c", objectives: "d" },
       general: ["The scenario’s road.length: e", "f"],
     });
-    expect(placeProblems([], tuningPlace, "x").general).toEqual(["x"]);
+    expect(problemsByField([], tuningFieldName, "x").general).toEqual(["x"]);
   });
 });
 

@@ -3,12 +3,12 @@
 import type { TuningChoice } from "../api/jobs";
 import type { StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
-import { readTyped, typedText } from "../editor/limits";
+import { parseTyped, typedText } from "../editor/limits";
 import type { Group } from "../editor/schema";
 import { isLike } from "../state/storage";
-import type { DraftErrors, PlaceOf } from "../submission/problems";
+import type { DraftErrors, FieldNameOf } from "../submission/problems";
 import { formatInput, parseInput } from "../units/format";
-import { readQuantity } from "../units/quantity";
+import { parseQuantity } from "../units/quantity";
 import { readSeeds } from "./seeds";
 import { numberFields, TUNABLE, tunableOf, type TunableNumber } from "./space";
 
@@ -55,11 +55,11 @@ export interface TuningDraft {
 }
 
 /** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
-export type Reading = { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
+export type ParsedDraft = { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
 
 const PLAIN = ["previews", "quantile", "seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
 
-export const tuningPlace: PlaceOf = ([root, second]) => {
+export const tuningFieldName: FieldNameOf = ([root, second]) => {
   if (root === undefined) return null;
   if (root === "objectives" || root === "limits" || root === "search") return second === undefined ? root : `${root}.${second}`;
   return PLAIN.includes(root) ? root : null;
@@ -140,7 +140,7 @@ function objectives({ objectives: drafts }: TuningDraft, put: Put): TuningChoice
 function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put: Put): TuningChoice["limits"] {
   return drafts.map(({ figure, atMost }, index) => {
     const { unit, scale } = figures.find(({ key }) => key === figure) ?? { unit: "1", scale: 1 };
-    const limit = readQuantity(atMost, unit);
+    const limit = parseQuantity(atMost, unit);
     if (!limit.ok) put(`limits.${index}`, limit.message);
     return { figure, at_most: limit.ok ? Number((limit.value / scale).toPrecision(12)) : 0 };
   });
@@ -155,9 +155,9 @@ function search({ ranges }: TuningDraft, numbers: readonly TunableNumber[], put:
   return Object.fromEntries(
     searched.map(({ name, field, range }) => {
       const end = (text: string) => {
-        const reading = readTyped(field, text);
-        if (!reading.ok) put(`search.${name}`, reading.message);
-        return reading.ok ? reading.value : NaN;
+        const parsed = parseTyped(field, text);
+        if (!parsed.ok) put(`search.${name}`, parsed.message);
+        return parsed.ok ? parsed.value : NaN;
       };
       const ends = [end(range.from), end(range.to)] as const;
       if (ends[0] >= ends[1]) put(`search.${name}`, "From has to be less than to");
@@ -167,14 +167,14 @@ function search({ ranges }: TuningDraft, numbers: readonly TunableNumber[], put:
 }
 
 function roads(text: string, field: string, least: number, put: Put): readonly number[] {
-  const reading = readSeeds(text, MOST_ROADS);
-  if (!reading.ok) put(field, reading.message);
-  else if (reading.seeds.length < least) put(field, `At least ${least} roads: a mean needs a spread beside it`);
-  return reading.ok ? reading.seeds : [];
+  const parsed = readSeeds(text, MOST_ROADS);
+  if (!parsed.ok) put(field, parsed.message);
+  else if (parsed.seeds.length < least) put(field, `At least ${least} roads: a mean needs a spread beside it`);
+  return parsed.ok ? parsed.seeds : [];
 }
 
 /** What is sent, or what has to be changed first. */
-export function readDraft(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[]): Reading {
+export function readDraft(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[]): ParsedDraft {
   const errors: Record<string, string> = {};
   const put: Put = (field, message) => void (errors[field] ??= message);
   const seeds = roads(draft.seeds, "seeds", 1, put);

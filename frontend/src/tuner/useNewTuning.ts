@@ -6,16 +6,16 @@ import type { Scenario } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { TUNING } from "../jobs/useJob";
 import { useSubmission } from "../submission/useSubmission";
-import { readDraft, tuningPlace, type TuningDraft } from "./draft";
+import { readDraft, tuningFieldName, type TuningDraft } from "./draft";
 import type { TunableNumber } from "./space";
 
 export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[], scenario: Scenario | undefined, onSubmitted: () => void) {
-  const reading = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
+  const parsed = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
   return useSubmission({
     kind: "tuning",
-    body: reading.ok && scenario ? { scenario, ...reading.body } : null,
-    errors: reading.ok ? null : reading.errors,
-    placeOf: tuningPlace,
+    body: parsed.ok && scenario ? { scenario, ...parsed.body } : null,
+    errors: parsed.ok ? null : parsed.errors,
+    fieldNameOf: tuningFieldName,
     estimate: tunings.estimate,
     onSubmitted,
     submit: async (body, keyOf) => ({ to: TUNING.page, params: { id: (await tunings.create(body, keyOf(body))).id } }),

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
-import { readQuantity, shownIn } from "./quantity";
+import { parseQuantity, shownIn } from "./quantity";
 
 const value = (text: string, unit: string) => {
-  const reading = readQuantity(text, unit);
-  return reading.ok ? reading.value : reading.message;
+  const parsed = parseQuantity(text, unit);
+  return parsed.ok ? parsed.value : parsed.message;
 };
 
 describe("a number as people write it", () => {

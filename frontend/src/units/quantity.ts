@@ -35,7 +35,7 @@ export function shownIn(unit: string, other: string): ShownUnit {
 }
 
 /** What was typed, in `unit`, which a number alone is in. */
-export function readQuantity(text: string, unit: string): Quantity {
+export function parseQuantity(text: string, unit: string): Quantity {
   const compact = text.trim().replace("−", "-");
   const [digits = ""] = NUMBER.exec(compact) ?? [];
   const value = parseInput(digits);

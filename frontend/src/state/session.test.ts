@@ -2,7 +2,7 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Link, Scenario } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
 import { begin } from "./history";
-import { keep, restore } from "./kept";
+import { storeSession, restoreSession } from "./session";
 import { createLab } from "./lab";
 import type { LabState } from "./labState";
 import { NO_ERRORS } from "./problems";
@@ -27,23 +27,23 @@ function open() {
   const opening = createLab({ api: {} as never, router: router as never, queries: {} as never }).get();
   const store = createStore<LabState>({ ...opening, history: begin(LOW), exact: exactOf(LOW), busy: true });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
-  keep(store, router);
+  storeSession(store, router);
   return patch;
 }
 
 it("A tab comes back with the last scenario that was computed, not with one on its way or refused", () => {
   const patch = open();
   patch({ busy: true });
-  expect(restore()).toBeNull();
+  expect(restoreSession()).toBeNull();
   patch({ busy: false });
   patch({ history: begin(REFUSED), busy: true });
   patch({ refused: { ...NO_ERRORS, general: ["too low"] }, busy: false });
-  expect(restore()?.lab.history?.present).toEqual(LOW);
+  expect(restoreSession()?.lab.history?.present).toEqual(LOW);
 });
 
 it("A run or a link that is opened replaces nothing until it is edited", () => {
   const patch = open();
-  const scenario = () => restore()?.lab.history?.present;
+  const scenario = () => restoreSession()?.lab.history?.present;
   patch({ busy: false });
   patch({ exact: exactOf(THEIRS, true) });
   patch({ exact: exactOf(THEIRS), strategies: ["lv"] });

@@ -4,31 +4,31 @@ import { Button, Tooltip } from "@mantine/core";
 import { IconExternalLink } from "../icons";
 import classes from "./robustness.module.css";
 import { nameOf, useFieldText } from "./names";
-import type { Place } from "./summary";
+import type { ExtremeRun } from "./summary";
 import type { Opening } from "../batch/useOpenRun";
 
 interface Props {
-  readonly place: Place | null;
+  readonly run: ExtremeRun | null;
   readonly text: string;
   /** Which value it is, in words. */
   readonly what: string;
   readonly opening: Opening;
 }
 
-export function PlaceButton({ place, text, what, opening }: Props) {
+export function RunButton({ run, text, what, opening }: Props) {
   const fieldText = useFieldText();
-  if (place === null) return <>–</>;
-  const fields = Object.entries(place.at).map(([name, value]) => `${nameOf(name)} ${fieldText(name, value)}`);
+  if (run === null) return <>–</>;
+  const fields = Object.entries(run.at).map(([name, value]) => `${nameOf(name)} ${fieldText(name, value)}`);
   return (
-    <Tooltip label={`Open run ${place.run} in the lab: ${fields.join(", ")}`} multiline w={320} openDelay={300}>
+    <Tooltip label={`Open run ${run.run} in the lab: ${fields.join(", ")}`} multiline w={320} openDelay={300}>
       <Button
         size="compact-xs"
         variant="subtle"
-        className={classes.place ?? ""}
-        loading={opening.run === place.run}
+        className={classes.runButton ?? ""}
+        loading={opening.run === run.run}
         rightSection={<IconExternalLink size={13} aria-hidden />}
-        aria-label={`${what} ${text}: open run ${place.run} in the lab`}
-        onClick={() => opening.open(place)}
+        aria-label={`${what} ${text}: open run ${run.run} in the lab`}
+        onClick={() => opening.open(run)}
       >
         {text}
       </Button>

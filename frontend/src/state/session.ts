@@ -12,14 +12,14 @@ import { readStored, writeStored } from "./storage";
 
 const NAME = "ridelab-lab";
 
-interface Kept {
+interface StoredSession {
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
   readonly roads: number;
   readonly search: string;
 }
 
-const isKept = (value: unknown): value is Kept =>
+const isStoredSession = (value: unknown): value is StoredSession =>
   typeof value === "object" &&
   value !== null &&
   "scenario" in value &&
@@ -32,20 +32,20 @@ const isKept = (value: unknown): value is Kept =>
   "search" in value &&
   typeof value.search === "string";
 
-export interface Restored {
+export interface RestoredSession {
   readonly lab: Pick<LabState, "history" | "strategies" | "roads">;
   readonly view: View;
 }
 
 /** `null` where nothing was kept, or the browser keeps nothing. */
-export function restore(): Restored | null {
+export function restoreSession(): RestoredSession | null {
   const value = readStored(NAME);
-  if (!isKept(value)) return null;
+  if (!isStoredSession(value)) return null;
   const { scenario, strategies, roads, search } = value;
   return { lab: { history: begin(scenario), strategies, roads }, view: viewOf(readLabSearch(parseSearch(search))) };
 }
 
-export function keep(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
+export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
   let written: readonly unknown[] = [];
   /** Of a run or link that was opened: until it is edited, what somebody else made replaces nothing of one's own. */
   let unedited: Scenario | null = null;
@@ -62,8 +62,8 @@ export function keep(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "
     const parts = [scenario, strategies, roads, view];
     if (parts.every((part, index) => part === written[index])) return;
     written = parts;
-    const kept: Kept = { scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
-    writeStored(NAME, kept);
+    const session: StoredSession = { scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
+    writeStored(NAME, session);
   };
   lab.subscribe(write);
   router.subscribe(write);

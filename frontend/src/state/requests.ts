@@ -15,7 +15,7 @@ import { NO_ERRORS, problemOf } from "./problems";
 import { linkKey, runKey } from "./queries";
 import type { Router } from "./router";
 import { readSharedView } from "./sharing";
-import { fromRun, landed, opened } from "./shown";
+import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./shown";
 import type { Store } from "./store";
 import { createTimer } from "./timer";
 
@@ -36,7 +36,7 @@ export interface Services {
   readonly queries: QueryClient;
 }
 
-export interface Asking {
+export interface Requests {
   /** Runs what the form says. */
   readonly submit: (mode: "push" | "replace") => void;
   readonly load: (id: string, hidden: readonly StrategyId[]) => void;
@@ -44,12 +44,12 @@ export interface Asking {
   /** Figures and curves of a scenario under a moving slider. */
   readonly preview: (scenario: Scenario) => void;
   /** Nobody waits for the exact answer any more: what is shown answers what is asked. */
-  readonly settle: () => void;
+  readonly cancel: () => void;
   /** Asks again for what could not be had. */
   readonly resume: () => void;
 }
 
-export function createAsking(store: Store<LabState>, { api, router, queries }: Services, form: () => Form): Asking {
+export function createRequests(store: Store<LabState>, { api, router, queries }: Services, form: () => Form): Requests {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   const grace = createTimer(STALE_AFTER_MS, () => patch({ stale: true }));
   const live = createLive({ store, grace, api, router, form });
@@ -64,7 +64,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
     },
   });
 
-  const ask: typeof exact.start = (request) => {
+  const start: typeof exact.start = (request) => {
     live.cancel();
     unfinished = null;
     exact.start(request);
@@ -73,13 +73,13 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
   // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
   // shares or goes back to an address that is not of what is shown.
 
-  const submit: Asking["submit"] = (mode) => {
+  const submit: Requests["submit"] = (mode) => {
     const { history, strategies, roads } = store.get();
     if (strategies.length === 0) return;
-    if (mode === "push") router.stay();
+    if (mode === "push") router.cancelNavigation();
     const { baseline } = router.get().view;
     const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
-    ask({
+    start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
         const run = await api.createRun(history?.present ?? {}, strategies, signal, over);
@@ -90,16 +90,16 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
         if (!isCurrent()) return;
         const selected = store.get().strategies;
         const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
-        if (history === null) router.leaveFrom();
+        if (history === null) router.clearFrom();
         router.showRun(run.id, { hidden }, mode);
-        patch({ ...landed(store.get(), fromRun(run, histories, performance.now() - startedAt, false)), drag: null, shared: null });
+        patch({ ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)), drag: null, shared: null });
       },
       again: () => submit(mode),
     });
   };
 
-  const load: Asking["load"] = (id, hidden) => {
-    ask({
+  const load: Requests["load"] = (id, hidden) => {
+    start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
         const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
@@ -108,10 +108,10 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
         const histories = await historiesOf(run, queries, api.series, signal);
         if (!isCurrent()) return;
         const { history } = store.get();
-        router.arrive();
+        router.confirmNavigation();
         if (run.over) router.setView({ baseline: run.over.baseline });
         patch({
-          ...opened(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
+          ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
           roads: run.over?.roads ?? 1,
           history: history ? record(history, run.scenario) : begin(run.scenario),
           strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
@@ -125,8 +125,8 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
     });
   };
 
-  const openLink: Asking["openLink"] = (slug) => {
-    ask({
+  const openLink: Requests["openLink"] = (slug) => {
+    start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
         const link = queries.getQueryData<Link>(linkKey(slug)) ?? (await api.link(slug, signal));
@@ -136,7 +136,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
         const histories = link.run && (await historiesOf(link.run, queries, api.series, signal));
         if (!isCurrent()) return;
         const { view, strategies, at } = readSharedView(link);
-        router.arrive();
+        router.confirmNavigation();
         router.setView(view);
         cursor.set(at);
         const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
@@ -150,7 +150,7 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
 
   /** The address has nothing to show: neither is anything else shown under it. */
   const leaveLink = () => {
-    router.arrive();
+    router.confirmNavigation();
     patch({ shared: null, shown: null, exact: null, before: null });
   };
 
@@ -160,16 +160,16 @@ export function createAsking(store: Store<LabState>, { api, router, queries }: S
     openLink,
     preview: (scenario) => {
       exact.cancel();
-      router.stay();
+      router.cancelNavigation();
       const some = store.get().strategies.length > 0;
       patch({ busy: some });
       if (some) live.request(scenario);
     },
-    settle: () => {
+    cancel: () => {
       live.cancel();
       unfinished = null;
       exact.cancel();
-      router.stay();
+      router.cancelNavigation();
       patch({ busy: false, stale: false, failure: null, refused: NO_ERRORS });
     },
     resume: () => unfinished?.(),
