@@ -2,9 +2,12 @@
 
 import { ActionIcon, Text, Tooltip } from "@mantine/core";
 import { IconArrowBackUp, IconInfoCircle } from "../icons";
-import { useEffect, useRef, type ReactNode } from "react";
+import { memo, useEffect, useRef, type ReactNode } from "react";
+import { useEdit, useReadOnly } from "../state/context";
 import classes from "./editor.module.css";
 import type { Leaf } from "./diff";
+import { setAt } from "./path";
+import type { Field } from "./schema";
 import type { LeafState } from "./useLeaf";
 
 interface Props {
@@ -18,7 +21,8 @@ interface Props {
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, field: { pointer, title, description, standard: reset }, leaf: { changed, readOnly, error, commit }, standard, aside, children }: Props) {
+export function FieldFrame({ id, field, leaf: { changed, error }, standard, aside, children }: Props) {
+  const { pointer, title, description } = field;
   return (
     <div className={classes.field} data-pointer={pointer} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
       <div className={classes.row}>
@@ -27,7 +31,7 @@ export function FieldFrame({ id, field: { pointer, title, description, standard:
         </label>
         {description !== "" && <Help id={id} title={title} text={description} />}
         <span className={classes.spacer} />
-        <ResetButton title={title} standard={standard} changed={changed} fixed={readOnly} onReset={() => commit(reset)} />
+        <ResetButton {...{ field, standard, changed }} />
         {aside}
       </div>
       {children}
@@ -36,7 +40,8 @@ export function FieldFrame({ id, field: { pointer, title, description, standard:
   );
 }
 
-export function Help({ id, title, text }: { readonly id: string; readonly title: string; readonly text: string }) {
+// Help and reset are as they were while a slider moves: half of what a field costs to draw.
+export const Help = memo(function Help({ id, title, text }: { readonly id: string; readonly title: string; readonly text: string }) {
   return (
     <Tooltip label={text} multiline w={240} withArrow events={{ hover: true, focus: true, touch: true }}>
       <ActionIcon className={classes.help} variant="transparent" size={18} aria-label={`About ${title}: ${text}`} id={`${id}-help`}>
@@ -44,34 +49,39 @@ export function Help({ id, title, text }: { readonly id: string; readonly title:
       </ActionIcon>
     </Tooltip>
   );
-}
+});
 
 interface ResetProps {
-  readonly title: string;
+  readonly field: Field;
+  /** The paper's value as text. */
   readonly standard: string;
   readonly changed: boolean;
-  readonly fixed: boolean;
-  readonly onReset: () => void;
 }
 
 /** Keeps its place while hidden, so nothing moves when a value first differs from the paper. */
-export function ResetButton({ title, standard, changed, fixed, onReset }: ResetProps) {
+export const ResetButton = memo(function ResetButton({ field, standard, changed }: ResetProps) {
+  const edit = useEdit();
+  const disabled = useReadOnly() || !changed;
+  const reset = () => {
+    for (const { pointer } of field.kind === "vector" ? field.items : [field]) edit.accept(pointer);
+    edit.commit(setAt(edit.newest(), field.pointer, field.standard));
+  };
   return (
     <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
       <ActionIcon
         className={classes.reset}
-        data-hidden={!changed || fixed || undefined}
+        data-hidden={disabled || undefined}
         variant="subtle"
         size={24}
-        aria-label={`Reset ${title} to the paper's ${standard}`}
-        disabled={!changed || fixed}
-        onClick={onReset}
+        aria-label={`Reset ${field.title} to the paper's ${standard}`}
+        disabled={disabled}
+        onClick={reset}
       >
         <IconArrowBackUp size={15} stroke={1.8} />
       </ActionIcon>
     </Tooltip>
   );
-}
+});
 
 export function FieldError({ id, error }: { readonly id: string; readonly error: string | undefined }) {
   return error === undefined ? null : <ErrorText id={id} error={error} />;

@@ -1,14 +1,13 @@
 /** Vectors of equal make as a table: a row each, a column per entry, every entry with its own slider. */
 
 import { useId } from "react";
-import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
+import { useFromScenario, useLab } from "../state/context";
 import { formatInput } from "../units/format";
 import classes from "./editor.module.css";
 import { isChanged } from "./diff";
 import { FieldError, Help, ResetButton } from "./FieldFrame";
 import { NumberEntry } from "./NumberEntry";
 import { NumberSlider } from "./NumberSlider";
-import { setAt } from "./path";
 import type { NumberField, VectorField } from "./schema";
 import { useLeaf } from "./useLeaf";
 
@@ -34,8 +33,6 @@ export function WeightsMatrix({ vectors }: { readonly vectors: readonly VectorFi
 
 function MatrixRow({ vector }: { readonly vector: VectorField }) {
   const id = useId();
-  const edit = useEdit();
-  const fixed = useReadOnly();
   const refused = useLab((state) => state.refused.fields);
   const rejected = useLab((state) => state.rejected);
   const changed = useFromScenario((scenario) => vector.items.some((item) => isChanged(scenario, item)));
@@ -48,14 +45,9 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
         <div className={classes.rowTools}>
           {vector.description !== "" && <Help id={id} title={vector.title} text={vector.description} />}
           <ResetButton
-            title={vector.title}
+            field={vector}
             standard={vector.items.map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–")).join(", ")}
             changed={changed}
-            fixed={fixed}
-            onReset={() => {
-              for (const item of vector.items) edit.accept(item.pointer);
-              edit.commit(setAt(edit.newest(), vector.pointer, vector.standard));
-            }}
           />
         </div>
       </div>

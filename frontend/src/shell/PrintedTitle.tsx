@@ -1,19 +1,19 @@
 /** The tab's title; on paper also where this comes from. */
 
 import { useDocumentTitle } from "@mantine/hooks";
-import { useLab, useScenario } from "../state/context";
+import { useFromScenario, useLab } from "../state/context";
 import { pageTitle } from "../title";
 import classes from "./shell.module.css";
 
 export function PrintedTitle() {
   const shown = useLab((state) => state.shown);
-  const scenario = useScenario();
-  useDocumentTitle(pageTitle(scenario));
+  const title = useFromScenario(pageTitle);
+  useDocumentTitle(title);
   if (!shown) return null;
   const source = `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`;
   return (
     <p className={classes.printed}>
-      {pageTitle(scenario)} {source}
+      {title} {source}
     </p>
   );
 }

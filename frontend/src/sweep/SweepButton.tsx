@@ -5,7 +5,6 @@ import { useDisclosure } from "@mantine/hooks";
 import { IconGridDots } from "../icons";
 import { useQuery } from "@tanstack/react-query";
 import { lazy, Suspense } from "react";
-import { useLab, useScenario } from "../state/context";
 import { schemaQuery, strategiesQuery } from "../state/queries";
 import { compact } from "../ui/compact";
 
@@ -15,8 +14,6 @@ export function SweepButton() {
   const [opened, { open, close }] = useDisclosure(false);
   const form = useQuery(schemaQuery).data;
   const strategies = useQuery(strategiesQuery).data;
-  const selected = useLab((state) => state.strategies);
-  const scenario = useScenario();
   return (
     <>
       <Tooltip label="Run many variants of this scenario">
@@ -34,7 +31,7 @@ export function SweepButton() {
       </Tooltip>
       {opened && form && strategies && (
         <Suspense>
-          <SweepDialog form={form} scenario={scenario} strategies={strategies} selected={selected} onClose={close} />
+          <SweepDialog form={form} strategies={strategies} onClose={close} />
         </Suspense>
       )}
     </>

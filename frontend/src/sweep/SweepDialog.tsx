@@ -3,7 +3,7 @@
 import { Button, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
-import type { Scenario, Strategy } from "../api/types";
+import type { Strategy } from "../api/types";
 import type { Group as Form } from "../editor/schema";
 import { SweepList } from "../batch/SweepList";
 import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
@@ -14,22 +14,22 @@ import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
 import { useSweep } from "./useSweep";
+import { useLab, useScenario } from "../state/context";
 import { useDraft } from "../state/useDraft";
 import { Problems } from "../ui/Fault";
 import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly form: Form;
-  readonly scenario: Scenario;
   readonly strategies: readonly Strategy[];
-  /** Switched on in the dashboard. */
-  readonly selected: readonly string[];
   readonly onClose: () => void;
 }
 
 const FIRST_FIELD = "road.bump.height";
 
-export function SweepDialog({ form, scenario, strategies, selected, onClose }: Props) {
+export function SweepDialog({ form, strategies, onClose }: Props) {
+  const scenario = useScenario();
+  const selected = useLab((state) => state.strategies);
   const fields = useMemo(() => sweepFields(form), [form]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const { draft, setDraft, isEdited, reset, forget } = useDraft<SweepDraft>({
@@ -46,7 +46,7 @@ export function SweepDialog({ form, scenario, strategies, selected, onClose }: P
   return (
     <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}>
       <Text size="sm" c="dimmed">
-        Runs many variants of the scenario in the form, each under every strategy selected here. What is not swept stays as it is.
+        Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not swept keep their values.
       </Text>
       <Group gap="sm">
         <SegmentedControl
