@@ -208,7 +208,7 @@ def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) ->
             timeout=LONG_MS,
         )
         sweep.get_by_role("button", name="Cancel").click()
-        expect(sweep.get_by_test_id("batch-state")).to_have_text("Cancelled: what had finished stays", timeout=LONG_MS)
+        expect(sweep.get_by_test_id("batch-state")).to_have_text("Cancelled; finished runs are kept", timeout=LONG_MS)
         expect(sweep.get_by_role("button", name="Cancel")).to_have_count(0)
         expect(sweep.locator("tbody tr[data-status=ok]").first).to_be_visible(timeout=LONG_MS)
 

@@ -268,7 +268,7 @@ def test_a_cancelled_sweep_is_resumed(dashboard: Dashboard, server: Server) -> N
     path = server.submit({"grid": {"road.seed": list(range(1, 401))}}, ["passive"])
     page.goto(path)
     page.get_by_role("button", name="Cancel").click()
-    expect(page.get_by_test_id("batch-state")).to_have_text("Cancelled: what had finished stays")
+    expect(page.get_by_test_id("batch-state")).to_have_text("Cancelled; finished runs are kept")
     page.get_by_role("button", name="Resume").click()
     expect_done(page)
     expect(page.get_by_test_id("batch-counts")).to_have_text("400 of 400 runs finished")

@@ -155,7 +155,7 @@ def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server)
         re.compile(r"^[1-9]\d* of 3000 trials"), timeout=LONG_MS
     )
     page.get_by_role("button", name="Cancel").click()
-    expect_state(page, "Cancelled: what its complete generations found stays")
+    expect_state(page, "Cancelled; complete generations are kept")
     done = stored(server, tuning)["trials"]["done"]
     expect(page.get_by_text("The comparison is made once the search is complete")).to_be_visible()
     page.get_by_label("Trials in all").fill("10")
@@ -169,7 +169,7 @@ def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server)
         timeout=LONG_MS,
     )
     page.get_by_role("button", name="Cancel").click()
-    expect_state(page, "Cancelled: what its complete generations found stays")
+    expect_state(page, "Cancelled; complete generations are kept")
 
     page.get_by_role("link", name="New tuning, earlier tunings").click()
     entry = page.get_by_role("region", name="Earlier tunings").locator(f"a[href='/tuner/{tuning}']")

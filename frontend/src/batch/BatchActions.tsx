@@ -27,7 +27,7 @@ export function BatchActions({ batch, view }: Props) {
       <ShareLink
         make={() => (batch ? api.shareBatch(batch.id, toShare(batch, view)) : Promise.reject(new Error("there is no sweep")))}
         obstacle={batch ? null : "There is no sweep to share yet"}
-        opens="It opens this sweep with its plot as it is here, for whoever has it. Nobody can change it."
+        opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
       />
       <Menu position="bottom-end" width={260}>
         <Menu.Target>
@@ -36,7 +36,7 @@ export function BatchActions({ batch, view }: Props) {
           </Button>
         </Menu.Target>
         <Menu.Dropdown>
-          <Menu.Label>One row a run, every figure</Menu.Label>
+          <Menu.Label>One row per run, all metrics</Menu.Label>
           {FORMATS.map(({ format, label, icon: Icon }) => (
             <Menu.Item
               key={format}

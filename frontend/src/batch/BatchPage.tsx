@@ -62,7 +62,7 @@ function Sweep({ id, view, onView, link }: Props) {
         {link && <SharedNote link={link} what="sweep" />}
         {fault ? (
           isNotFound(error) ? (
-            <Blank title="There is no sweep at this address" text="The address may be cut short, or the sweep was made on another server.">
+            <Blank title="There is no sweep at this address" text="The address may be incomplete, or the sweep was made on another server.">
               <LabLink>Go to the lab</LabLink>
             </Blank>
           ) : <CouldNotLoad what="sweep" message={fault.message} />

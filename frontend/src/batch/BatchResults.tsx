@@ -40,8 +40,8 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   const keys = useMemo(() => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])], [catalogue, plotted]);
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
-  const given = table.data?.columns ?? NOTHING;
-  const columns = useMemo(() => shownColumns(given, stored.fields, form), [given, stored.fields, form]);
+  const fetched = table.data?.columns ?? NOTHING;
+  const columns = useMemo(() => shownColumns(fetched, stored.fields, form), [fetched, stored.fields, form]);
   // The first finished runs are shown as soon as they are known of, not when rows are due again.
   const readFirst = useEffectEvent(() => {
     if (!columns.status?.includes("ok")) void table.refetch();
@@ -59,7 +59,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
 
   const opening = useOpenRun(batch);
   const open = (row: number) => {
-    const values = batch.fields.map(({ name }) => [name, cell(given, name, row)] as const);
+    const values = batch.fields.map(({ name }) => [name, cell(fetched, name, row)] as const);
     opening.open({ run: row, at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))) });
   };
   const listed = useMemo(

@@ -99,7 +99,7 @@ export function BatchRows({ batch, columns, catalogue, strategies, markers, figu
       </ScrollTable>
       {shown.length === 0 && (
         <Text size="sm" c="dimmed" p="md">
-          {loading ? "Reading the rows …" : failedOnly ? "No run has failed." : "There are no rows."}
+          {loading ? "Loading the rows…" : failedOnly ? "No run has failed." : "There are no rows."}
         </Text>
       )}
     </Card>
@@ -150,7 +150,7 @@ function Row({ row, batch, columns, catalogue, strategies, markers, figures, isB
       <td>
         <span className={classes.runCell}>
           {isBest && (
-            <Tooltip label="Lowest value of the plotted figure">
+            <Tooltip label="Lowest value of the plotted metric">
               <span className={classes.ring} role="img" aria-label="lowest" />
             </Tooltip>
           )}

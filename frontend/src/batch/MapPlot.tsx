@@ -41,12 +41,12 @@ export function MapPlot({ columns, shown, strategies, height, textOf, onOpen }: 
     return mapFigure({ grid, x, y: other, title, unit: mapUnit, difference: against !== null, threshold, textOf: cellText, palette: PALETTES[scheme], scheme });
   }, [grid, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
 
-  if (!grid || !other) return <Text className={classes.noMap}>A map needs runs at two or more values of both fields: they are not there yet.</Text>;
+  if (!grid || !other) return <Text className={classes.noMap}>A map needs finished runs at two or more values of both fields.</Text>;
   const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
-  const { known, gaps, below } = shareBelow(grid, threshold ?? Infinity);
+  const { computed, gaps, below } = shareBelow(grid, threshold ?? Infinity);
   const limit = formatExact(threshold ?? 0, mapUnit);
-  const points = count(known, "point");
-  const said =
+  const points = count(computed, "point");
+  const sentence =
     threshold === null
       ? `${points} with a value.`
       : against !== null && threshold === 0
@@ -54,10 +54,10 @@ export function MapPlot({ columns, shown, strategies, height, textOf, onOpen }: 
         : `At or below ${limit} at ${below} of ${points}.`;
   return (
     <>
-      <Chart figure={figure} height={height} label={`${name} over ${x.title} and ${other.title}. ${said} Every value stands in the table below.`} onPoint={onOpen} />
+      <Chart figure={figure} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
       <Text size="xs" className={classes.best} data-testid="map-note">
         {name}
-        {prettyUnit(mapUnit) === "" ? "" : ` [${prettyUnit(mapUnit)}]`}. {said}
+        {prettyUnit(mapUnit) === "" ? "" : ` [${prettyUnit(mapUnit)}]`}. {sentence}
         {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double click for all.
       </Text>
     </>

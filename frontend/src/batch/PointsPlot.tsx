@@ -120,9 +120,9 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
 function emptyReason(batch: Batch, strategies: number, columns: Columns): string {
   if (strategies === 0) return "No strategy is switched on.";
   if (!isFinal(batch) && batch.done === 0) return "No run has finished yet.";
-  if (batch.done > 0 && !columns.status?.includes("ok")) return "Reading the runs that have finished …";
-  if (!isFinal(batch)) return "No run of the strategies shown has finished with this figure yet.";
-  return "No run of the strategies shown has this figure.";
+  if (batch.done > 0 && !columns.status?.includes("ok")) return "Loading the runs that have finished…";
+  if (!isFinal(batch)) return "No run of the strategies shown has finished with this metric yet.";
+  return "No run of the strategies shown has this metric.";
 }
 
 function describeBest(row: number, { batch, columns, strategies, y }: Pick<Props, "batch" | "columns" | "strategies"> & Pick<ShownPlot, "y">): string {

@@ -24,8 +24,8 @@ describe("a map", () => {
   it("of a difference is the change in percent", () => {
     const grid = mapGrid(COLUMNS, { ...QUESTION, against: "passive" });
     expect(grid?.values).toEqual([[-50, -75], [0, null]]);
-    expect(grid && shareBelow(grid, 0)).toEqual({ below: 3, known: 3, gaps: 1 });
-    expect(grid && shareBelow(grid, -60)).toEqual({ below: 1, known: 3, gaps: 1 });
+    expect(grid && shareBelow(grid, 0)).toEqual({ below: 3, computed: 3, gaps: 1 });
+    expect(grid && shareBelow(grid, -60)).toEqual({ below: 1, computed: 3, gaps: 1 });
   });
 
   it("needs a grid: scattered points have none", () => {

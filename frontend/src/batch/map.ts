@@ -65,12 +65,12 @@ export interface Share {
   /** Points at or below the threshold. */
   readonly below: number;
   /** Points with a value. */
-  readonly known: number;
+  readonly computed: number;
   readonly gaps: number;
 }
 
 export function shareBelow({ values }: MapGrid, threshold: number): Share {
   const all = values.flat();
-  const known = all.filter((value) => value !== null);
-  return { below: known.filter((value) => value <= threshold).length, known: known.length, gaps: all.length - known.length };
+  const computed = all.filter((value) => value !== null);
+  return { below: computed.filter((value) => value <= threshold).length, computed: computed.length, gaps: all.length - computed.length };
 }

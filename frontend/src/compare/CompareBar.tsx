@@ -42,13 +42,13 @@ function AgainstSelect({ scene: { strategies, pins, before, reference, baseline 
     ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
     ...pins.map(({ name, shown }) => ({ value: againstPin(shown.runId ?? ""), label: name })),
   ];
-  const chosen = reference === null ? `${STRATEGY}${baseline}` : reference.shown === before ? "before" : againstPin(reference.shown.runId ?? "");
+  const selected = reference === null ? `${STRATEGY}${baseline}` : reference.shown === before ? "before" : againstPin(reference.shown.runId ?? "");
   return (
     <label className={classes.choice}>
       Change against
       <NativeSelect
         size="xs"
-        value={chosen}
+        value={selected}
         onChange={({ currentTarget: { value } }) =>
           value.startsWith(STRATEGY) ? lab.setBaseline(value.slice(STRATEGY.length) satisfies StrategyId) : router.setView({ against: value as Against })
         }

@@ -140,7 +140,7 @@ export function ExportMenu() {
       <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported" closeButtonProps={{ "aria-label": "Close" }}>
         <Text size="sm">{unsaved?.message}</Text>
       </Modal>
-      <Modal opened={refused !== null} onClose={() => setRefused(null)} title="Here it is: select and copy it" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
+      <Modal opened={refused !== null} onClose={() => setRefused(null)} title="Select the address and copy it" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
         <Textarea
           readOnly
           autosize

@@ -54,7 +54,7 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
         )}
         {other && (
           <Text size="xs" className={classes.bad} role="status">
-            The scenario has changed since: these figures are of the one before.
+            The scenario has changed since: these numbers are of the previous one.
           </Text>
         )}
       </div>

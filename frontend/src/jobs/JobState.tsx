@@ -26,7 +26,7 @@ const STATE: Readonly<Record<Common["state"], string>> = {
   queued: "Waiting for its turn",
   running: "Running",
   done: "Done",
-  cancelled: "Cancelled: what had finished stays",
+  cancelled: "Cancelled; finished runs are kept",
   failed: "Failed",
 };
 
@@ -65,7 +65,7 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
       </Progress.Root>
       {!connected && !ended && (
         <Text size="xs" c="dimmed" role="status">
-          The connection is interrupted; the numbers follow again when it is back.
+          The connection is interrupted; the numbers are updated when it is back.
         </Text>
       )}
       {cancel.isError && (

@@ -37,7 +37,7 @@ export function ScenarioChoice({ source: { origin, scenario, presets, error, cho
       />
       <Text size="xs" c="dimmed" className={classes.text ?? ""}>
         {scenario && form ? otherThanPaper(scenario, form) : "\u00a0"}{" "}
-        <LabLink run={origin.run}>{origin.run === undefined ? "Make another in the lab" : "Change it in the lab"}</LabLink>
+        <LabLink run={origin.run}>{origin.run === undefined ? "Create another in the lab" : "Change it in the lab"}</LabLink>
       </Text>
     </div>
   );

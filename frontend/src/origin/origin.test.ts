@@ -27,6 +27,6 @@ describe("what differs from the paper", () => {
   });
 
   it("leaves out what is swept", () => {
-    expect(otherThanPaper(changed, FORM, ["road.bump.height", "mpc.weights"])).toBe("All else as in the paper.");
+    expect(otherThanPaper(changed, FORM, ["road.bump.height", "mpc.weights"])).toBe("Everything else as in the paper.");
   });
 });

@@ -14,7 +14,7 @@ export function otherThanPaper(scenario: Scenario, form: Group, swept: readonly 
   const other = sweepFields(form).filter(
     ({ name, leaf }) => isChanged(scenario, leaf) && !swept.some((each) => each === name || name.startsWith(`${each}.`)),
   );
-  if (other.length === 0) return swept.length > 0 ? "All else as in the paper." : "As in the paper.";
+  if (other.length === 0) return swept.length > 0 ? "Everything else as in the paper." : "As in the paper.";
   const named = other.slice(0, MOST_NAMED).map(({ title, leaf }) => {
     const value = getAt(scenario, leaf.pointer);
     const text = typeof value === "number" && leaf.kind === "number" ? valueText(leaf, value) : value === null || value === undefined ? "off" : optionTitle(optionOf(value));

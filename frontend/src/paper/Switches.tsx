@@ -30,7 +30,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
     <>
       <div className={classes.state} role="status">
         <Text size="sm" fw={600}>
-          {waiting ? "Counting under these readings …" : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
+          {waiting ? "Counting under these interpretations…" : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
         </Text>
         <span data-stale={waiting || undefined}>
           <VerdictCountList counts={paper.counts} />

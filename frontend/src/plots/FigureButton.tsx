@@ -15,7 +15,7 @@ interface Props {
 }
 
 export function FigureButton({ template, curves }: Props) {
-  const [asked, setAsked] = useState(false);
+  const [requested, setRequested] = useState(false);
   const [opened, setOpened] = useState(false);
   const button = (
     <ActionIcon
@@ -27,14 +27,14 @@ export function FigureButton({ template, curves }: Props) {
       aria-haspopup="dialog"
       aria-expanded={opened}
       onClick={() => {
-        setAsked(true);
+        setRequested(true);
         setOpened(!opened);
       }}
     >
       <IconDownload size={15} />
     </ActionIcon>
   );
-  if (!asked) return button;
+  if (!requested) return button;
   return (
     <Suspense fallback={button}>
       <FigureMenu template={template} curves={curves} opened={opened} onChange={setOpened}>

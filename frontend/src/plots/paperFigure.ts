@@ -45,7 +45,7 @@ export function paperFigure(template: FigureTemplate, curves: Curves, { width, f
   const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
   const axis = { automargin: true, tickmode: "auto", tickfont: { size: font * POINT } };
   const less = curves.minus === undefined ? "" : `, less ${curves.minus}`;
-  const said = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
+  const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
   return {
     width,
     height: heightOf(width),
@@ -56,7 +56,7 @@ export function paperFigure(template: FigureTemplate, curves: Curves, { width, f
       margin: { l: 8, r: 8, t: 8, b: 8 },
       paper_bgcolor: "#ffffff",
       plot_bgcolor: "#ffffff",
-      xaxis: { ...layout.xaxis, ...axis, nticks: 7, title: { text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${said}`, font: { size: font * POINT }, standoff: 6 } },
+      xaxis: { ...layout.xaxis, ...axis, nticks: 7, title: { text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}`, font: { size: font * POINT }, standoff: 6 } },
       yaxis: { ...layout.yaxis, ...axis, nticks: 6, title: { text: `${meta.title} [${meta.unit}]${less}`, font: { size: font * POINT }, standoff: 6 } },
       showlegend: true,
       legend: { traceorder: "normal", orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size: font * POINT } },

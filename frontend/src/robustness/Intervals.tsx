@@ -62,8 +62,8 @@ function Track({ summary, strategy, figureSummary, figure: { label, unit, scale 
   const span = (low: number | null, high: number | null) =>
     low === null || high === null ? { display: "none" } : { left: offset(low), width: `calc(${offset(high)} - ${offset(low)})`, background: strategy.colour };
   const [p5, p25, p50, p75, p95] = [at(5), at(25), at(50), at(75), at(95)];
-  const said = (value: number | null) => (value === null ? "none" : formatResult(value * scale));
-  const words = `${strategy.label}, ${label}: median ${said(p50)}, 5 % ${said(p5)}, 95 % ${said(p95)}, worst ${said(figureSummary.highest?.value ?? null)}, nominal ${said(figureSummary.nominal)} ${prettyUnit(unit)}`;
+  const text = (value: number | null) => (value === null ? "none" : formatResult(value * scale));
+  const words = `${strategy.label}, ${label}: median ${text(p50)}, 5 % ${text(p5)}, 95 % ${text(p95)}, worst ${text(figureSummary.highest?.value ?? null)}, nominal ${text(figureSummary.nominal)} ${prettyUnit(unit)}`;
   return (
     <span className={styles.track} role="img" aria-label={words} title={words}>
       <span className={styles.bar} style={span(p5, p95)} />

@@ -35,7 +35,7 @@ export function OneByOne({ id, ...rest }: Props) {
   const { data: batch, error } = useQuery({ ...jobQuery(BATCH, id), refetchInterval: ({ state: { data } }) => data !== undefined && !isFinal(data) && REFRESH_MS });
   if (error) return <Message text={`Each field alone could not be read: ${error.message}`} />;
   if (!batch) return null;
-  if (!isOneByOne(batch)) return <Message text="What this address names as the study of each field alone is another kind of sweep." />;
+  if (!isOneByOne(batch)) return <Message text="The sweep that this address names does not vary each field alone." />;
   return <FieldAlone batch={batch} {...rest} />;
 }
 
@@ -64,7 +64,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
   const opening = useOpenRun(batch);
   if (!figure) return null;
   const tornado = table.data ? tornadoOf(batch, table.data.columns, strategyId, figure.key) : null;
-  const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This figure has no value for the scenario itself." : "Reading these runs …";
+  const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This metric has no value for the scenario itself." : "Loading these runs…";
   return (
     <Card
       aria-label="Each field alone"
@@ -74,7 +74,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
           <NativeSelect size="xs" aria-label="Strategy alone" value={strategyId} data={strategies.map(({ id, label }) => ({ value: id, label }))} onChange={(event) => setStrategy(event.currentTarget.value)} />
           <NativeSelect
             size="xs"
-            aria-label="Figure alone"
+            aria-label="Metric alone"
             value={figure.key}
             data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
             onChange={(event) => setFigure(event.currentTarget.value)}
@@ -83,7 +83,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
       }
     >
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        Everything as the scenario has it but one field, at its low and at its high end. A bar to the right is worse. A click opens the run.
+        One field at its lowest and its highest value, all others as in the scenario. A bar to the right is worse. A click opens the run.
       </Text>
       {opening.error !== null && (
         <Fault size="sm" className={ui.note ?? ""}>This run could not be opened: {opening.error}</Fault>

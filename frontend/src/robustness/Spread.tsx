@@ -32,7 +32,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
   return (
     <Card
       aria-label="Spread"
-      title="How far the figures spread"
+      title="Spread of the metrics"
       tools={
         <SegmentedControl size="xs" aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />
       }

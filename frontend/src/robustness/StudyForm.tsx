@@ -49,7 +49,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
       <div className={ui.part}>
         <h2 className={ui.heading}>What is uncertain</h2>
         <Text size="xs" c="dimmed">
-          Anything between the two ends is equally likely. What is switched off stays as the scenario has it.
+          All values between the two ends are equally likely. A field that is switched off has the scenario’s value.
         </Text>
         <div className={rows.ranges}>
           {draft.ranges.map((range) => (
@@ -72,7 +72,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
           <TextInput
             size="xs"
             label="Samples"
-            description="Random cars, spread evenly (Latin hypercube)"
+            description="Random cars from a Latin hypercube"
             inputMode="numeric"
             value={draft.samples}
             error={errors.samples}
@@ -90,7 +90,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
         </div>
         <Checkbox
           size="xs"
-          label="Also each field alone, at both its ends: which one breaks it"
+          label="Also vary each field alone, to both ends of its range"
           checked={draft.oneByOne}
           onChange={(event) => patch({ oneByOne: event.currentTarget.checked })}
         />

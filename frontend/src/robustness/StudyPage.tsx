@@ -49,7 +49,7 @@ export function StudyPage() {
       <main className={ui.main}>
         {fault ? (
           isNotFound(error) ? (
-            <Blank title="There is no study at this address" text="The address may be cut short, or the study was made on another server.">
+            <Blank title="There is no study at this address" text="The address may be incomplete, or the study was made on another server.">
               <Button renderRoot={(props) => <Link to="/robustness" {...props} />}>New study</Button>
             </Blank>
           ) : (

@@ -48,7 +48,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
   }
   const finished = summary ? Math.min(...Object.values(summary.strategies).map(({ ok }) => ok)) : 0;
   if (!summary || (!ended && finished < LEAST_POINTS)) {
-    if (ended && batch.done === 0 && batch.failed === 0) return <Text c="dimmed">No run has finished: there is nothing to read.</Text>;
+    if (ended && batch.done === 0 && batch.failed === 0) return <Text c="dimmed">No run has finished: there are no results.</Text>;
     return (
       <div className={ui.stack}>
         {!ended && (
@@ -56,7 +56,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
             The first figures stand here as soon as {LEAST_POINTS} points have run under each strategy.
           </Text>
         )}
-        <Loading label="Reading the study" heights={[220, 420]} />
+        <Loading label="Loading the study’s results" heights={[220, 420]} />
       </div>
     );
   }

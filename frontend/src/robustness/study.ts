@@ -67,8 +67,8 @@ export function restoreStudy(stored: unknown, opening: StudyDraft): StudyDraft |
   if (!isLike({ ranges: [range], samples: "", seed: "", strategies: [""], oneByOne: true }, stored)) return null;
   const { samples, seed, strategies, oneByOne } = stored;
   const ranges = opening.ranges.map((each) => {
-    const known = stored.ranges.find(({ field }) => field.name === each.field.name);
-    return known ? { ...each, on: known.on, from: known.from, to: known.to } : each;
+    const texts = stored.ranges.find(({ field }) => field.name === each.field.name);
+    return texts ? { ...each, on: texts.on, from: texts.from, to: texts.to } : each;
   });
   return { ranges, samples, seed, strategies, oneByOne };
 }

@@ -50,7 +50,7 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
           <Text size="xs" c="dimmed">
             {same
               ? `The same version, core ${now.core_version}, computed both: equal numbers are what to expect.`
-              : `Core ${then.core_version} then, core ${now.core_version} now; ${compared} figures compared, the largest change first.`}
+              : `Core ${then.core_version} then, core ${now.core_version} now; ${compared} metrics compared, the largest change first.`}
           </Text>
         </div>
         <CloseButton size="sm" aria-label="Close the differences" onClick={onClose} />
@@ -67,11 +67,11 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
 
 function DifferencesTable({ differences, strategies }: { readonly differences: readonly Difference[]; readonly strategies: readonly Strategy[] }) {
   return (
-    <div className={classes.differencesScroll} tabIndex={0} role="region" aria-label="Differences by figure">
+    <div className={classes.differencesScroll} tabIndex={0} role="region" aria-label="Differences by metric">
       <table className={`${ui.table} ${classes.differencesTable}`}>
         <thead>
           <tr>
-            {["Strategy", "Figure", "Then", "Now", "Change"].map((title) => (
+            {["Strategy", "Metric", "Then", "Now", "Change"].map((title) => (
               <th key={title} scope="col">
                 {title}
               </th>

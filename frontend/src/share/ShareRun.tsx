@@ -11,7 +11,7 @@ import { makeScene } from "../state/scene";
 import { viewToShare } from "../state/sharing";
 import { ShareLink } from "./ShareLink";
 
-const OPENS = "It opens this scenario with these results, strategies, comparison, zoom, cursor and pins, for whoever has it. Nobody can change it.";
+const OPENS = "It opens this scenario with these results, strategies, comparison, zoom, cursor and pins, for anyone who has the link. It is read-only.";
 
 function obstacleOf({ failure, shown, stale, refused }: LabState): string | null {
   if (failure?.kind === "unreachable") return "The server does not answer";

@@ -43,8 +43,8 @@ export function NotFound() {
   const { lab, router } = useLabContext();
   const [title, text] =
     router.get().slug === null
-      ? ["There is no run at this address", "The link may be cut short, or the run was made on another server."]
-      : ["There is no shared result at this address", "The link may be cut short, or it was made on another server. Ask whoever sent it for the whole address."];
+      ? ["There is no run at this address", "The link may be incomplete, or the run was made on another server."]
+      : ["There is no shared result at this address", "The link may be incomplete, or it was made on another server. Ask the sender for the complete address."];
   return (
     <Blank title={title} text={text}>
       <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
@@ -56,7 +56,7 @@ export function NotFound() {
 export function PageNotFound() {
   return (
     <main className={classes.alone}>
-      <Blank title="There is no page at this address" text="The address may be cut short. The pages there are stand above.">
+      <Blank title="There is no page at this address" text="The address may be incomplete. The navigation above leads to every page.">
         <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
       </Blank>
     </main>

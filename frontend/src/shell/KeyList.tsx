@@ -5,9 +5,9 @@ import { commands } from "../state/commands";
 import { keyNames } from "./keyNames";
 
 const EVERYWHERE = [
-  { label: "A slider, or the cursor of the plots: a step less, a step more", keys: "← →" },
-  { label: "Take over a typed value", keys: "Enter" },
-  { label: "Leave a typed value, close a window", keys: "Esc" },
+  { label: "Slider or plot cursor: one step back or forward", keys: "← →" },
+  { label: "Apply a typed value", keys: "Enter" },
+  { label: "Discard a typed value, close a window", keys: "Esc" },
 ];
 
 export function KeyList({ onClose }: { readonly onClose: () => void }) {

@@ -22,7 +22,7 @@ export function Login() {
     }
   };
   return (
-    <Blank title="Ridelab asks for a token" text="This service answers only with a token. This browser then keeps a cookie for 90 days.">
+    <Blank title="Ridelab asks for a token" text="This service requires a token. The browser then stores a cookie for 90 days.">
       <form className={classes.login} onSubmit={(event) => void submit(event)}>
         <PasswordInput
           label="Token"

@@ -27,7 +27,7 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
       )}
       {failure?.kind === "failed" && (
         <div className={classes.notice} role="alert">
-          <Text size="sm">This could not be run: {failure.message}</Text>
+          <Text size="sm">This scenario could not be run: {failure.message}</Text>
         </div>
       )}
       {shown?.failed.map(({ strategy, message }) => (
@@ -52,7 +52,7 @@ function SlowNotice() {
   return (
     <div className={classes.notice} role="status">
       <Loader size={14} />
-      <Text size="sm">Computing. The old curves stay, dimmed, until the new ones are there.</Text>
+      <Text size="sm">Computing. The previous curves are dimmed until the new ones arrive.</Text>
     </div>
   );
 }

@@ -10,15 +10,15 @@ import classes from "./shell.module.css";
 export function RoadsNote({ scene }: { readonly scene: Scene }) {
   const { shown, baseline, reference, residual } = scene;
   const { over, scenario, source } = shown;
-  const asked = useLab((state) => state.roads);
+  const roads = useLab((state) => state.roads);
   const hasMeans = useMeans(ownScene(scene).shown) !== undefined;
   const seed = getAt(scenario, "/road/seed");
   const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
-  if (over === null && (source === "exact" || asked === 1)) return null;
+  if (over === null && (source === "exact" || roads === 1)) return null;
   return (
     <Text size="xs" c="dimmed" className={classes.roadsNote ?? ""} data-testid="roads">
       {over === null ? (
-        `While a value moves: ${first} alone; then the mean of ${asked} roads.`
+        `While a value moves: ${first} alone; then the mean of ${roads} roads.`
       ) : (
         <>
           Mean of {over.roads} roads ± 95 % interval{reference === null && over.baseline === baseline ? "; changes are paired, no arrow where the interval includes zero" : ""}.{" "}

@@ -29,7 +29,7 @@ export function StatusLine({ position }: Props) {
       data-testid={`status-${position}`}
       title={shown ? `Computed by core ${shown.coreVersion}` : ""}
     >
-      {shown ? (behind ? "The last result, not yet of the form’s values" : describe(shown)) : "\u00a0"}
+      {shown ? (behind ? "The last result: the form has changed since" : describe(shown)) : "\u00a0"}
     </Text>
   );
 }

@@ -50,7 +50,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const figure = figures.find(({ key }) => key === draft.metric);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
   const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: null };
-  const search = useMutation({ mutationFn: (asked: Question) => api.solve(scenario, asked, roads) });
+  const search = useMutation({ mutationFn: (body: Question) => api.solve(scenario, body, roads) });
   const patch = (change: Partial<SolveDraft>) => {
     search.reset();
     setDraft({ ...draft, ...change });
@@ -86,7 +86,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       </Group>
       {wrong !== null && <Fault>{wrong}</Fault>}
       {search.error && <Fault>{explain(search.error)}</Fault>}
-      {search.data && field && figure && <Answer {...{ field, figure, onClose }} found={search.data} />}
+      {search.data && field && figure && <Answer {...{ field, figure, onClose }} solution={search.data} />}
       <Group justify="flex-end" gap="xs">
         <Button variant="default" onClick={onClose}>
           Close
@@ -113,26 +113,26 @@ const bySection = (fields: readonly SweepField[]) =>
   }));
 
 interface AnswerProps {
-  readonly found: Solution;
+  readonly solution: Solution;
   readonly field: SweepField;
   readonly figure: Figure;
   readonly onClose: () => void;
 }
 
-function Answer({ found, field, figure, onClose }: AnswerProps) {
+function Answer({ solution, field, figure, onClose }: AnswerProps) {
   const edit = useEdit();
   const readOnly = useReadOnly();
-  const [, above = found.value] = found.bracket;
-  const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, found.unit));
+  const [, above = solution.value] = solution.bracket;
+  const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit));
   const take = () => {
-    edit.commit(setAt(edit.newest(), pointerOf(field.name), found.value));
+    edit.commit(setAt(edit.newest(), pointerOf(field.name), solution.value));
     onClose();
   };
   return (
     <div role="status">
       <Group gap="sm">
         <Text fw={600}>
-          {field.title} at most {text(found.value)}
+          {field.title} at most {text(solution.value)}
         </Text>
         {!readOnly && (
           <Button size="compact-sm" variant="light" onClick={take}>
@@ -141,13 +141,13 @@ function Answer({ found, field, figure, onClose }: AnswerProps) {
         )}
       </Group>
       <Text size="sm">
-        {fullName(figure)}: {formatResult(found.metric_value * figure.scale)} {prettyUnit(figure.unit)} there
-        {found.interval ? ", the upper end of its interval" : ""}.{" "}
-        {above > found.value ? `${text(above)} does not keep the limit.` : ""}
+        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} there
+        {solution.interval ? ", the upper end of its interval" : ""}.{" "}
+        {above > solution.value ? `${text(above)} does not keep the limit.` : ""}
       </Text>
-      {found.warnings.length > 0 && (
+      {solution.warnings.length > 0 && (
         <List size="sm">
-          {found.warnings.map((warning) => (
+          {solution.warnings.map((warning) => (
             <List.Item key={warning}>{warning}</List.Item>
           ))}
         </List>

@@ -25,7 +25,7 @@ export function EstimateLine({ estimate, strategies, pending, wrong }: Props) {
   return (
     <div className={classes.estimate} role="status" data-testid="estimate">
       <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
-        {estimate ? describe(estimate, strategies) : wrong ? "The fields to change are marked." : pending ? "Counting…" : "\u00a0"}
+        {estimate ? describe(estimate, strategies) : wrong ? "Correct the marked fields." : pending ? "Estimating…" : "\u00a0"}
       </Text>
       {estimate?.notes.map((note) => (
         <Text key={note} size="xs" c="dimmed">

@@ -59,11 +59,11 @@ export function restoreSweep(stored: unknown, fields: readonly SweepField[]): Sw
   const name = { name: "" };
   const field = { field: name, by: "", from: "", to: "", count: "", list: "", options: [""], linked: [name] };
   if (!isLike({ method: "", fields: [field], samples: "", seed: "", strategies: [""] }, stored)) return null;
-  const find = (each: typeof name) => fields.find((known) => known.name === each.name) ?? [];
+  const find = (each: typeof name) => fields.find((match) => match.name === each.name) ?? [];
   const { samples, seed, strategies } = stored;
   return {
     method: stored.method === "hypercube" ? "hypercube" : "grid",
-    fields: stored.fields.flatMap((each) => [find(each.field)].flat().map((known): FieldDraft => ({ ...each, field: known, by: each.by === "list" ? "list" : "steps", linked: each.linked.flatMap(find) }))),
+    fields: stored.fields.flatMap((each) => [find(each.field)].flat().map((match): FieldDraft => ({ ...each, field: match, by: each.by === "list" ? "list" : "steps", linked: each.linked.flatMap(find) }))),
     samples,
     seed,
     strategies,

@@ -21,13 +21,13 @@ export function FigureSelect({ label, figures, first = [], error, onPick }: Prop
       size="xs"
       className={classes.select ?? ""}
       label={label}
-      placeholder="Name of a figure…"
+      placeholder="Name of a metric…"
       searchable
       value={null}
       searchValue={search}
       onSearchChange={setSearch}
       error={error}
-      nothingFoundMessage="No figure of that name"
+      nothingFoundMessage="No metric of that name"
       maxDropdownHeight={300}
       data={[
         ...(first.length > 0 ? [{ group: "Sums over the passive car’s", items: [...first] }] : []),

@@ -33,7 +33,7 @@ interface Props {
 /** What an objective comes to over the roads. */
 const QUANTILES = [
   { value: "", label: "the mean over the training roads" },
-  { value: "0.9", label: "what 90 % of the training roads keep" },
+  { value: "0.9", label: "the 90 % quantile over the training roads" },
   { value: "1", label: "the worst training road" },
 ];
 
@@ -99,7 +99,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
             size="xs"
             maw="24rem"
             label={preview.title}
-            description="Kinds to try; fewer than two keep the scenario’s"
+            description="Kinds to try; with fewer than two, the scenario’s is used"
             data={preview.options.map((option) => ({ value: option, label: optionTitle(option) }))}
             value={[...draft.previews]}
             error={errors.previews}
@@ -111,7 +111,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
         <Switch
           size="xs"
           label="Uncertain car, sensors and actuators"
-          description="Every road draws, by its seed, what a robustness study varies; the controllers do not know it"
+          description="On each road they differ at random, as in a robustness study; the controllers do not know by how much"
           checked={draft.uncertain}
           onChange={(event) => patch({ uncertain: event.currentTarget.checked })}
         />
@@ -138,9 +138,9 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
           {estimate
             ? describe(estimate)
             : Object.keys(errors).length > 0
-              ? "The fields to change are marked."
+              ? "Correct the marked fields."
               : pending
-                ? "Counting…"
+                ? "Estimating…"
                 : "\u00a0"}
         </Text>
         {isEdited && <ResetDraft onReset={reset} />}

@@ -34,7 +34,7 @@ export function TuningPage({ id, catalogues }: Props) {
   useDocumentTitle(`${strategy === undefined ? "Tuning" : `Weights of ${strategy}`} · Ridelab`);
   if (error && !tuning && !isTransient(error)) {
     return isNotFound(error) ? (
-      <Blank title="There is no tuning at this address" text="The address may be cut short, or the tuning was made on another server.">
+      <Blank title="There is no tuning at this address" text="The address may be incomplete, or the tuning was made on another server.">
         <Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>Start a tuning</Anchor>
       </Blank>
     ) : (

@@ -28,7 +28,7 @@ interface Props {
   readonly left: number | null;
 }
 
-const STATE = { running: "Searching", cancelled: "Cancelled: what its complete generations found stays" };
+const STATE = { running: "Searching", cancelled: "Cancelled; complete generations are kept" };
 
 export function TuningState({ tuning, form, strategies, figures, connected, left }: Props) {
   const { total, done, failed, feasible } = tuning.trials;

@@ -54,7 +54,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
             <li key={`${trial} ${failure}`} data-keeps="worse">
               <IconAlertTriangle size={16} stroke={2} aria-hidden />
               <span>
-                Trial {trial} could not be run on every road; what is left out: {failure}
+                Trial {trial} could not be run on every road; left out: {failure}
               </span>
             </li>
           )),

@@ -3,6 +3,7 @@
 import type { Weights } from "../api/types";
 import { dotted } from "../sweep/fields";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
+import ui from "../ui/ui.module.css";
 import results from "./results.module.css";
 
 interface Props {
@@ -15,7 +16,7 @@ interface Props {
 export function WeightsOf({ weights, beside, tunable }: Props) {
   const { triples } = tunable;
   return (
-    <table className={results.weights}>
+    <table className={`${ui.table} ${results.weights}`}>
       <caption className="visually-hidden">Weights</caption>
       <thead>
         <tr>

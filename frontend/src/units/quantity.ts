@@ -43,9 +43,9 @@ export function parseQuantity(text: string, unit: string): Quantity {
   const written = keyOf(compact.slice(digits.length));
   if (written === "") return { ok: true, value };
   const units = unitsLike(unit);
-  const found = Object.entries(units).find(([name]) => keyOf(name) === (ALIASES.get(written) ?? written));
-  if (!found) return { ok: false, message: `Takes ${listed(units, unit)}` };
-  return { ok: true, value: rounded((value * found[1]) / (units[unit] ?? 1)) };
+  const match = Object.entries(units).find(([name]) => keyOf(name) === (ALIASES.get(written) ?? written));
+  if (!match) return { ok: false, message: `Takes ${listed(units, unit)}` };
+  return { ok: true, value: rounded((value * match[1]) / (units[unit] ?? 1)) };
 }
 
 /** `cm (without a unit), m, mm, km, in or ft`. */
