@@ -59,11 +59,15 @@ _SOLVING = ("lv", "suspension_only")
 
 
 def drawn(seed: int, number: int, strategies: Sequence[str] = tuple(STRATEGIES)) -> tuple[Scenario, str]:
-    """A scenario with every field anywhere on its slider, and a strategy; the same for the same numbers."""
+    """A scenario and a strategy, the same for the same numbers.
+
+    Each part is the paper's, or has every field anywhere on its slider.
+    """
     rng = np.random.default_rng((seed, number))
     while True:
+        parts = {key: _value(info, rng) for key, info in Scenario.model_fields.items() if rng.random() < 0.5}
         try:
-            return Scenario.model_validate(_part(Scenario, rng)), str(rng.choice(strategies))
+            return Scenario.model_validate(parts), str(rng.choice(strategies))
         except ValidationError:  # fields that contradict each other
             continue
 
@@ -165,8 +169,9 @@ def main(arguments: Sequence[str]) -> None:
     if arguments[:1] == ["fit"]:
         from benchmarks.cost_fit import fit
 
-        count = int(arguments[1]) if len(arguments) > 1 else 1500
-        fit(measure(drawn(FITTED, number, ("lv", "suspension_only", "lqr", "lv_hil")) for number in range(count)))
+        count = int(arguments[1]) if len(arguments) > 1 else 1000
+        strategies = ("lv", "suspension_only", "lqr", "lv_hil", "skyhook", "passive")
+        fit(measure(drawn(FITTED, number, strategies) for number in range(count)))
     else:
         count = int(arguments[0]) if arguments else 500
         report(measure(drawn(JUDGED, number) for number in range(count)))

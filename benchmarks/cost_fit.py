@@ -12,7 +12,7 @@ from sim_core.strategies import STRATEGIES
 from sim_core.workload import SECONDS, expected_time, work
 
 SHARE = 0.01  # added to shares before their logarithm: smaller differences do not count
-PRIOR = 0.1  # weight of a coefficient's deviation from START (ridge regression)
+PRIOR = 1.0  # weight of a coefficient's deviation from START (ridge regression)
 START = {  # of each cause's first coefficient
     "force": -1.0,
     "travel": -3.0,

@@ -21,21 +21,22 @@ from sim_core.strategies import Strategy, SuspensionPolicy
 MAX_ITERATIONS = 2000.0  # of a QP solver, for one QP
 _MIN_ROUGHNESS = 1e-8  # of a road without any, as its logarithm is needed [m^3]
 _NO_SATURATION, _NO_RATE = 3e4, 5e6  # stand for an actuator without a limit [N, N/s]
+_LITTLE_NOISE = 1e-3  # of a previewed height [m]
 _SETTLING = 0.5  # the bump's effect lasts so long after it [s]
 
 # Coefficients of `limit_terms`, by cause. The sum of "force", "travel", "actuator" and "lqr" is the logarithm of the
 # rate of steps at a limit, that of "bump" and "unstable" the log odds that one binds near the bump, or always, and that
 # of "iterations" the logarithm of OSQP's iterations.
 COEFFICIENTS: Mapping[str, tuple[float, ...]] = {
-    "force": (-11, -3.7, 0.403, -0.875, -2.94, -1.82, 1.3, -0.252),
-    "travel": (5.06, -3.54, -0.716, -6.42),
-    "actuator": (1.5, -0.671, -1.86, -1.12),
-    "bump": (-2.27, 4.6),
-    "unstable": (-2.9, 86.5, 6.77, -0.858, -5.25, 1.16, 24.6, -0.104, -0.322),
-    "iterations": (4.12, 0.393, 0.242, -0.218, -0.0438, 0.727),
-    "lqr": (-7.74, -2.29, -1, -1.08, 1, 0.00258),
-    "lqr actuator": (0.754, -1.63, -0.355),
-    "lqr unstable": (-5.37, 22.5, 4.97, -1.02, 4.68),
+    "force": (-7.62, -2.91, -0.24, 1.71, -1.55, 0.0956, 1.73, 0.347, 0.379, 0.778, -0.509, 1.59, 0.755, -0.115),
+    "travel": (-10.2, 0.728, 0.583, 1.76, 0.263, 0.299, -0.162, 2.28),
+    "actuator": (0.97, -1.09, -0.23, -0.739),
+    "bump": (-1.96, 2.55),
+    "unstable": (7.84, 17.2, 9.96, -0.754, -6.16, 1.11, -5.92, 0.0381, -1.15),
+    "iterations": (2.8, 0.912, 0.39, -0.242, -0.11, 1.59, -0.872, -0.443, 0.00187, -0.0236),
+    "lqr": (-15.6, -2.02, -0.204, -0.701, 1.55, -0.65, 0.271, 0.324, -0.502, 2.83),
+    "lqr actuator": (2.1, -1.53, -0.307),
+    "lqr unstable": (-4.55, 25, 2.53, -0.765, 0.00721),
 }
 
 
@@ -77,14 +78,18 @@ def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str
     comfort = log((weights[0] + 0.1) / (sum(weights) + 0.3))
     restoring = log((deflection_weight + 0.1) / (weights[0] + 1e-3))
     no_preview, wheelbase_preview = float(preview == "none"), float(preview == "wheelbase")
+    errors = (*_estimation_terms(scenario), log(scenario.real_vehicle.rebound_ratio))
     unstable = (1.0, softness, underdamping, restoring, softness * restoring)
     if not strategy.suspension.predictive:
-        law = (1.0, force_margin, no_preview, wheelbase_preview, damping, comfort)
+        law = (1.0, force_margin, no_preview, wheelbase_preview, damping, comfort, *errors)
         return {"lqr": law, "lqr actuator": (1.0, saturation, rate), "lqr unstable": unstable}
     horizon, limit = log(mpc.control_horizon * mpc.sample_time), log(mpc.deflection_limit)
     return {
-        "force": (1.0, force_margin, horizon, log(mpc.sample_time), no_preview, wheelbase_preview, damping, comfort),
-        "travel": (1.0, log(mpc.deflection_limit / travel), restoring, mismatch.damping),
+        "force": (
+            *(1.0, force_margin, horizon, log(mpc.sample_time), no_preview, wheelbase_preview, damping, comfort),
+            *(*errors, _preview_noise(scenario), log(mpc.force_weight)),
+        ),
+        "travel": (1.0, log(mpc.deflection_limit / travel), restoring, mismatch.damping, *errors),
         "actuator": (1.0, saturation, rate, no_preview),
         "bump": (1.0, log((abs(bump.height) + 0.002) / mpc.deflection_limit)),
         "unstable": (*unstable, limit, softness * limit, log(mpc.force_weight), damping),
@@ -95,6 +100,7 @@ def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str
             log(mpc.deflection_limit / travel),
             mpc.deflection_weight,
             underdamping,
+            *errors,
         ),
     }
 
@@ -121,6 +127,21 @@ def bump_share(scenario: Scenario, time: float) -> float:
     mpc, road = scenario.mpc, scenario.road
     crossing = (road.bump.length + scenario.vehicle.wheelbase) * time / road.length
     return min(1.0, (crossing + mpc.prediction_horizon * mpc.sample_time + _SETTLING) / time)
+
+
+def _estimation_terms(scenario: Scenario) -> tuple[float, float, float]:
+    """Whether a filter estimates the state, and how noisy its sensors of acceleration and deflection are."""
+    estimation = scenario.estimation
+    if estimation.kind == "exact":
+        return 0.0, 0.0, 0.0
+    return 1.0, log(estimation.acceleration_noise), log(estimation.deflection_noise)
+
+
+def _preview_noise(scenario: Scenario) -> float:
+    """Noise of a previewed road, as its logarithm."""
+    if scenario.mpc.preview in ("none", "obstacle"):
+        return 0.0
+    return log(1 + scenario.mismatch.preview_noise / _LITTLE_NOISE)
 
 
 def _passive(scenario: Scenario, speed: float) -> tuple[float, float]:

@@ -23,22 +23,22 @@ MAX_STEP_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their ow
 
 # Seconds of each unit of `work`; entries are those of matrices.
 SECONDS: Mapping[str, float] = {
-    "run": 0.0037,
+    "run": 0,
     "plan": 0.0012,
-    "design": 0.0039,
-    "design entries": 5.9e-10,
-    "fine steps": 2.7e-07,
-    "nonlinear steps": 1e-07,
-    "check entries": 9.2e-11,
-    "limited steps": 3.6e-05,
-    "QPs": 6.6e-05,
-    "QP entries": 4e-09,
-    "OSQP": 0.96,
-    "ECU": 0.01,
-    "exchanges": 6.4e-05,
-    "short steps": 1.8e-06,
-    "ECU entries": 7e-10,
-    "ECU iterations": 3e-10,
+    "design": 0.0031,
+    "design entries": 1.6e-10,
+    "fine steps": 1.4e-07,
+    "nonlinear steps": 6.4e-08,
+    "check entries": 1.1e-10,
+    "limited steps": 9.5e-06,
+    "QPs": 1.9e-05,
+    "QP entries": 1.7e-09,
+    "OSQP": 0.8,
+    "ECU": 0.011,
+    "exchanges": 3e-05,
+    "short steps": 4.6e-06,
+    "ECU entries": 9.5e-10,
+    "ECU iterations": 1.1e-09,
 }
 
 

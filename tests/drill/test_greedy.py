@@ -10,6 +10,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.drill.callers import Caller, new_run, quantile
+from tests.servers import loops
 from tests.servers.api import Api
 
 GREEDY = "127.0.0.2"
@@ -89,9 +90,9 @@ async def busy(port: int) -> None:
 
 @pytest.mark.timeout(180)
 def test_idle_connections_of_one_client_keep_nobody_out(port: int) -> None:
-    asyncio.run(idle(port))
+    loops.run(lambda: idle(port))
 
 
 @pytest.mark.timeout(180)
 def test_runs_of_one_client_keep_nobody_out(port: int) -> None:
-    asyncio.run(busy(port))
+    loops.run(lambda: busy(port))

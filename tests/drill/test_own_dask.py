@@ -58,6 +58,7 @@ def chunk(seed: int) -> Chunk:
         schema_version=SCHEMA_VERSION,
         base=Scenario().model_dump(mode="json"),
         runs=[run],
+        roads={},
         timeout=60,
         budget=10,
     )

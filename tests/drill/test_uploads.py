@@ -12,6 +12,7 @@ import httpx
 import pytest
 
 from tests.drill.callers import Caller, new_run, quantile
+from tests.servers import loops
 from tests.servers.api import Api
 
 SECONDS = 30.0
@@ -121,4 +122,4 @@ async def drive(port: int) -> None:
 
 
 def test_bad_files_are_refused_at_their_line_and_disturb_nobody(port: int) -> None:
-    asyncio.run(drive(port))
+    loops.run(lambda: drive(port))
