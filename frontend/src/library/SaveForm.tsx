@@ -9,6 +9,7 @@ import { LONGEST_NAME } from "../state/pins";
 import { useEdit, useScenario } from "../state/context";
 import { formatMinute } from "../units/dates";
 import { Fault } from "../ui/Fault";
+import { exportItem } from "./files";
 import { cleanName, type Kind } from "./library";
 import classes from "./library.module.css";
 import { notice } from "./open";
@@ -32,9 +33,10 @@ export function SaveForm({ form, kind: first, onSaved }: Props) {
   const suggested = kind === "vehicle" ? "" : changesText(changedFields(form, completed(form, {}), scenario), 2);
   const name = cleanName(typed ?? suggested);
   const replaced = useItems(kind).find((item) => item.name === name);
+  const value = kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario;
   const save = () => {
     try {
-      ownLibrary.save(kind, name, kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario);
+      ownLibrary.save(kind, name, value);
       notice.set({ lines: [`The ${kind} is in the library as “${name}”.`], isWrong: false, scenario: edit.newest() });
       onSaved();
     } catch (error) {
@@ -71,6 +73,9 @@ export function SaveForm({ form, kind: first, onSaved }: Props) {
       />
       <Button type="submit" size="xs" disabled={name === ""}>
         {replaced ? "Replace" : "Save"}
+      </Button>
+      <Button size="xs" variant="default" disabled={name === ""} onClick={() => exportItem({ kind, name, value })}>
+        Export
       </Button>
       <Text className={classes.text} role="status">
         {replaced ? `Replaces the ${kind} that was saved under this name on ${formatMinute(replaced.saved)}.` : "\u00a0"}

@@ -59,7 +59,7 @@ async function upload(file: File, form: Group, wanted: Kind | undefined): Promis
   if (file.size > LONGEST) throw new Error("A file may have 4 MiB");
   const parts = form.members.map(({ pointer }) => dotted(pointer));
   const content = readFile(file.name, await file.text(), parts);
-  const stem = file.name.replace(/\.\w+$/, "");
+  const stem = file.name.replace(/\.\w+$/, "") || "File";
   if (content.kind === "road") {
     const { warnings, ...road } = await api.sendRoad(content.csv);
     return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };

@@ -4,10 +4,18 @@ import { NativeSelect, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Group } from "../editor/schema";
 import { isNotFound } from "../api/problem";
-import type { PageScenario } from "./origin";
+import { useItems } from "../library/ownLibrary";
+import type { Origin, PageScenario } from "./origin";
 import { LabLink } from "../shell/LabLink";
 import classes from "./origin.module.css";
 import { otherThanPaper } from "./otherThanPaper";
+
+const valueOf = ({ run, own, preset = "" }: Origin) => (run !== undefined ? "run" : own !== undefined ? `own ${own}` : `preset ${preset}`);
+
+function originOf(value: string, run: string | undefined): Origin {
+  if (value === "run" && run !== undefined) return { run };
+  return value.startsWith("own ") ? { own: value.slice("own ".length) } : { preset: value.slice("preset ".length) };
+}
 
 interface Props {
   readonly source: PageScenario;
@@ -19,21 +27,24 @@ export function ScenarioChoice({ source: { origin, scenario, presets, error, cho
   // A run that was once chosen stays on offer.
   const [run, setRun] = useState(origin.run);
   if (origin.run !== undefined && origin.run !== run) setRun(origin.run);
-  const wrong = error === null ? undefined : isNotFound(error) ? "There is no run at this address: choose another scenario" : error.message;
+  const own = useItems("scenario");
+  const wrong = error === null ? undefined : isNotFound(error) && origin.run !== undefined ? "There is no run at this address: choose another scenario" : error.message;
   return (
     <div className={classes.choice}>
       <NativeSelect
         size="xs"
         label="Scenario"
         className={classes.select ?? ""}
-        value={origin.run === undefined ? `preset ${origin.preset ?? ""}` : "run"}
+        value={valueOf(origin)}
         error={wrong}
         disabled={disabled || presets.length === 0}
         data={[
           ...(run === undefined ? [] : [{ value: "run", label: "From a run" }]),
-          ...presets.map(({ id, label }) => ({ value: `preset ${id}`, label })),
+          ...(error !== null && origin.own !== undefined ? [{ value: valueOf(origin), label: origin.own }] : []),
+          ...presets.map(({ id, label }) => ({ value: valueOf({ preset: id }), label })),
+          ...(own.length > 0 ? [{ group: "Your scenarios", items: own.map(({ name }) => ({ value: valueOf({ own: name }), label: name })) }] : []),
         ]}
-        onChange={({ currentTarget: { value } }) => choose(value === "run" && run !== undefined ? { run } : { preset: value.slice("preset ".length) })}
+        onChange={({ currentTarget: { value } }) => choose(originOf(value, run))}
       />
       <Text size="xs" c="dimmed" className={classes.text ?? ""}>
         {scenario && form ? otherThanPaper(scenario, form) : "\u00a0"}{" "}

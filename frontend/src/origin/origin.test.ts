@@ -7,12 +7,14 @@ import { readOrigin } from "./origin";
 import { otherThanPaper } from "./otherThanPaper";
 
 describe("where a page's scenario comes from", () => {
-  it("is a run before a preset", () => {
+  it("is a run before one of the library, and that before a preset", () => {
+    expect(readOrigin({ preset: "p", own: "My car", run: "R" })).toEqual({ run: "R" });
+    expect(readOrigin({ preset: "p", own: "My car" })).toEqual({ own: "My car" });
     expect(readOrigin({ preset: "p", run: "R" })).toEqual({ run: "R" });
     expect(readOrigin({ preset: "p", run: "" })).toEqual({ preset: "p" });
   });
 
-  it.each(["", "?run=a%26b", "?preset=half"])("stands in the address: %s", (search) => {
+  it.each(["", "?run=a%26b", "?own=My+car", "?preset=half"])("stands in the address: %s", (search) => {
     expect(stringifySearch(readOrigin(parseSearch(search)))).toBe(search);
   });
 });

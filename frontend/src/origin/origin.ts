@@ -1,22 +1,28 @@
-/** The scenario a page beside the lab works on: that of the run in the address, or a preset's. */
+/** The scenario a page beside the lab works on: that of the run in the address, one of the library, or a preset's. */
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useNavigate, useSearch } from "@tanstack/react-router";
 import { api } from "../api/client";
+import { ApiProblem } from "../api/problem";
 import type { Preset, Scenario } from "../api/types";
+import { useItems } from "../library/ownLibrary";
 import { pick } from "../state/address";
 import { presetsQuery, runKey } from "../state/queries";
 
-/** `?run=` or `?preset=`; without either it is the first preset, the paper's. */
-export type Origin = Partial<Record<"run" | "preset", string>>;
+/** `?run=`, `?own=` or `?preset=`; without any it is the first preset, the paper's. */
+export type Origin = Partial<Record<"run" | "own" | "preset", string>>;
 
 export function readOrigin(search: Readonly<Record<string, unknown>>): Origin {
-  const { run, preset } = pick(search, "run", "preset");
-  return run !== undefined ? { run } : preset !== undefined ? { preset } : {};
+  const { run, own, preset } = pick(search, "run", "own", "preset");
+  if (run !== undefined) return { run };
+  if (own !== undefined) return { own };
+  return preset === undefined ? {} : { preset };
 }
 
 const runQuery = (id: string | undefined) =>
   queryOptions({ queryKey: runKey(id ?? ""), queryFn: ({ signal }) => api.run(id ?? "", signal), enabled: id !== undefined, staleTime: Infinity });
+
+const NOT_SAVED = new ApiProblem(404, "The library of this browser has no such scenario: choose another", []);
 
 export interface PageScenario {
   readonly origin: Origin;
@@ -34,12 +40,14 @@ export function usePageScenario(): PageScenario {
   const presets = useQuery(presetsQuery);
   const run = useQuery(runQuery(origin.run));
   const preset = presets.data?.find(({ id }) => id === origin.preset) ?? presets.data?.[0];
-  const isRun = origin.run !== undefined;
+  const own = useItems("scenario").find(({ name }) => name === origin.own);
+  const [scenario, error] =
+    origin.run !== undefined ? [run.data?.scenario, run.error] : origin.own !== undefined ? [own?.value, own ? null : NOT_SAVED] : [preset?.scenario, presets.error];
   return {
-    origin: isRun || !preset ? origin : { preset: preset.id },
-    scenario: isRun ? run.data?.scenario : preset?.scenario,
+    origin: origin.run !== undefined || origin.own !== undefined || !preset ? origin : { preset: preset.id },
+    scenario,
     presets: presets.data ?? [],
-    error: isRun ? run.error : presets.error,
+    error,
     choose: (next) => void navigate({ to: ".", search: next, replace: true, resetScroll: false }),
   };
 }
