@@ -1,6 +1,5 @@
 import { MantineProvider } from "@mantine/core";
-// In a layer: ours wins whatever order the build puts the styles of its chunks in.
-import "@mantine/core/styles.layer.css";
+import "./mantine.css";
 import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
