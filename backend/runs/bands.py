@@ -18,8 +18,12 @@ from backend.json_types import JsonObject
 from backend.runs.series import ROWS, SeriesArray, Stages, decimate, pack, packed
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
+from sim_core.drive.sampling import fine_step
 from sim_core.scenario import Scenario
+from sim_core.strategies import driven, strategy_named
+from sim_core.workload import duration
 
+MAX_BYTES = 128 * 1024 * 1024  # of the bands of one request
 SLICE = 0.2  # a worker is free again for others after about so long [s]
 SAME = ("time", "position", "speed", "brake_pressure", "brake_deceleration")  # on every road
 
@@ -53,6 +57,13 @@ class Band:
             minimum=np.minimum(self.minimum, series),
             maximum=np.maximum(self.maximum, series),
         )
+
+    @staticmethod
+    def most_nbytes(scenario: Scenario, strategy: str) -> int:
+        """About the most memory that the arrays of a band of this scenario take."""
+        driving = driven(strategy_named(strategy), scenario.speed.policy)
+        samples = duration(scenario, strategy) / fine_step(scenario, driving)
+        return round(samples * len(SIGNALS) * (np.dtype(np.float64).itemsize + 2 * np.dtype(np.float32).itemsize))
 
     @property
     def nbytes(self) -> int:

@@ -1,7 +1,8 @@
 """Time histories of stored runs: pinned by a link, or simulated again by the core version that computed the run."""
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import partial
 
 from cachetools import LRUCache
@@ -9,7 +10,7 @@ from cachetools import LRUCache
 from backend import digest
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
-from backend.errors import GoneError, InvalidError, RoadGoneError
+from backend.errors import BusyError, CostLimitError, GoneError, InvalidError, RoadGoneError
 from backend.http.admission import Admission
 from backend.roads.service import Roads
 from backend.runs import bands, exports, pins
@@ -23,6 +24,7 @@ from sim_core.study.roads import seeded
 
 FIGURE_POINTS = 2000
 BAND_BYTES = 64 * 1024 * 1024  # of bands in memory: those of a dozen strategies
+MAX_OPEN_BYTES = 2 * bands.MAX_BYTES  # of the bands of all requests at once
 
 
 class Histories:
@@ -35,6 +37,7 @@ class Histories:
         self._admission = admission
         self._roads = roads
         self._bands: LRUCache[str, bands.Band] = LRUCache(BAND_BYTES, getsizeof=lambda band: band.nbytes)
+        self._open_bytes = 0
         self._flights: Flights[str, bands.Band] = Flights()
         self._slots = asyncio.Semaphore(workers.count)  # at most so many slices wait for a worker before others' work
 
@@ -111,6 +114,8 @@ class Histories:
 
         Raises:
             GoneError: Another core version computed the run: links pin the first road's time histories alone.
+            CostLimitError: Its time histories are too long.
+            BusyError: Those of other requests take the memory.
         """
         if stored.core_version != CORE_VERSION:
             raise GoneError(
@@ -121,7 +126,7 @@ class Histories:
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
         found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
         missing = [name for name in names if name not in found]
-        with self._admission.computing(client, roads[0], missing * stored.roads):
+        with self._memory(roads[0], names), self._admission.computing(client, roads[0], missing * stored.roads):
             tasks = [
                 asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name)))
                 for name in missing
@@ -134,6 +139,24 @@ class Histories:
             self._bands.update({keys[name]: found[name] for name in missing if found[name].nbytes <= BAND_BYTES})
             ordered = {name: found[name] for name in names}
             return await self._workers.call(bands.render, ordered, _stages(stored), signals, points, encoding)
+
+    @contextmanager
+    def _memory(self, scenario: Scenario, names: Sequence[str]) -> Iterator[None]:
+        """Count the memory of one request's bands, which this process holds while workers drive road after road."""
+        size = sum(bands.Band.most_nbytes(scenario, name) for name in names)
+        if size > bands.MAX_BYTES:
+            raise CostLimitError(
+                f"The time histories over all roads would take {size >> 20} MiB, and the limit is "
+                f"{bands.MAX_BYTES >> 20} MiB: ask for fewer strategies, or run a shorter road or a higher speed.",
+                parameter="strategy",
+            )
+        if self._open_bytes + size > MAX_OPEN_BYTES:
+            raise BusyError("The service is full: too many time histories over several roads are being computed.")
+        self._open_bytes += size
+        try:
+            yield
+        finally:
+            self._open_bytes -= size
 
     async def _drive(self, roads: Sequence[Scenario], name: str) -> bands.Band:
         """One strategy over all roads, slice by slice, so that other requests come in between."""

@@ -249,6 +249,27 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
     assert gone.json()["type"].endswith("other-core-version")
 
 
+def test_bands_take_limited_memory(service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """This process holds them: of one request, and of all at once, they are counted before anything is driven."""
+    body = {"scenario": {"road": {**road, "seed": 700}}, "strategies": ["lqr", "passive"], "roads": 2}
+    run = post(service, **body).json()
+    scenario = Scenario.model_validate(run["scenario"])
+    sizes = [bands.Band.most_nbytes(scenario, name) for name in ("lqr", "passive")]
+    for name, size in zip(("lqr", "passive"), sizes, strict=True):
+        assert size / 2 < bands.drive([scenario], name, None).nbytes < 1.05 * size
+
+    def asked(query: str = "") -> Any:
+        return service.client.get(f"/api/v1/runs/{run['id']}/bands?points=60{query}")
+
+    monkeypatch.setattr(bands, "MAX_BYTES", sum(sizes) - 1)
+    refused = asked()
+    assert refused.status_code == 422
+    assert "fewer strategies" in refused.json()["detail"]
+    assert asked("&strategy=lqr").status_code == 200
+    monkeypatch.setattr(histories, "MAX_OPEN_BYTES", min(sizes) - 1)
+    assert asked("&strategy=passive").status_code == 503
+
+
 @pytest.mark.parametrize("baseline", ["passive", "lqr"])
 def test_the_report_shows_all_roads_and_whose_curves(service: Any, three: dict[str, Any], baseline: str) -> None:
     response = service.client.get(f"/api/v1/runs/{three['id']}/report.html?baseline={baseline}")
