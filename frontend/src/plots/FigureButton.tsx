@@ -1,7 +1,7 @@
 /** Saves one figure as it is shown; what it takes is loaded at the first click. */
 
 import { ActionIcon } from "@mantine/core";
-import { lazy, Suspense, useState } from "react";
+import { lazy, Suspense, useMemo, useState } from "react";
 import type { FigureTemplate } from "../api/types";
 import { IconDownload } from "../icons";
 import type { Curves } from "./PlotPanel";
@@ -17,22 +17,27 @@ interface Props {
 export function FigureButton({ template, curves }: Props) {
   const [requested, setRequested] = useState(false);
   const [opened, setOpened] = useState(false);
-  const button = (
-    <ActionIcon
-      size={24}
-      variant="subtle"
-      color="gray"
-      className={classes.save ?? ""}
-      aria-label={`Save figure: ${template.layout.meta.title}`}
-      aria-haspopup="dialog"
-      aria-expanded={opened}
-      onClick={() => {
-        setRequested(true);
-        setOpened(!opened);
-      }}
-    >
-      <IconDownload size={15} />
-    </ActionIcon>
+  const { title } = template.layout.meta;
+  // Curves change with every move of a slider, the button does not.
+  const button = useMemo(
+    () => (
+      <ActionIcon
+        size={24}
+        variant="subtle"
+        color="gray"
+        className={classes.save ?? ""}
+        aria-label={`Save figure: ${title}`}
+        aria-haspopup="dialog"
+        aria-expanded={opened}
+        onClick={() => {
+          setRequested(true);
+          setOpened(!opened);
+        }}
+      >
+        <IconDownload size={15} />
+      </ActionIcon>
+    ),
+    [title, opened],
   );
   if (!requested) return button;
   return (

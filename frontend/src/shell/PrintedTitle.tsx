@@ -6,11 +6,10 @@ import { pageTitle } from "../title";
 import classes from "./shell.module.css";
 
 export function PrintedTitle() {
-  const shown = useLab((state) => state.shown);
+  const source = useLab(({ shown }) => shown && `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`);
   const title = useFromScenario(pageTitle);
   useDocumentTitle(title);
-  if (!shown) return null;
-  const source = `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`;
+  if (source === null) return null;
   return (
     <p className={classes.printed}>
       {title} {source}

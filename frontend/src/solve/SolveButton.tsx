@@ -2,7 +2,7 @@
 
 import { ActionIcon, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { lazy, Suspense } from "react";
+import { lazy, memo, Suspense } from "react";
 import { IconGauge } from "../icons";
 import { useCatalogues } from "../state/useCatalogues";
 import classes from "./solve.module.css";
@@ -15,7 +15,8 @@ interface Props {
   readonly label: string;
 }
 
-export function SolveButton({ metric, label }: Props) {
+/** As it is while a slider moves. */
+export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
   const [opened, { open, close }] = useDisclosure(false);
   const { catalogues } = useCatalogues();
   return (
@@ -32,4 +33,4 @@ export function SolveButton({ metric, label }: Props) {
       )}
     </>
   );
-}
+});
