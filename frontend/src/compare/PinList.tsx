@@ -1,13 +1,14 @@
 /** The pinned variants by name, each with its line in the plots and what can be done with it. */
 
 import { Menu, TextInput } from "@mantine/core";
+import { useQueryClient } from "@tanstack/react-query";
 import { IconChevronDown } from "../icons";
 import { useOpenInLab } from "../shell/useOpenInLab";
 import { useReadOnly } from "../state/context";
 import { LONGEST_NAME } from "../state/pins";
 import { pinDash } from "../plots/layers";
 import classes from "./compare.module.css";
-import { ownPins, usePins, type PinnedRun } from "./usePins";
+import { ownPins, pinnedKey, usePins, type PinnedRun } from "./usePins";
 
 export function PinList() {
   const pins = usePins();
@@ -40,6 +41,7 @@ function PinName({ pin, index }: Props) {
 }
 
 function PinMenu({ pin, index }: Props) {
+  const queries = useQueryClient();
   const open = useOpenInLab();
   const rename = (name: string) => ownPins.rename(pin.run, name);
   return (
@@ -63,7 +65,7 @@ function PinMenu({ pin, index }: Props) {
             if (event.key === "Enter") rename(event.currentTarget.value);
           }}
         />
-        {pin.missing !== null && !pin.isGone && <Menu.Item onClick={pin.retry}>Try again</Menu.Item>}
+        {pin.missing !== null && !pin.isGone && <Menu.Item onClick={() => void queries.refetchQueries({ queryKey: pinnedKey(pin.run) })}>Try again</Menu.Item>}
         <Menu.Item disabled={pin.isGone} onClick={() => open()({ id: pin.run })}>
           Open
         </Menu.Item>

@@ -22,8 +22,9 @@ export interface PinnedRun extends Pin {
   readonly missing: string | null;
   /** The server has it no more. */
   readonly isGone: boolean;
-  readonly retry: () => void;
 }
+
+export const pinnedKey = (run: string) => ["pinned", run] as const;
 
 export function missingText(error: Error | null): string {
   if (error === null) return "loading";
@@ -43,15 +44,15 @@ export function usePins(): readonly PinnedRun[] {
   const pins: readonly Pin[] = shared ? (shared.view.pins ?? []) : own;
   return useQueries({
     queries: pins.map(({ run }) => ({
-      queryKey: ["pinned", run],
+      queryKey: pinnedKey(run),
       queryFn: ({ signal }: { readonly signal: AbortSignal }) => load(run, queries, signal),
       staleTime: Infinity,
       structuralSharing: false,
     })),
     combine: (results) =>
       pins.map((pin, index): PinnedRun => {
-        const { data: shown = null, error = null, refetch } = results[index] ?? {};
-        return { ...pin, shown, missing: shown ? null : missingText(error), isGone: isNotFound(error), retry: () => void refetch?.() };
+        const { data: shown = null, error = null } = results[index] ?? {};
+        return { ...pin, shown, missing: shown ? null : missingText(error), isGone: isNotFound(error) };
       }),
   });
 }

@@ -8,7 +8,7 @@ import { layersOf } from "../plots/layers";
 import { ON_PAPER } from "../plots/palettes";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
 import { drawnOf, subtrahend } from "../plots/residual";
-import { layeredFrom, loadDetail, ownScene, referenceScene } from "../plots/useDetail";
+import { curvesFrom, layeredFrom, loadDetail } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
 
 const WIDTH = 1200;
@@ -73,7 +73,8 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
 }
 
 export async function plotsImage(client: QueryClient, figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, format: "png" | "svg"): Promise<string> {
-  const [plotly, own, other] = await Promise.all([loadPlotly(), loadDetail(client, ownScene(scene)), loadDetail(client, referenceScene(scene))]);
+  const curves = curvesFrom(client, scene);
+  const [plotly, own, other] = await Promise.all([loadPlotly(), loadDetail(client, curves.own), loadDetail(client, curves.other)]);
   const { height, ...figure } = stackFigures(figures, { ...scene, ...layeredFrom(client, scene) }, own, other);
   return plotly.toImage(figure, { format, width: WIDTH, height, scale: format === "png" ? 2 : 1 });
 }

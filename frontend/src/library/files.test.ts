@@ -11,6 +11,8 @@ it("Scenarios, runs, vehicles and roads are told apart by their content", () => 
   expect(read('{"label": "Van", "vehicle": {"body_mass": 5}}')).toEqual({ kind: "vehicle", value: { body_mass: 5 }, label: "Van" });
   const csv = "distance [m];height [mm]\r\n0;0\r\n5;12\r\n";
   expect(read(csv, "street.csv")).toEqual({ kind: "road", csv });
+  const commented = `# Measured in May\n\n${csv}`;
+  expect(read(commented, "street.csv")).toEqual({ kind: "road", csv: commented });
 });
 
 it("What is exported is read again", () => {

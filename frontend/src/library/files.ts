@@ -17,7 +17,8 @@ const EXPECTED = "Expected a scenario or a vehicle as JSON, or a measured road a
  */
 export function readFile(name: string, text: string, parts: readonly string[]): Content {
   if (!/\.json$/i.test(name) && !/^\s*[[{]/.test(text)) {
-    if (/^[^\n]*[,;\t][^\n]*\n\s*["'+-]?[\d.,]/.test(text.trimStart())) return { kind: "road", csv: text };
+    const [titles = "", first = ""] = text.split("\n").filter((line) => !/^\s*(#|$)/.test(line));
+    if (/[,;\t]/.test(titles) && /^\s*["'+-]?[\d.,]/.test(first)) return { kind: "road", csv: text };
     throw new Error(EXPECTED);
   }
   const content = parsed(text);

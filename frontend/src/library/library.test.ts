@@ -48,6 +48,17 @@ describe("one's own library", () => {
     expect(library.get()[0]).toMatchObject({ name: "C", value: HARD, saved: b.saved });
   });
 
+  it("takes a deletion back without replacing what has the name by then", () => {
+    const library = open(fakeStorage());
+    library.save("scenario", "A", SOFT);
+    const [a] = library.get();
+    if (!a) throw new Error("nothing saved");
+    library.remove(a);
+    library.save("scenario", "A", HARD);
+    library.restore(a);
+    expect(library.get()).toMatchObject([{ name: "A", value: HARD }, { name: "A (2)", value: SOFT }]);
+  });
+
   it("adds a file's content once, and never over another's", () => {
     const library = open(fakeStorage());
     expect(library.add("scenario", "hump", SOFT)).toBe("hump");

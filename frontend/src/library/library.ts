@@ -26,7 +26,7 @@ export interface Library extends Pick<Store<readonly Item[]>, "get" | "subscribe
   readonly add: (kind: Kind, name: string, value: JsonObject) => string;
   readonly rename: (item: Item, name: string) => void;
   readonly remove: (item: Item) => void;
-  /** Undoes `remove`. */
+  /** Undoes `remove`, under another name where this one has been taken since. */
   readonly restore: (item: Item) => void;
 }
 
@@ -68,6 +68,13 @@ export function createLibrary(storage: Storage | null, now: () => string = () =>
     }
     refresh();
   };
+  const freeName = (kind: Kind, name: string) => {
+    if (!has(kind, name)) return name;
+    const short = name.slice(0, LONGEST_NAME - 5);
+    let number = 2;
+    while (has(kind, `${short} (${number})`)) number++;
+    return `${short} (${number})`;
+  };
   const has = (kind: Kind, name: string) => readAll(storage).some((item) => item.kind === kind && item.name === name);
   return {
     get: store.get,
@@ -77,9 +84,7 @@ export function createLibrary(storage: Storage | null, now: () => string = () =>
     add: (kind, name, value) => {
       const same = readAll(storage).find((item) => item.kind === kind && sameValue(item.value, value));
       if (same) return same.name;
-      const short = cleanName(name).slice(0, LONGEST_NAME - 5);
-      let free = short;
-      for (let number = 2; has(kind, free); number++) free = `${short} (${number})`;
+      const free = freeName(kind, cleanName(name));
       write({ kind, name: free, value, saved: now() });
       return free;
     },
@@ -95,6 +100,6 @@ export function createLibrary(storage: Storage | null, now: () => string = () =>
       storage?.removeItem(keyOf(item));
       refresh();
     },
-    restore: write,
+    restore: (item) => write({ ...item, name: freeName(item.kind, item.name) }),
   };
 }

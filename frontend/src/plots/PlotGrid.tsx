@@ -11,7 +11,7 @@ import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
 import { drawnOf, subtrahend } from "./residual";
-import { ownScene, referenceScene, useDetail, useLayered, useMeans } from "./useDetail";
+import { useCurves, useDetail, useLayered } from "./useDetail";
 import { usePlotly } from "./usePlotly";
 
 interface Props {
@@ -22,12 +22,12 @@ interface Props {
 export function PlotGrid({ templates, scene }: Props) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
-  const own = useDetail(ownScene(scene));
-  const other = useDetail(referenceScene(scene));
+  const { roads, ...pair } = useCurves(scene);
+  const own = useDetail(pair.own);
+  const other = useDetail(pair.other);
   const onZoom = useZoom();
   const layered = useLayered(scene);
   const { strategies, axis, range, shown, residual, reference, baseline, ids, summaries } = scene;
-  const roads = useMeans(ownScene(scene).shown) && shown.over?.roads;
   // What changes are against is drawn only in plots of the differences.
   const [base, against] = residual ? [baseline, reference] : [null, null];
   const drawn = useMemo(
@@ -37,7 +37,7 @@ export function PlotGrid({ templates, scene }: Props) {
   const minus = residual ? subtrahend(scene) : undefined;
   const layers = useMemo(() => (residual ? [] : layersOf(layered)), [residual, layered]);
   const curves = useMemo(
-    () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", runId: shown.runId, coreVersion: shown.coreVersion, ...(roads && { roads }), ...(minus !== undefined && { minus }) }),
+    () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", runId: shown.runId, coreVersion: shown.coreVersion, ...(roads !== undefined && { roads }), ...(minus !== undefined && { minus }) }),
     [drawn, layers, strategies, axis, range, shown.source, shown.runId, shown.coreVersion, roads, minus],
   );
   return (

@@ -4,7 +4,7 @@ import type { FigureTemplate, OverRoads } from "../api/types";
 import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
 import type { Shown } from "../state/shown";
-import { layeredFrom, referenceScene } from "./useDetail";
+import { curvesFrom, layeredFrom } from "./useDetail";
 
 const numbers = (...values: number[]) => new Float32Array(values);
 const panel = (signal: string) => ({ layout: { meta: { signal } } }) as unknown as FigureTemplate;
@@ -26,8 +26,12 @@ it("beside means stand means, beside one road's curves one road's", () => {
   expect(beside(result("one", 1))).toEqual([1, 1, 1]);
 });
 
-it("a difference to a result over other numbers of roads is that of the first road", () => {
-  const scene = (roads: number) => ({ shown: result("ten", 10), residual: true, reference: { name: "pin", shown: result("before", roads) } }) as unknown as Scene;
-  expect(referenceScene(scene(10)).shown.over?.roads).toBe(10);
-  expect(referenceScene(scene(5)).shown.over).toBeNull();
+it("differences are those of the means where both have them over as many roads, else those of the first road", () => {
+  const roads = (reference: Shown) => {
+    const scene = { shown: result("ten", 10), residual: true, reference: { name: "pin", shown: reference } } as unknown as Scene;
+    const curves = curvesFrom(client, scene);
+    return [curves.own.shown.over?.roads, curves.other.shown.over?.roads, curves.roads];
+  };
+  const firstRoad = [undefined, undefined, undefined];
+  expect([result("before", 10), result("before", 5), result("gone", 10), result("one", 1)].map(roads)).toEqual([[10, 10, 10], firstRoad, firstRoad, firstRoad]);
 });

@@ -38,7 +38,7 @@ function meansQuery(shown: Shown, figures: Readonly<Record<string, FigureTemplat
 const detailQuery = (shown: Shown, signals: readonly string[] | null) => seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
 
 /** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
-export function useMeans(shown: Shown): SeriesByStrategy | undefined {
+function useMeans(shown: Shown): SeriesByStrategy | undefined {
   const means = useQuery(meansQuery(shown, useQuery(figuresQuery).data)).data;
   return hasMeans(shown) ? means : undefined;
 }
@@ -89,17 +89,33 @@ export function useLayered({ shown, before, pins }: Layered): Layered {
 /** The same for a file: what is on the screen. */
 export const layeredFrom = (client: QueryClient, scene: Layered): Layered => withMeans(scene, (result) => cachedMeans(client, result));
 
-const onOneRoad = (shown: Shown): Shown => ({ ...shown, over: null });
-
-/** Curves are compared over equally many roads, or on the first of each. */
-const isAlike = ({ shown, reference }: Scene) => reference === null || roadsOf(reference.shown) === roadsOf(shown);
-
-/** What the scene's curves are of. */
-export const ownScene = (scene: Scene): Drawn => (scene.residual && !isAlike(scene) ? { ...scene, shown: onOneRoad(scene.shown) } : scene);
-
-/** What they are differences to; the scene itself where that is one of its strategies, or none. */
-export function referenceScene(scene: Scene): Drawn {
-  if (!scene.residual || !scene.reference) return scene;
-  const { shown } = scene.reference;
-  return { ...scene, shown: isAlike(scene) ? shown : onOneRoad(shown), series: shown.series };
+interface Curves {
+  /** What the curves are of. */
+  readonly own: Drawn;
+  /** What they are differences to; `own` where that is one of its strategies, or none. */
+  readonly other: Drawn;
+  /** Over how many roads they are means; `undefined` where they are the first road's. */
+  readonly roads: number | undefined;
 }
+
+const onOneRoad = (drawn: Drawn): Drawn => ({ ...drawn, shown: { ...drawn.shown, over: null } });
+
+/** Means are subtracted from means over as many roads; where one of them is missing, the first road's curves from each other. */
+function curvesOf(scene: Scene, meansOf: (shown: Shown) => SeriesByStrategy | undefined): Curves {
+  const { shown } = scene;
+  const reference = scene.residual ? scene.reference?.shown : undefined;
+  const other = reference ? { ...scene, shown: reference, series: reference.series } : scene;
+  const hasBoth = meansOf(shown) !== undefined && meansOf(other.shown) !== undefined && roadsOf(shown) === roadsOf(other.shown);
+  if (reference && !hasBoth) return { own: onOneRoad(scene), other: onOneRoad(other), roads: undefined };
+  return { own: scene, other, roads: hasBoth ? roadsOf(shown) : undefined };
+}
+
+export function useCurves(scene: Scene): Curves {
+  const { shown } = scene;
+  const means = useMeans(shown);
+  const others = useMeans(scene.reference?.shown ?? shown);
+  return curvesOf(scene, (result) => (result === shown ? means : others));
+}
+
+/** The same for a file: what is on the screen. */
+export const curvesFrom = (client: QueryClient, scene: Scene): Curves => curvesOf(scene, (result) => cachedMeans(client, result));

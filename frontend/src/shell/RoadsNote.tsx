@@ -2,7 +2,7 @@
 
 import { Text } from "@mantine/core";
 import { getAt } from "../editor/path";
-import { ownScene, useMeans } from "../plots/useDetail";
+import { useCurves } from "../plots/useDetail";
 import { useLab } from "../state/context";
 import type { Scene } from "../state/scene";
 import classes from "./shell.module.css";
@@ -11,7 +11,7 @@ export function RoadsNote({ scene }: { readonly scene: Scene }) {
   const { shown, baseline, reference, residual } = scene;
   const { over, scenario, source } = shown;
   const roads = useLab((state) => state.roads);
-  const hasMeans = useMeans(ownScene(scene).shown) !== undefined;
+  const hasMeans = useCurves(scene).roads !== undefined;
   const seed = getAt(scenario, "/road/seed");
   const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
   if (over === null && (source === "exact" || roads === 1)) return null;

@@ -1,3 +1,5 @@
+import { createElement } from "react";
+import { renderToString } from "react-dom/server";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { FORM } from "../editor/form.fixture";
 import { draftStudy, restoreStudy } from "../robustness/study";
@@ -5,7 +7,7 @@ import { draftField, restoreSweep, type SweepDraft } from "../sweep/draft";
 import { sweepFields } from "../sweep/fields";
 import { firstDraft, limitOf, objectiveOf, restoreTuning } from "../tuner/draft";
 import { isLike, readStored, writeStored } from "./storage";
-import { restoreDraft } from "./useDraft";
+import { restoreDraft, useDraft, type Draft } from "./useDraft";
 
 const FIELDS = sweepFields(FORM);
 const [first, second] = FIELDS.filter(({ leaf }) => leaf.kind === "number").map(draftField);
@@ -33,6 +35,23 @@ describe("what the browser stores", () => {
     texts.set("ridelab-draft-changed-study", JSON.stringify({ of: "A", draft: 7 }));
     const of = (id: string) => restoreDraft({ name: "changed study", of: id, restore: (stored) => stored });
     expect([of("A"), of("B")]).toEqual([7, null]);
+  });
+
+  it("stays where a form was edited after it was submitted, here or in another tab", () => {
+    const open = () => {
+      let opened: Draft<number> | undefined;
+      const Form = () => void (opened = useDraft({ name: "tuning", initial: () => 0, restore: (stored) => (typeof stored === "number" ? stored : null) }));
+      renderToString(createElement(Form));
+      if (!opened) throw new Error("not rendered");
+      return opened;
+    };
+    open().setDraft(7);
+    const submitted = open();
+    open().setDraft(8);
+    submitted.forget();
+    expect(open()).toMatchObject({ draft: 8, isEdited: true });
+    open().forget();
+    expect(open()).toMatchObject({ draft: 0, isEdited: false });
   });
 });
 

@@ -10,7 +10,7 @@ export interface Draft<Texts> {
   readonly isEdited: boolean;
   /** Opens the form anew. */
   readonly reset: () => void;
-  /** The next visit begins with a new one. */
+  /** The next visit begins with a new one, unless it has been edited since, here or in another tab. */
   readonly forget: () => void;
 }
 
@@ -33,7 +33,7 @@ export function restoreDraft<Texts>({ name, of = "", restore }: Pick<Form<Texts>
 export function useDraft<Texts>({ name, of = "", initial, restore }: Form<Texts>): Draft<Texts> {
   const [stored, setStored] = useState(() => restoreDraft({ name, of, restore }));
   const [opening, setOpening] = useState(initial);
-  const forget = () => writeStored(keyOf(name), null);
+  const remove = () => writeStored(keyOf(name), null);
   return {
     draft: stored ?? opening,
     isEdited: stored !== null,
@@ -42,10 +42,12 @@ export function useDraft<Texts>({ name, of = "", initial, restore }: Form<Texts>
       writeStored(keyOf(name), { of, draft: next });
     },
     reset: () => {
-      forget();
+      remove();
       setStored(null);
       setOpening(initial());
     },
-    forget,
+    forget: () => {
+      if (JSON.stringify(restoreDraft({ name, of, restore })) === JSON.stringify(stored)) remove();
+    },
   };
 }

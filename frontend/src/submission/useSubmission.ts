@@ -20,9 +20,11 @@ interface Submission<Body, Estimate> {
   readonly estimate: (body: Body, signal: AbortSignal) => Promise<Estimate>;
   /** Begins it and says where it can be seen. What is sent carries its `keyOf`. */
   readonly submit: (body: Body, keyOf: (sent: unknown) => string) => Promise<NavigateOptions>;
-  /** Also where the reader has gone to another page meanwhile. */
+  /** Of the form as it was when it was started, also where the reader has gone to another page meanwhile. */
   readonly onSubmitted: () => void;
 }
+
+type Started<Body> = { readonly body: Body } & Pick<Submission<Body, unknown>, "onSubmitted">;
 
 interface SubmissionState<Estimate> {
   readonly errors: DraftErrors;
@@ -59,8 +61,8 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
   };
   const router = useRouter();
   const started = useMutation({
-    mutationFn: (body: Body) => submission.submit(body, keyOf),
-    onSuccess: submission.onSubmitted,
+    mutationFn: ({ body }: Started<Body>) => submission.submit(body, keyOf),
+    onSuccess: (_, { onSubmitted }) => onSubmitted(),
     networkMode: "always",
   });
 
@@ -76,6 +78,6 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     estimate: text && isUpToDate && !estimate.isError ? estimate.data : undefined,
     pending: text !== "" && (!isUpToDate || estimate.isFetching),
     starting: started.isPending,
-    start: () => submission.body !== null && started.mutate(submission.body, { onSuccess: fromHere(router).go }),
+    start: () => submission.body !== null && started.mutate({ body: submission.body, onSubmitted: submission.onSubmitted }, { onSuccess: fromHere(router).go }),
   };
 }
