@@ -76,6 +76,17 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     page.reload()
     expect(page.get_by_label("Line at")).to_have_value("0.9")
 
+    menu = page.get_by_role("dialog", name="Save figure")
+    for suffix, button in (("csv", "CSV"), ("png", "PNG, 300 dpi")):
+        page.get_by_role("button", name="Save figure").click()
+        with page.expect_download() as download:
+            menu.get_by_role("button", name=button).click()
+        expect(menu).to_be_hidden()
+        assert download.value.suggested_filename.endswith(f"-bump.body_acceleration.peak-lv.{suffix}")
+        download.value.save_as(tmp_path / suffix)
+    assert len((tmp_path / "csv").read_text().splitlines()) == 2 + 1 + 6, "where it comes from, titles, a row for a cell"
+    assert (tmp_path / "png").read_bytes()[:4] == b"\x89PNG"
+
     kinds = page.get_by_role("radiogroup", name="Plot")
     kinds.get_by_text("Trade-off").click()
     expect(page.get_by_text(re.compile(r"Pareto front: \d+ runs? that no other betters"))).to_be_visible()

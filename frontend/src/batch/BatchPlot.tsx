@@ -39,7 +39,7 @@ export function BatchPlot({ batch, columns, catalogue, strategies, markers, figu
   return (
     <Card aria-label="Plot">
       <PlotTools axes={axesOf(fields)} {...{ strategies, markers, figures, shown, view, onView }} />
-      {shown.kind === "map" ? <MapPlot {...common} /> : <PointsPlot key={shown.kind} {...common} {...{ batch, catalogue, visible, markers, best }} />}
+      {shown.kind === "map" ? <MapPlot {...common} batch={batch.id} /> : <PointsPlot key={shown.kind} {...common} {...{ batch, catalogue, visible, markers, best }} />}
     </Card>
   );
 }

@@ -1,11 +1,12 @@
 /** A metric over two swept fields in colours, and how much of it keeps a threshold. */
 
 import { Text, useComputedColorScheme } from "@mantine/core";
-import { useMemo } from "react";
+import { useMemo, useRef } from "react";
 import type { Strategy } from "../api/types";
 import { Chart } from "../plots/Chart";
-import { PALETTES } from "../plots/palettes";
-import { count, formatExact, formatResult, prettyUnit } from "../units/format";
+import { ChartButton } from "../plots/ChartButton";
+import { ON_PAPER, PALETTES } from "../plots/palettes";
+import { count, formatExact, formatResult, titleWithUnit } from "../units/format";
 import classes from "./batch.module.css";
 import { fullName } from "./figures";
 import { mapGrid, shareBelow } from "./map";
@@ -14,6 +15,8 @@ import type { ShownPlot } from "./shownPlot";
 import type { Columns } from "./table";
 
 interface Props {
+  /** Its id. */
+  readonly batch: string;
   readonly columns: Columns;
   readonly shown: ShownPlot;
   readonly strategies: readonly Strategy[];
@@ -22,7 +25,7 @@ interface Props {
   readonly onOpen: (row: number) => void;
 }
 
-export function MapPlot({ columns, shown, strategies, height, textOf, onOpen }: Props) {
+export function MapPlot({ batch, columns, shown, strategies, height, textOf, onOpen }: Props) {
   const scheme = useComputedColorScheme("light");
   const { x, other, y, strategy, against, threshold, mapUnit } = shown;
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? "";
@@ -38,10 +41,12 @@ export function MapPlot({ columns, shown, strategies, height, textOf, onOpen }: 
       ...(against === null ? [] : [`${formatResult(value)} % against ${otherLabel}`]),
     ];
     const title = fullName(y);
-    return mapFigure({ grid, x, y: other, title, unit: mapUnit, difference: against !== null, threshold, textOf: cellText, palette: PALETTES[scheme], scheme });
+    const input = { grid, x, y: other, title, unit: mapUnit, difference: against !== null, threshold, textOf: cellText };
+    return { drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }), onPaper: () => mapFigure({ ...input, palette: ON_PAPER, scheme: "light" }) };
   }, [grid, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
+  const host = useRef<HTMLDivElement>(null);
 
-  if (!grid || !other) return <Text className={classes.noMap}>A map needs finished runs at two or more values of both fields.</Text>;
+  if (!grid || !other || !figure) return <Text className={classes.noMap}>A map needs finished runs at two or more values of both fields.</Text>;
   const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
   const { computed, gaps, below } = shareBelow(grid, threshold ?? Infinity);
   const limit = formatExact(threshold ?? 0, mapUnit);
@@ -52,14 +57,18 @@ export function MapPlot({ columns, shown, strategies, height, textOf, onOpen }: 
       : against !== null && threshold === 0
         ? `${labelOf(strategy)} is at or below ${otherLabel} at ${below} of ${points}.`
         : `At or below ${limit} at ${below} of ${points}.`;
+  const { drawn, onPaper } = figure;
+  const colours = titleWithUnit(name, mapUnit);
   return (
     <>
-      <Chart figure={figure} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
-      <Text size="xs" className={classes.best} data-testid="map-note">
-        {name}
-        {prettyUnit(mapUnit) === "" ? "" : ` [${prettyUnit(mapUnit)}]`}. {sentence}
-        {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double click for all.
-      </Text>
+      <Chart hostRef={host} figure={drawn} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
+      <div className={classes.foot}>
+        <Text size="xs" className={classes.best} data-testid="map-note">
+          {colours}. {sentence}
+          {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double click for all.
+        </Text>
+        <ChartButton title={name} file={`ridelab-${batch}-${y.key}-${strategy}`} hostRef={host} draw={() => ({ figure: onPaper(), legend: [], colours })} />
+      </div>
     </>
   );
 }

@@ -6,10 +6,12 @@ import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
 import type { Batch, Catalogue, Strategy } from "../api/types";
 import { IconAlertTriangle } from "../icons";
 import { isFinal } from "../jobs/follow";
+import { ChartButton } from "../plots/ChartButton";
 import type { Markers } from "../plots/markers";
-import { PALETTES } from "../plots/palettes";
+import { ON_PAPER, PALETTES } from "../plots/palettes";
 import type { PlotElement } from "../plots/plotly";
 import { useCharts } from "../plots/usePlotly";
+import { useLightColours } from "../state/useSchemeColours";
 import { count, formatWhole, formatWithUnit } from "../units/format";
 import { axesOf, type AxisOf } from "./axes";
 import classes from "./batch.module.css";
@@ -57,14 +59,21 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
   const axes = useMemo(() => axesOf(fields), [fields]);
   const curves = axes.length === 1;
   const joined = !tradeOff && (curves || Boolean(sweep.grid));
-  const figure = useMemo(() => {
+  const draw = useMemo(() => {
     const others = axes.filter(({ name }) => name !== x.name);
     const lines = joined ? linesOf(columns, points, others.map(({ name }) => name)) : [];
     const labelOf = (row: number) => others.map(({ name, unit }) => showCell(cell(columns, name, row), unit)).join(", ");
     const isHollow = (row: number) => isAirborne(columns, row);
     const ringed = tradeOff ? front : best === null ? NONE : [best];
-    return scatterFigure({ points, strategies, markers, x, y, ringed, front: tradeOff, lines, curves, labelOf, isHollow, textOf, palette });
-  }, [points, columns, axes, joined, curves, strategies, markers, x, y, best, tradeOff, front, textOf, palette]);
+    const input = { points, markers, x, y, ringed, front: tradeOff, lines, curves, labelOf, isHollow, textOf };
+    return (look: Pick<Parameters<typeof scatterFigure>[0], "strategies" | "palette" | "most">) => scatterFigure({ ...input, ...look });
+  }, [points, columns, axes, joined, curves, markers, x, y, best, tradeOff, front, textOf]);
+  const figure = useMemo(() => draw({ strategies, palette }), [draw, strategies, palette]);
+  const light = useLightColours(strategies);
+  const drawOnPaper = () => {
+    const { lines, data, layout } = draw({ strategies: light, palette: ON_PAPER, most: Infinity });
+    return { figure: { data: [...lines, ...data], layout }, legend: light.map(({ label }) => label) };
+  };
   const airborne = useMemo(() => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0), [points, columns]);
 
   const [drawing, setDrawing] = useState(0);
@@ -110,9 +119,12 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
           (hollow points): their linear tyre pulls on the road, which a real one cannot.
         </Text>
       )}
-      <Text size="xs" className={classes.best}>
-        {tradeOff ? describeFront(front, columns, visible) : best === null ? "\u00a0" : describeBest(best, { batch, columns, strategies, y })}
-      </Text>
+      <div className={classes.foot}>
+        <Text size="xs" className={classes.best}>
+          {tradeOff ? describeFront(front, columns, visible) : best === null ? "\u00a0" : describeBest(best, { batch, columns, strategies, y })}
+        </Text>
+        {drawn > 0 && <ChartButton title={fullName(y)} file={`ridelab-${batch.id}-${y.key}`} hostRef={host} draw={drawOnPaper} />}
+      </div>
     </>
   );
 }

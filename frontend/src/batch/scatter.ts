@@ -32,6 +32,8 @@ interface Input {
   /** What a row says of itself, line by line. */
   readonly textOf: (row: number) => readonly string[];
   readonly palette: Palette;
+  /** More points than these are for a canvas. */
+  readonly most?: number;
 }
 
 export interface ScatterFigure {
@@ -164,9 +166,9 @@ function staircase({ points, ringed, palette }: Input): readonly LineTrace[] {
 }
 
 export function scatterFigure(input: Input): ScatterFigure {
-  const { points, strategies, markers, isHollow, x, y, ringed, front = false, palette } = input;
+  const { points, strategies, markers, isHollow, x, y, ringed, front = false, palette, most = MANY } = input;
   const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
-  const many = count > MANY;
+  const many = count > most;
   const data = many ? frame(points) : traces(input);
   const marker = { color: palette.text, size: SIZE + (front ? 6 : 9), symbol: "circle-open", line: { width: 2, color: palette.text } };
   const ring = points.flatMap(({ rows, x: xs, y: ys }): PointTrace[] =>

@@ -1,7 +1,7 @@
 /** One small plot of its own: drawn anew when its figure or its width changes; points can be clicked. */
 
 import { useElementSize } from "@mantine/hooks";
-import { useEffect, useEffectEvent, useRef } from "react";
+import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
 import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
@@ -23,20 +23,23 @@ interface Props {
   readonly label: string;
   /** Gets the `customdata` of a clicked point. */
   readonly onPoint?: (point: number) => void;
+  /** Gets the element that it is drawn in. */
+  readonly hostRef?: RefObject<HTMLDivElement | null>;
 }
 
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
-export function Chart({ figure, height, width: fixedWidth, label, onPoint }: Props) {
+export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostRef }: Props) {
   const plotly = useCharts();
   const { ref, width: room } = useElementSize<HTMLDivElement>();
   const width = fixedWidth ?? room;
-  const host = useRef<HTMLDivElement>(null);
+  const own = useRef<HTMLDivElement>(null);
+  const host = hostRef ?? own;
 
   useEffect(() => {
     if (!plotly || !figure || !host.current || width === 0) return;
     void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, CONFIG);
-  }, [plotly, figure, width, height]);
+  }, [plotly, figure, host, width, height]);
 
   const clicked = useEffectEvent((point: number) => onPoint?.(point));
   const clickable = onPoint !== undefined;
@@ -48,13 +51,13 @@ export function Chart({ figure, height, width: fixedWidth, label, onPoint }: Pro
       if (point !== undefined) clicked(point);
     });
     return () => element.removeAllListeners?.("plotly_click");
-  }, [plotly, width, clickable]);
+  }, [plotly, host, width, clickable]);
   useEffect(() => {
     const element = host.current;
     return () => {
       if (plotly && element) plotly.purge(element);
     };
-  }, [plotly]);
+  }, [plotly, host]);
 
   return (
     <div ref={ref} className={classes.chart} style={{ height }}>

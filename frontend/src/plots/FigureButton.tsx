@@ -2,22 +2,16 @@
 
 import { ActionIcon } from "@mantine/core";
 import { lazy, Suspense, useMemo, useState } from "react";
-import type { FigureTemplate } from "../api/types";
 import { IconDownload } from "../icons";
-import type { Curves } from "./PlotPanel";
 import classes from "./plots.module.css";
+import type { FigureSource } from "./saved";
 
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
 
-interface Props {
-  readonly template: FigureTemplate;
-  readonly curves: Curves;
-}
-
-export function FigureButton({ template, curves }: Props) {
+export function FigureButton({ source }: { readonly source: FigureSource }) {
   const [requested, setRequested] = useState(false);
   const [opened, setOpened] = useState(false);
-  const { title } = template.layout.meta;
+  const { title } = source;
   // Curves change with every move of a slider, the button does not.
   const button = useMemo(
     () => (
@@ -42,7 +36,7 @@ export function FigureButton({ template, curves }: Props) {
   if (!requested) return button;
   return (
     <Suspense fallback={button}>
-      <FigureMenu template={template} curves={curves} opened={opened} onChange={setOpened}>
+      <FigureMenu source={source} opened={opened} onChange={setOpened}>
         {button}
       </FigureMenu>
     </Suspense>

@@ -2,38 +2,35 @@
 
 import { Button, Group, Popover, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useId, useState, type ReactNode } from "react";
-import type { FigureTemplate } from "../api/types";
 import { download } from "../ui/download";
-import { figureCsv } from "./figureCsv";
-import { figureImage, FONT_SIZES, paperFigure, WIDTHS, type FontSize, type Width } from "./paperFigure";
-import type { Curves } from "./PlotPanel";
+import { figureImage, FONT_SIZES, WIDTHS, type FontSize, type Width } from "./paperFigure";
+import type { FigureSource } from "./saved";
 
 interface Props {
-  readonly template: FigureTemplate;
-  readonly curves: Curves;
+  readonly source: FigureSource;
   readonly opened: boolean;
   readonly onChange: (opened: boolean) => void;
   readonly children: ReactNode;
 }
 
-export function FigureMenu({ template, curves, opened, onChange, children }: Props) {
+export function FigureMenu({ source, opened, onChange, children }: Props) {
   const [width, setWidth] = useState<Width>("88");
   const [font, setFont] = useState<FontSize>("8");
   const [failed, setFailed] = useState(false);
   const id = useId();
-  const { signal, title } = template.layout.meta;
+  const { title, file, paper } = source;
   const save = (suffix: string, make: () => Promise<string>) => {
     setFailed(false);
     make().then(
       (address) => {
-        download(address, `ridelab-${curves.runId ?? "live"}-${signal}.${suffix}`);
+        download(address, `${file}.${suffix}`);
         onChange(false);
       },
       () => setFailed(true),
     );
   };
-  const image = (format: "png" | "svg") => figureImage(paperFigure(template, curves, { width: Number(width), font: Number(font) }), format);
-  const csv = () => Promise.resolve(`data:text/csv;charset=utf-8,${encodeURIComponent(figureCsv(template, curves, window.location.href))}`);
+  const image = async (format: "png" | "svg") => figureImage(await paper({ width: Number(width), font: Number(font) }), format);
+  const csv = async () => `data:text/csv;charset=utf-8,${encodeURIComponent(await source.csv())}`;
   return (
     <Popover opened={opened} onChange={onChange} position="bottom-end" trapFocus returnFocus withRoles={false} shadow="md">
       <Popover.Target>{children}</Popover.Target>

@@ -13,6 +13,7 @@ import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
 import type { Plotly } from "./plotly";
 import { Readouts } from "./Readouts";
+import type { FigureSource } from "./saved";
 import { Surface } from "./Surface";
 import { Card } from "../ui/Card";
 
@@ -43,6 +44,13 @@ interface Props {
   readonly onZoom: (zoom: Zoom | null) => void;
 }
 
+const sourceOf = (template: FigureTemplate, curves: Curves): FigureSource => ({
+  title: template.layout.meta.title,
+  file: `ridelab-${curves.runId ?? "live"}-${template.layout.meta.signal}`,
+  paper: async (size) => (await import("./paperFigure")).paperFigure(template, curves, size),
+  csv: async () => (await import("./figureCsv")).figureCsv(template, curves, window.location.href),
+});
+
 /** Panels this close to the window are drawn too, so that scrolling meets no blank ones. */
 const NEAR = "40px 0px";
 
@@ -65,7 +73,7 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
           </span>
         </h3>
         <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
-        <FigureButton template={template} curves={curves} />
+        <FigureButton source={sourceOf(template, curves)} />
       </header>
       <div className={classes.canvas} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
         <Surface plotly={plotly} figure={figure} live={live} />

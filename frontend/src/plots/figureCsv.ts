@@ -5,7 +5,7 @@ import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
 import { ON_PAPER } from "./palettes";
 import type { Curves } from "./PlotPanel";
 
-const cell = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+export const cell = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 /**
  * Lines of `#` say where it comes from; below stand, for each curve, its places and its values.
@@ -30,4 +30,4 @@ export function figureCsv(template: FigureTemplate, curves: Curves, address: str
 }
 
 /** As many digits as single precision has. */
-const printed = (value: number | undefined) => (value === undefined ? "" : String(Number(value.toPrecision(7))));
+export const printed = (value: number | undefined) => (value === undefined ? "" : String(Number(value.toPrecision(7))));

@@ -4,7 +4,8 @@ import type { FigureTemplate } from "../api/types";
 import { axisSignal, buildFigure, overRoads } from "./figure";
 import { ON_PAPER } from "./palettes";
 import type { Curves } from "./PlotPanel";
-import { loadPlotly, type PlotFigure } from "./plotly";
+import { loadPlotly, type PlotLayout, type PlotTrace } from "./plotly";
+import type { PaperFigure, PaperSize } from "./saved";
 
 export const WIDTHS = [
   { value: "88", label: "88 mm, one column" },
@@ -21,15 +22,9 @@ export const FONT_SIZES = [
 export type Width = (typeof WIDTHS)[number]["value"];
 export type FontSize = (typeof FONT_SIZES)[number]["value"];
 
-export interface PaperFigure extends PlotFigure {
-  /** [mm] */
-  readonly width: number;
-  readonly height: number;
-}
-
 const DPI = 300;
 const MM = 96 / 25.4; // pixels of a style sheet
-const POINT = 96 / 72;
+export const POINT = 96 / 72;
 /** Wider figures are flatter. */
 const heightOf = (width: number) => Math.round(width < 100 ? 0.72 * width : 0.45 * width);
 
@@ -40,28 +35,39 @@ const onPaper = ({ data }: FigureTemplate, strategies: Curves["strategies"]) =>
     return typeof colour === "string" ? { ...strategy, colour } : strategy;
   });
 
-export function paperFigure(template: FigureTemplate, curves: Curves, { width, font }: { readonly width: number; readonly font: number }): PaperFigure {
-  const { meta } = template.layout;
-  const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
-  const axis = { automargin: true, tickmode: "auto", tickfont: { size: font * POINT } };
-  const less = curves.minus === undefined ? "" : `, less ${curves.minus}`;
-  const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
+interface AxisOnPaper extends Readonly<Record<string, unknown>> {
+  readonly text: string;
+}
+
+/** A figure's layout on paper: white, in one font, its axes with titles. */
+export function sheet(layout: PlotLayout, { width, font }: PaperSize, xaxis: AxisOnPaper, yaxis: AxisOnPaper) {
+  const size = font * POINT;
+  const axis = ({ text, ...rest }: AxisOnPaper) => ({ ...rest, automargin: true, tickfont: { size }, title: { text, font: { size }, standoff: 6 } });
   return {
     width,
     height: heightOf(width),
-    data,
     layout: {
       ...layout,
-      font: { family: "Arial, sans-serif", size: font * POINT, color: ON_PAPER.text },
+      font: { family: "Arial, sans-serif", size, color: ON_PAPER.text },
       margin: { l: 8, r: 8, t: 8, b: 8 },
       paper_bgcolor: "#ffffff",
       plot_bgcolor: "#ffffff",
-      xaxis: { ...layout.xaxis, ...axis, nticks: 7, title: { text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}`, font: { size: font * POINT }, standoff: 6 } },
-      yaxis: { ...layout.yaxis, ...axis, nticks: 6, title: { text: `${meta.title} [${meta.unit}]${less}`, font: { size: font * POINT }, standoff: 6 } },
+      xaxis: axis(xaxis),
+      yaxis: axis(yaxis),
       showlegend: true,
-      legend: { traceorder: "normal", orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size: font * POINT } },
+      legend: { traceorder: "normal", orientation: "h", x: 0, y: 1.02, yanchor: "bottom", font: { size } },
     },
   };
+}
+
+export function paperFigure(template: FigureTemplate, curves: Curves, size: PaperSize): PaperFigure<PlotTrace> {
+  const { meta } = template.layout;
+  const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
+  const less = curves.minus === undefined ? "" : `, less ${curves.minus}`;
+  const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
+  const x = { ...layout.xaxis, tickmode: "auto", nticks: 7, text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}` };
+  const y = { ...layout.yaxis, tickmode: "auto", nticks: 6, text: `${meta.title} [${meta.unit}]${less}` };
+  return { data, ...sheet(layout, size, x, y) };
 }
 
 /** A drawing whose width and height are lengths, so that it is as large as asked for wherever it is placed. */

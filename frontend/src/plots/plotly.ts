@@ -27,6 +27,7 @@ export interface PointTrace {
   readonly x: readonly (number | string)[];
   readonly y: readonly number[];
   readonly marker: Options;
+  readonly showlegend?: boolean;
   /** The table's row of each point. */
   readonly customdata: readonly number[];
   readonly text?: readonly string[];
@@ -43,6 +44,7 @@ export interface LineTrace {
   readonly y: readonly (number | null)[];
   readonly line: Options;
   readonly opacity: number;
+  readonly showlegend?: boolean;
   readonly hoverinfo: "skip";
 }
 
@@ -53,6 +55,7 @@ export interface BarTrace {
   readonly x: readonly (number | string)[];
   readonly y: readonly number[];
   readonly width?: readonly number[];
+  readonly showlegend?: boolean;
   readonly marker: Options;
   readonly text?: readonly string[];
   readonly textposition?: "none";
@@ -72,6 +75,8 @@ export interface GridTrace {
   readonly hovertemplate?: string;
   readonly [option: string]: unknown;
 }
+
+export type AnyTrace = PlotTrace | PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace;
 
 export interface PlotFigure {
   readonly data: readonly PlotTrace[];
@@ -108,12 +113,17 @@ interface ImageOptions {
 export interface Plotly {
   readonly react: (
     element: HTMLElement,
-    data: readonly (PlotTrace | PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace)[],
+    data: readonly AnyTrace[],
     layout: PlotLayout,
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;
   readonly purge: (element: HTMLElement) => void;
-  readonly toImage: (figure: PlotFigure, options: ImageOptions) => Promise<string>;
+  readonly toImage: (figure: { readonly data: readonly AnyTrace[]; readonly layout: PlotLayout }, options: ImageOptions) => Promise<string>;
+}
+
+interface DrawnAxis {
+  readonly range?: readonly (number | string)[];
+  readonly autorange?: boolean | string;
 }
 
 /** An element plotly has drawn in. */
@@ -122,6 +132,8 @@ export interface PlotElement extends HTMLElement {
     (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void): void;
     (event: "plotly_relayout", handler: () => void): void;
   };
+  /** As drawn, with what somebody has zoomed to; there once something is drawn. */
+  readonly layout?: { readonly xaxis?: DrawnAxis; readonly yaxis?: DrawnAxis };
   /** Gone once it is purged. */
   readonly removeAllListeners?: (event: "plotly_click" | "plotly_relayout") => void;
 }

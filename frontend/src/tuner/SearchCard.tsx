@@ -1,12 +1,15 @@
 /** Trials in the plane of two objectives with their front, or one objective over the trials. */
 
 import { NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
-import { useMemo, useState } from "react";
+import { useQuery } from "@tanstack/react-query";
+import { useMemo, useRef, useState } from "react";
 import type { Trial, Tuning } from "../api/types";
 import { Chart } from "../plots/Chart";
-import { PALETTES } from "../plots/palettes";
+import { ChartButton } from "../plots/ChartButton";
+import { ON_PAPER, PALETTES } from "../plots/palettes";
+import { strategiesQuery } from "../state/queries";
 import { count, formatResult } from "../units/format";
-import { frontFigure, historyFigure, volumeFigure } from "./charts";
+import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import classes from "./tuner.module.css";
@@ -27,6 +30,7 @@ interface Props {
 }
 
 const HEIGHT = 360;
+const LEGEND = ["Over a limit", "Trials", "Front", "Best so far"];
 
 /** Those with a name of their own in the plot: the best of single objectives are the front's ends. */
 const namedOf = (points: readonly Point[]) =>
@@ -39,12 +43,21 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   const palette = PALETTES[useComputedColorScheme("light")];
   const several = objectives.length > 1;
   const [[x, y], setAxes] = useState<readonly [number, number]>([0, 1]);
-  const figure = useMemo(() => {
-    const style = { palette, colour, trials, picked };
+  const draw = useMemo(() => {
     const [shown] = objectives;
-    if (!several && shown) return historyFigure({ ...style, paper: tuning.paper, shown });
-    return frontFigure({ ...style, front: tuning.front, named: namedOf(points), x, y, objectives });
-  }, [palette, colour, trials, picked, objectives, several, tuning, points, x, y]);
+    return (look: Look) =>
+      !several && shown
+        ? historyFigure({ ...look, trials, picked, paper: tuning.paper, shown })
+        : frontFigure({ ...look, trials, picked, front: tuning.front, named: namedOf(points), x, y, objectives });
+  }, [trials, picked, objectives, several, tuning, points, x, y]);
+  const figure = useMemo(() => draw({ palette, colour }), [draw, palette, colour]);
+  const strategies = useQuery(strategiesQuery).data;
+  const host = useRef<HTMLDivElement>(null);
+  const title = several ? "Pareto front" : "The best so far";
+  const drawOnPaper = () => {
+    const light = strategies?.find(({ id }) => id === tuning.strategy)?.colour ?? colour;
+    return { figure: draw({ palette: ON_PAPER, colour: light }), legend: LEGEND };
+  };
   const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
   const axis = (which: "x" | "y") => (
     <NativeSelect
@@ -60,7 +73,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       aria-label={several ? "Pareto front" : "History"}
       data-trials={trials.length}
       data-front={tuning.front.length}
-      title={several ? "Pareto front" : "The best so far"}
+      title={title}
       tools={
         <>
           {objectives.length > 2 && (
@@ -69,6 +82,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
               {axis("y")}
             </div>
           )}
+          {tuning.paper !== null && <div className={classes.save}><ChartButton title={title} file={`ridelab-${tuning.id}-${several ? "front" : "history"}`} hostRef={host} draw={drawOnPaper} /></div>}
         </>
       }
     >
@@ -77,7 +91,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
           The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
         </Text>
       ) : (
-        <Chart figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
+        <Chart hostRef={host} figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
       )}
       {fault && (
         <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>

@@ -1,0 +1,86 @@
+/** A chart as a paper or a slide takes it, and its numbers as a table. */
+
+import type { ChartFigure } from "./Chart";
+import { cell, printed } from "./figureCsv";
+import { POINT, sheet } from "./paperFigure";
+import type { AnyTrace, GridTrace, PlotElement, PlotLayout } from "./plotly";
+import type { PaperFigure, PaperSize } from "./saved";
+
+export interface ChartOnPaper {
+  /** In the colours of light paper. */
+  readonly figure: ChartFigure;
+  /** The traces that the legend names. */
+  readonly legend: readonly string[];
+  /** What colours stand for, with its unit: stands above the chart. */
+  readonly colours?: string;
+}
+
+interface Axis extends Readonly<Record<string, unknown>> {
+  readonly title?: { readonly text: string };
+}
+
+type Value = number | string | null | undefined;
+
+/** About as wide as a character is, as a part of the font's size. */
+const CHARACTER = 0.5;
+const MM_PER_POINT = 25.4 / 72;
+
+/** Lines that end at commas, as long as there is room for. */
+function inLines(text: string, { width, font }: PaperSize): string {
+  const most = width / (CHARACTER * font * MM_PER_POINT);
+  return text.split(", ").reduce((lines, part) => (lines.length - lines.lastIndexOf(">") + part.length < most ? `${lines}, ${part}` : `${lines},<br>${part}`));
+}
+
+const axesOf = ({ xaxis, yaxis }: PlotLayout): readonly [Axis, Axis] => [(xaxis ?? {}) as Axis, (yaxis ?? {}) as Axis];
+const textOf = ({ title }: Axis) => title?.text ?? "";
+const isGrid = (trace: AnyTrace): trace is GridTrace => trace.type === "heatmap";
+
+/** With the axes as somebody has zoomed them in what is drawn. */
+export function asZoomed(figure: ChartFigure, drawn: HTMLElement | null): ChartFigure {
+  const layout = (drawn as PlotElement | null)?.layout;
+  const [x, y] = axesOf(figure.layout);
+  const zoomed = (axis: Axis, { range, autorange }: { readonly range?: unknown; readonly autorange?: unknown } = {}) => (range === undefined || autorange === true ? axis : { ...axis, range, autorange: false });
+  return { ...figure, layout: { ...figure.layout, xaxis: zoomed(x, layout?.xaxis), yaxis: zoomed(y, layout?.yaxis) } };
+}
+
+export function paperChart({ figure: { data, layout }, legend, colours }: ChartOnPaper, size: PaperSize): PaperFigure {
+  const [x, y] = axesOf(layout);
+  const page = sheet(layout, size, { ...x, text: textOf(x) }, { ...y, text: textOf(y) });
+  const points = size.font * POINT;
+  const annotations = (layout.annotations as readonly Readonly<Record<string, object>>[] | undefined) ?? [];
+  // A strategy's line and its points have one name: one of them stands in the legend.
+  const last = new Map(data.map(({ name }, index) => [name, index]));
+  return {
+    ...page,
+    data: data.map((trace, index): AnyTrace => {
+      if (isGrid(trace)) return { ...trace, colorbar: { thickness: 10, outlinewidth: 0, tickfont: { size: points } } };
+      const { x: values } = trace as { readonly x: readonly Value[] };
+      return { ...trace, showlegend: values.length > 0 && legend.includes(trace.name) && last.get(trace.name) === index };
+    }),
+    layout: {
+      ...page.layout,
+      ...(colours !== undefined && { title: { text: inLines(colours, size), font: { size: points }, x: 0, y: 1, xref: "paper", yref: "paper", yanchor: "bottom", pad: { b: 6 }, automargin: true } }),
+      margin: { ...page.layout.margin, r: (layout.margin as { readonly r?: number } | undefined)?.r ?? 8 },
+      annotations: annotations.map((each) => ({ ...each, font: { ...each.font, size: points } })),
+    },
+  };
+}
+
+const text = (value: Value) => (typeof value === "number" ? printed(value) : cell(value ?? ""));
+
+/** Lines of `#` say where it comes from; below stand the cells of a map, or the points of each trace that the legend names. */
+export function chartCsv({ figure: { data, layout }, legend, colours }: ChartOnPaper, about: readonly string[]): string {
+  const [x, y] = axesOf(layout).map(textOf);
+  const grid = data.find(isGrid);
+  const rows = grid
+    ? [[x, y, colours], ...grid.y.flatMap((up, i) => grid.x.map((across, j) => [across, up, grid.z[i]?.[j]]))]
+    : [["", x, y], ...data.flatMap((trace) => pointsOf(trace).map((point) => [trace.name, ...point])).filter(([name]) => legend.includes(String(name)))];
+  return [...about.map((line) => `# ${line}`), ...rows.map((row) => row.map(text).join(",")), ""].join("\n");
+}
+
+/** A line that joins points has them a second time. */
+function pointsOf(trace: AnyTrace): readonly (readonly [Value, Value])[] {
+  if (trace.type !== "scatter" || !("mode" in trace) || trace.mode !== "markers") return [];
+  const { x, y } = trace as { readonly x: readonly Value[]; readonly y: readonly Value[] };
+  return x.map((across, index) => [across, y[index]]);
+}
