@@ -22,7 +22,7 @@ interface Axis extends Readonly<Record<string, unknown>> {
 type Value = number | string | null | undefined;
 
 /** About as wide as a character is, as a part of the font's size. */
-const CHARACTER = 0.5;
+const CHARACTER = 0.62;
 const MM_PER_POINT = 25.4 / 72;
 
 /** Lines that end at commas, as long as there is room for. */
