@@ -28,7 +28,7 @@ Signals = Annotated[str | None, Query(description="Keys with commas; omitted is 
 Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
-HOUR = {"Cache-Control": "public, max-age=3600"}
+CACHED_FOR_AN_HOUR = {"Cache-Control": "public, max-age=3600"}
 MEDIA_TYPES = {
     "json": "application/json",
     "csv": "text/csv; charset=utf-8; header=present",
@@ -95,7 +95,7 @@ async def get_series(
         file_format=file_format,
         encoding=encoding,
     )
-    headers = dict(HOUR)
+    headers = dict(CACHED_FOR_AN_HOUR)
     if file_format != "json":
         headers["Content-Disposition"] = (
             f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
@@ -124,7 +124,7 @@ async def get_bands(
         encoding=encoding,
     )
     content = await cancel_on_disconnect(request, work)
-    return Response(content, headers=HOUR, media_type=MEDIA_TYPES["json"])
+    return Response(content, headers=CACHED_FOR_AN_HOUR, media_type=MEDIA_TYPES["json"])
 
 
 @drawing.get(

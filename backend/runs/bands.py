@@ -24,8 +24,8 @@ from sim_core.strategies import driven, strategy_named
 from sim_core.workload import duration
 
 MAX_BYTES = 128 * 1024 * 1024  # of the bands of one request
-SLICE = 0.2  # a worker is free again for others after about so long [s]
-SAME = ("time", "position", "speed", "brake_pressure", "brake_deceleration")  # on every road
+LONGEST_TASK = 0.2  # a worker is free again for others after about so long [s]
+SAME_ON_EVERY_ROAD = ("time", "position", "speed", "brake_pressure", "brake_deceleration")  # on every road
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +49,7 @@ class Band:
         """Of one road."""
         return cls(roads=1, total=series.astype(np.float64), minimum=series, maximum=series)
 
-    def over(self, series: SeriesArray) -> "Band":
+    def with_road(self, series: SeriesArray) -> "Band":
         """With one road more."""
         return Band(
             roads=self.roads + 1,
@@ -77,15 +77,15 @@ class Band:
 
 
 def drive(roads: Sequence[Scenario], strategy: str, band: Band | None) -> Band:
-    """Drive those of the roads that the band does not hold yet, as many as fit into `SLICE`, at least one.
+    """Drive those of the roads that the band does not hold yet, as many as fit into `LONGEST_TASK`, at least one.
 
     Raises:
         RidelabError: As `simulate` raises.
     """
-    end = time.perf_counter() + SLICE
+    end = time.perf_counter() + LONGEST_TASK
     for road in roads[band.roads if band else 0 :]:
         series = pack(simulate(road, strategy))
-        band = Band.of(series) if band is None else band.over(series)
+        band = Band.of(series) if band is None else band.with_road(series)
         if time.perf_counter() > end:
             break
     if band is None:
@@ -110,13 +110,13 @@ def render(
         "core_version": CORE_VERSION,
         "roads": roads,
         "units": {key: SIGNALS[key].unit for key in signals},
-        "strategies": {name: _few(band, signals, points, stages[name], encoding) for name, band in bands.items()},
+        "strategies": {name: _decimated(band, signals, points, stages[name], encoding) for name, band in bands.items()},
     }
     return orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
 
 
-def _few(band: Band, signals: Sequence[str], points: int | None, stages: Stages, encoding: str) -> JsonObject:
-    spread = [key for key in signals if key not in SAME]
+def _decimated(band: Band, signals: Sequence[str], points: int | None, stages: Stages, encoding: str) -> JsonObject:
+    spread = [key for key in signals if key not in SAME_ON_EVERY_ROAD]
     parts = [(band.mean, signals), (band.minimum, spread), (band.maximum, spread)]
     few = decimate(np.vstack([array[[ROWS[key] for key in keys]] for array, keys in parts]), points, stages)
     rows = iter(packed(row) if encoding == "base64" else row for row in few)

@@ -226,7 +226,7 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
         return result
 
     monkeypatch.setattr(workers, "call", counted)
-    monkeypatch.setattr(bands, "SLICE", 0.0)
+    monkeypatch.setattr(bands, "LONGEST_TASK", 0.0)
 
     def asked(points: int) -> Any:
         return service.client.get(f"/api/v1/runs/{run}/bands", params={"points": points})

@@ -84,7 +84,9 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
         expect(menu).to_be_hidden()
         assert download.value.suggested_filename.endswith(f"-bump.body_acceleration.peak-lv.{suffix}")
         download.value.save_as(tmp_path / suffix)
-    assert len((tmp_path / "csv").read_text().splitlines()) == 2 + 1 + 6, "where it comes from, titles, a row for a cell"
+    assert len((tmp_path / "csv").read_text().splitlines()) == 2 + 1 + 6, (
+        "where it comes from, titles, a row for a cell"
+    )
     assert (tmp_path / "png").read_bytes()[:4] == b"\x89PNG"
 
     kinds = page.get_by_role("radiogroup", name="Plot")

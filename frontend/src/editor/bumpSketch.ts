@@ -18,7 +18,7 @@ export interface BumpSketch {
 /** More of them would be narrower than a line. */
 const MOST_DRAWN = 6;
 /** What is shown beside the bumps, as a part of their length. */
-const BESIDE = 0.3;
+const MARGIN = 0.3;
 /** Fewer samples of a bump are no outline. */
 const LEAST_SAMPLES = 12;
 
@@ -32,7 +32,7 @@ export function bumpSketch(scenario: Scenario, { position, front_road: road }: S
   if (height === 0 || !position || !road) return null;
   const drawn = Math.min(count, MOST_DRAWN);
   const length = (drawn - 1) * spacing + width;
-  const [from, to] = covering(position, start - BESIDE * length, start + (1 + BESIDE) * length);
+  const [from, to] = covering(position, start - MARGIN * length, start + (1 + MARGIN) * length);
   if (to - from < LEAST_SAMPLES * drawn) return null;
   const ground = valueAt(position, road, start) ?? 0;
   const points = Array.from(position.slice(from, to), (x, index) => [x - start, (road[from + index] ?? ground) - ground] as const);

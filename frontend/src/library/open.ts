@@ -79,7 +79,7 @@ function problemText(error: unknown): string {
 }
 
 /** Adds it to the library, except where the server has it by a name; returns what to say of it. */
-function keep({ kind, name, value }: Opened, known: readonly (JsonValue | undefined)[]): string {
+function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue | undefined)[]): string {
   if (known.some((each) => sameValue(each, value))) return `The ${kind} “${name}” is opened.`;
   try {
     return `The ${kind} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
@@ -101,11 +101,13 @@ export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promi
       return;
     }
     say([`Opening ${files.map(({ name }) => name).join(", ")}`]);
-    const [form, presets, vehicles] = await Promise.all([
+    const answers = await Promise.all([
       queries.query({ ...schemaQuery, staleTime: "static" }),
       queries.query({ ...presetsQuery, staleTime: "static" }),
       queries.query({ ...vehiclesQuery, staleTime: "static" }),
-    ]);
+    ]).catch((error: unknown) => say([problemText(error)], true));
+    if (!answers) return;
+    const [form, presets, vehicles] = answers;
     const known = [...presets.map(({ scenario }) => scenario), ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle)];
     const wrong: string[] = [];
     const opened: Opened[] = [];
@@ -120,6 +122,6 @@ export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promi
     opened.sort((one, other) => KINDS.indexOf(one.kind) - KINDS.indexOf(other.kind));
     const next = opened.reduce((scenario, content) => withItem(scenario, content, form), edit.newest());
     if (!sameValue(next, edit.newest())) edit.commit(next);
-    say([...wrong, ...opened.flatMap((content) => [keep(content, known), ...content.warnings])], wrong.length > 0);
+    say([...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])], wrong.length > 0);
   };
 }

@@ -68,15 +68,15 @@ function cachedMeans(client: QueryClient, shown: Shown): SeriesByStrategy | unde
   return client.getQueryData(meansQuery(shown, client.getQueryData(figuresQuery.queryKey)).queryKey);
 }
 
-type Layered = Pick<Scene, "shown" | "before" | "pins">;
+type OtherCurves = Pick<Scene, "shown" | "before" | "pins">;
 
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */
-function withMeans({ shown, before, pins }: Layered, meansOf: (shown: Shown) => SeriesByStrategy | undefined): Layered {
+function withMeans({ shown, before, pins }: OtherCurves, meansOf: (shown: Shown) => SeriesByStrategy | undefined): OtherCurves {
   const averaged = (result: Shown): Shown => ({ ...result, series: (shown.over && meansOf(result)) ?? result.series });
   return { shown, before: before && averaged(before), pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })) };
 }
 
-export function useLayered({ shown, before, pins }: Layered): Layered {
+export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
   const figures = useQuery(figuresQuery).data;
   const others = useMemo(() => (shown.over ? [before, ...pins.map((pin) => pin.shown)].filter((each) => each !== null).filter(hasMeans) : []), [shown.over, before, pins]);
   const means = useQueries({
@@ -87,7 +87,7 @@ export function useLayered({ shown, before, pins }: Layered): Layered {
 }
 
 /** The same for a file: what is on the screen. */
-export const layeredFrom = (client: QueryClient, scene: Layered): Layered => withMeans(scene, (result) => cachedMeans(client, result));
+export const layeredFrom = (client: QueryClient, scene: OtherCurves): OtherCurves => withMeans(scene, (result) => cachedMeans(client, result));
 
 interface Curves {
   /** What the curves are of. */

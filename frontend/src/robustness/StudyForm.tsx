@@ -98,7 +98,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
       <Problems messages={general} mx="md" mb="xs" />
       <div className={ui.foot}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
-        {isEdited && <ResetDraft onReset={reset} />}
+        <ResetDraft isEdited={isEdited} onReset={reset} />
         <Button type="submit" disabled={estimate === undefined} loading={starting}>
           Start
         </Button>

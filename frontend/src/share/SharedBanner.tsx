@@ -30,7 +30,12 @@ export function SharedBanner(props: Props) {
 }
 
 function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
-  const { lab } = useLabContext();
+  const { lab, router } = useLabContext();
+  // The link's pins stay with it: what is against one of them would be against something else in the copy.
+  const openCopy = () => {
+    if (link.view.reference) router.setView({ against: "baseline", residual: false });
+    lab.openCopy();
+  };
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
   const again = useMutation({
     mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),
@@ -40,7 +45,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
     <>
       <SharedNote link={link} what="result">
         <div className={classes.bannerTools}>
-          <Button size="xs" leftSection={<IconCopy size={15} />} onClick={lab.openCopy}>
+          <Button size="xs" leftSection={<IconCopy size={15} />} onClick={openCopy}>
             Open a copy to edit
           </Button>
           <Button size="xs" variant="default" leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>

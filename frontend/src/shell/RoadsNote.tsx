@@ -18,7 +18,7 @@ export function RoadsNote({ scene }: { readonly scene: Scene }) {
   return (
     <Text size="xs" c="dimmed" className={classes.roadsNote ?? ""} data-testid="roads">
       {over === null ? (
-        `While a value moves: ${first} alone; then the mean of ${roads} roads.`
+        `While a value is dragged: ${first} only; then the mean of ${roads} roads.`
       ) : (
         <>
           Mean of {over.roads} roads ± 95 % interval{reference === null && over.baseline === baseline ? "; changes are paired, no arrow where the interval includes zero" : ""}.{" "}

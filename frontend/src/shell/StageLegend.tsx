@@ -38,7 +38,7 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
       )}
       {(airborne || hasBand) && (
         <span>
-          <span className={classes.fill} data-stage="airborne" /> tyre off the road{hasBand && ", on one of them at least"}
+          <span className={classes.fill} data-stage="airborne" /> tyre off the road{hasBand && " on at least one road"}
         </span>
       )}
       {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}

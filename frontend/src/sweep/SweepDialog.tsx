@@ -102,7 +102,7 @@ export function SweepDialog({ form, strategies, onClose }: Props) {
       <div className={classes.footer}>
         <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
         <Group gap="xs" wrap="nowrap">
-          {isEdited && <ResetDraft onReset={reset} />}
+          <ResetDraft isEdited={isEdited} onReset={reset} />
           <Button variant="default" onClick={onClose}>
             Cancel
           </Button>

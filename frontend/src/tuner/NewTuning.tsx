@@ -143,7 +143,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
                 ? "Estimating…"
                 : "\u00a0"}
         </Text>
-        {isEdited && <ResetDraft onReset={reset} />}
+        <ResetDraft isEdited={isEdited} onReset={reset} />
         <Button type="submit" disabled={estimate === undefined} loading={starting}>
           Start
         </Button>
