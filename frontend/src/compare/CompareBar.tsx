@@ -4,7 +4,7 @@ import { Checkbox, NativeSelect } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { StrategyId } from "../api/types";
 import { changedFields, changesText } from "../editor/diff";
-import { againstPin, type Against } from "../state/compare";
+import { againstVariant, type Against } from "../state/compare";
 import { useLabContext } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
@@ -40,9 +40,9 @@ function AgainstSelect({ scene: { strategies, pins, before, reference, baseline 
   const { lab, router } = useLabContext();
   const variants = [
     ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
-    ...pins.map(({ name, shown }) => ({ value: againstPin(shown.runId ?? ""), label: name })),
+    ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
   ];
-  const selected = reference === null ? `${STRATEGY}${baseline}` : reference.shown === before ? "before" : againstPin(reference.shown.runId ?? "");
+  const selected = reference === null ? `${STRATEGY}${baseline}` : reference.shown === before ? "before" : againstVariant(reference);
   return (
     <label className={classes.choice}>
       Change against

@@ -10,7 +10,7 @@ export function useCompared(): Compared {
   const before = useLab(beforeEdit);
   const pinned = usePins();
   return useMemo(() => {
-    const pins = pinned.flatMap(({ name, shown }, index) => (shown ? [{ name, shown, index }] : []));
+    const pins = pinned.flatMap(({ name, run, shown }, index) => (shown ? [{ name, run, shown, index }] : []));
     return { before, pins };
   }, [before, pinned]);
 }

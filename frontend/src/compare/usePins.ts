@@ -26,14 +26,21 @@ export interface PinnedRun extends Pin {
 
 export const pinnedKey = (run: string) => ["pinned", run] as const;
 
+/** The pinned run; where the lab drives another number of roads, its scenario over as many. */
+async function pinnedRun(id: string, roads: number | null, queries: QueryClient, signal: AbortSignal): Promise<Run> {
+  const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
+  queries.setQueryData(runKey(id), run);
+  if (roads === null || roads === (run.over?.roads ?? 1)) return run;
+  return api.createRun(run.scenario, Object.keys(run.strategies), signal, roads > 1 ? { roads } : null);
+}
+
 export function missingText(error: Error | null): string {
   if (error === null) return "loading";
   return isNotFound(error) ? "no longer stored on the server" : error instanceof Unreachable ? "the server does not answer" : `could not be loaded: ${error.message}`;
 }
 
-async function load(id: string, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
-  const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
-  queries.setQueryData(runKey(id), run);
+async function load(id: string, roads: number | null, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
+  const run = await pinnedRun(id, roads, queries, signal);
   return fromRun(run, await historiesOf(run, queries, api.series, signal), 0, true);
 }
 
@@ -41,11 +48,13 @@ export function usePins(): readonly PinnedRun[] {
   const queries = useQueryClient();
   const own = useStore(ownPins);
   const shared = useLab((state) => state.shared);
+  const lab = useLab((state) => state.roads);
+  const roads = shared ? null : lab; // a link's pins are as they were shared
   const pins: readonly Pin[] = shared ? (shared.view.pins ?? []) : own;
   return useQueries({
     queries: pins.map(({ run }) => ({
-      queryKey: pinnedKey(run),
-      queryFn: ({ signal }: { readonly signal: AbortSignal }) => load(run, queries, signal),
+      queryKey: [...pinnedKey(run), roads],
+      queryFn: ({ signal }: { readonly signal: AbortSignal }) => load(run, roads, queries, signal),
       staleTime: Infinity,
       structuralSharing: false,
     })),

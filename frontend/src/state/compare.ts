@@ -6,6 +6,8 @@ import type { Shown } from "./shown";
 export interface Variant {
   readonly name: string;
   readonly shown: Shown;
+  /** The run that was pinned: what is shown is its scenario over as many roads as the lab drives. */
+  readonly run?: string;
   /** Its place among the pins, which gives it its line. */
   readonly index?: number;
 }
@@ -23,11 +25,13 @@ export const NOTHING_COMPARED: Compared = { before: null, pins: [] };
 const PIN = "pin:";
 export const againstPin = (runId: string): Against => `${PIN}${runId}`;
 
+export const againstVariant = ({ run, shown }: Variant): Against => againstPin(run ?? shown.runId ?? "");
+
 /** The run of the pin that changes are against; `null` where they are against something else. */
 export const runOf = (against: Against): string | null => (against.startsWith(PIN) ? against.slice(PIN.length) : null);
 
 /** The variant that changes are against; `null` where that is a strategy. */
 export function referenceOf({ before, pins }: Compared, against: Against): Variant | null {
   if (against === "before") return before && { name: "before the last edit", shown: before };
-  return pins.find(({ shown }) => against === againstPin(shown.runId ?? "")) ?? null;
+  return pins.find((pin) => against === againstVariant(pin)) ?? null;
 }
