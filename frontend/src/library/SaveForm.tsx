@@ -4,6 +4,7 @@ import { Button, SegmentedControl, Text, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { JsonObject } from "../api/types";
 import { changedFields, changesText, completed } from "../editor/diff";
+import { sameValue } from "../editor/path";
 import type { Group } from "../editor/schema";
 import { LONGEST_NAME } from "../state/pins";
 import { useEdit, useScenario } from "../state/context";
@@ -30,10 +31,11 @@ export function SaveForm({ form, kind: first, onSaved }: Props) {
   const [kind, setKind] = useState(first);
   const [typed, setTyped] = useState<string | null>(null);
   const [wrong, setWrong] = useState<string | null>(null);
-  const suggested = kind === "vehicle" ? "" : changesText(changedFields(form, completed(form, {}), scenario), 2);
-  const name = cleanName(typed ?? suggested);
-  const replaced = useItems(kind).find((item) => item.name === name);
   const value = kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario;
+  const items = useItems(kind);
+  const described = kind === "vehicle" ? "" : changesText(changedFields(form, completed(form, {}), scenario), 2);
+  const name = cleanName(typed ?? items.find((item) => sameValue(item.value, value))?.name ?? described);
+  const replaced = items.find((item) => item.name === name);
   const save = () => {
     try {
       ownLibrary.save(kind, name, value);
@@ -68,7 +70,7 @@ export function SaveForm({ form, kind: first, onSaved }: Props) {
         placeholder="Name"
         data-autofocus
         maxLength={LONGEST_NAME}
-        value={typed ?? suggested.slice(0, LONGEST_NAME)}
+        value={typed ?? name.slice(0, LONGEST_NAME)}
         onChange={(event) => setTyped(event.currentTarget.value)}
       />
       <Button type="submit" size="xs" disabled={name === ""}>
