@@ -37,7 +37,7 @@ CHANGING: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ..
     (re.compile(r'"request_id":"\w+"'), '"request_id":"ID"'),
     (re.compile(r" +[\d.]+ ms$", re.MULTILINE), " MS"),
     (re.compile(r"about [\d.]+ s$", re.MULTILINE), "about SECONDS"),
-    (re.compile(r'"estimated_seconds":[\d.e-]+'), '"estimated_seconds":SECONDS'),
+    (re.compile(r'_(cost|seconds)":[\d.e-]+'), '_SECONDS":SECONDS'),
     (re.compile(r"\d{4}-\d\d-\d\dT[\d:.]+(?:Z|\+00:00)"), "TIME"),
     (re.compile(r'("state":"cancelled",.*?"done":)\d+'), r"\1DONE"),
     (re.compile(r"(event: progress\ndata: .*\n)id: \d+\n\n"), ""),

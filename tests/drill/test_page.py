@@ -1,4 +1,4 @@
-"""The page where a browser is slow, and where it brings a page back as it was left."""
+"""The page where a browser is slow, brings a page back as it was left, or has no server for a while."""
 
 import re
 
@@ -69,3 +69,41 @@ def test_back_from_another_document_goes_on_where_it_was(playwright: Playwright,
         assert dashboard.failures == []
     finally:
         browser.close()
+
+
+def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) -> None:
+    """Under an edit in the lab, and under a sweep that is being computed and goes on by itself."""
+    dashboard.open()
+    page, address = dashboard.page, dashboard.address()
+    ranges = {"road.bump.height": [0.01, 0.2], "mpc.deflection_weight": [1, 5]}
+    with page.context.new_page() as sweep:
+        sweep.goto(server.submit({"latin_hypercube": {"ranges": ranges, "samples": 4000}}, ["lv"]))
+        counts, interrupted = sweep.get_by_test_id("batch-counts"), sweep.get_by_text("The connection is interrupted")
+        expect(counts).to_contain_text(re.compile(r"^[1-9]\d* of 4000 runs finished"), timeout=LONG_MS)
+        server.stop()
+        try:
+            dashboard.type_into("Height", "0.11 m")
+            notice = page.get_by_test_id("connection")
+            expect(notice).to_contain_text("The server does not answer")
+            expect(dashboard.entry("Height")).to_have_value("11")
+            expect(dashboard.results).to_have_attribute("data-stale", "true")
+            assert dashboard.address() == address
+            expect(interrupted).to_be_visible(timeout=LONG_MS)
+            done = int(counts.inner_text().split(" ")[0])
+        finally:
+            server.start()
+        expect(notice).to_have_count(0, timeout=15_000)
+        expect(page).not_to_have_url(address)
+        dashboard.expect_table_to_be_the_stored_run()
+        assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == 0.11
+
+        expect(interrupted).to_have_count(0, timeout=LONG_MS)
+        sweep.wait_for_function(
+            "done => Number(document.querySelector('[data-testid=batch-counts]').textContent.split(' ')[0]) > done",
+            arg=done,
+            timeout=LONG_MS,
+        )
+        sweep.get_by_role("button", name="Cancel").click()
+        expect(sweep.get_by_test_id("batch-state")).to_have_text("Cancelled; finished runs are kept", timeout=LONG_MS)
+        expect(sweep.get_by_role("button", name="Cancel")).to_have_count(0)
+        expect(sweep.locator("tbody tr[data-status=ok]").first).to_be_visible(timeout=LONG_MS)
