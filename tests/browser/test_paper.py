@@ -155,7 +155,9 @@ def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -
     paper.go_back()
     expect(paper.get_by_test_id("count")).to_contain_text(f"{before['reached']} of")
     expect(paper.get_by_role("button", name="All as in the default set")).to_be_disabled()
-    # The table of what each switch does sets one, from wherever the others stand.
+    # The table of what each switch does, which is asked for when it comes near the window, sets one from wherever the
+    # others stand.
+    paper.get_by_role("heading", name="What each switch does").scroll_into_view_if_needed()
     paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click(timeout=LONG_MS)
     expect(paper.get_by_test_id("count")).to_contain_text(count)
     paper.get_by_role("button", name="Reset 1 switch").click()
