@@ -26,8 +26,8 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
       <Checkbox
         size="xs"
         label="Plot differences"
-        checked={scene.residual}
-        onChange={({ currentTarget: { checked } }) => router.setView({ residual: checked })}
+        checked={scene.differences}
+        onChange={({ currentTarget: { checked } }) => router.setView({ differences: checked })}
       />
       <PinButton />
       <Differences scene={scene} />
@@ -36,13 +36,13 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
   );
 }
 
-function AgainstSelect({ scene: { strategies, pins, before, reference, baseline } }: { readonly scene: Scene }) {
+function AgainstSelect({ scene: { strategies, pins, before, against, baseline } }: { readonly scene: Scene }) {
   const { lab, router } = useLabContext();
   const variants = [
     ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
     ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
   ];
-  const selected = reference === null ? `${STRATEGY}${baseline}` : reference.shown === before ? "before" : againstVariant(reference);
+  const selected = against === null ? `${STRATEGY}${baseline}` : against.shown === before ? "before" : againstVariant(against);
   return (
     <label className={classes.choice}>
       Change against
@@ -75,15 +75,15 @@ function AgainstSelect({ scene: { strategies, pins, before, reference, baseline 
 }
 
 /** Of the variant that changes are against, or of the state before the last edit. */
-function Differences({ scene: { shown, before, reference } }: { readonly scene: Scene }) {
+function Differences({ scene: { shown, before, against } }: { readonly scene: Scene }) {
   const form = useQuery(schemaQuery).data;
-  const other = reference?.shown ?? before;
+  const other = against?.shown ?? before;
   const changes = form && other ? changedFields(form, other.scenario, shown.scenario) : [];
-  const isUnlike = reference !== null && other !== null && roadsOf(other) !== roadsOf(shown);
+  const isUnlike = against !== null && other !== null && roadsOf(other) !== roadsOf(shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
     <p className={classes.differences} title={all} data-testid="differences">
-      {other === null ? "\u00a0" : `${other === before ? "Last edit, thin curves before it" : `Against ${reference?.name ?? ""}`}: ${changesText(changes) || "the same scenario"}${isUnlike ? `; over ${count(roadsOf(other), "road")}, so no change is shown` : ""}`}
+      {other === null ? "\u00a0" : `${other === before ? "Last edit, thin curves before it" : `Against ${against?.name ?? ""}`}: ${changesText(changes) || "the same scenario"}${isUnlike ? `; over ${count(roadsOf(other), "road")}, so no change is shown` : ""}`}
     </p>
   );
 }

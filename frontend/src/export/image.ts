@@ -7,7 +7,7 @@ import { buildFigure, axisUnit, overRoads } from "../plots/figure";
 import { layersOf } from "../plots/layers";
 import { ON_PAPER } from "../plots/palettes";
 import { loadPlotly, type PlotFigure } from "../plots/plotly";
-import { drawnOf, subtrahend } from "../plots/residual";
+import { drawnOf, subtrahend } from "../plots/differences";
 import { curvesFrom, layeredFrom, loadDetail } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
 
@@ -17,11 +17,11 @@ const PANEL_HEIGHT = 190;
 const FOOT = 34;
 const GAP = 0.28; // of a panel, for its title
 
-/** One figure with a row for each panel over one x axis; the series are those on the screen, `other` the reference's. */
+/** One figure with a row for each panel over one x axis; the series are those on the screen, `other` those of what changes are against. */
 function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: Scene, own: SeriesByStrategy, other: SeriesByStrategy): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
-  const { residual, axis } = scene;
-  const layers = residual ? [] : layersOf(scene);
+  const { differences, axis } = scene;
+  const layers = differences ? [] : layersOf(scene);
   const drawn = drawnOf(scene, own, other);
   const row = 1 / templates.length;
   const built = templates.map((template) =>
@@ -46,7 +46,7 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     })),
   );
   const annotations: Readonly<Record<string, unknown>>[] = templates.map(({ layout: { meta } }, index) => ({
-    text: `<b>${meta.title}</b> [${meta.unit}]${residual ? `, less ${subtrahend(scene)}` : ""}`,
+    text: `<b>${meta.title}</b> [${meta.unit}]${differences ? `, less ${subtrahend(scene)}` : ""}`,
     xref: "paper", yref: "paper", x: 0, y: 1 - index * row - row * 0.1, xanchor: "left", yanchor: "bottom",
     showarrow: false, font: { size: 13, color: ON_PAPER.text },
   }));
@@ -63,7 +63,7 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     layout: {
       ...axes,
       shapes, annotations,
-      title: { text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]${roads === undefined ? "" : `. ${overRoads(roads, residual)}`}`, font: { size: 15 }, x: 0.03 },
+      title: { text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]${roads === undefined ? "" : `. ${overRoads(roads, differences)}`}`, font: { size: 15 }, x: 0.03 },
       font: { family: "Arial, sans-serif", color: ON_PAPER.text },
       paper_bgcolor: "#ffffff", plot_bgcolor: "#ffffff",
       margin: { l: 60, r: 20, t: 70, b: 30 + FOOT },

@@ -10,7 +10,7 @@ import { layersOf } from "./layers";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
-import { drawnOf, subtrahend } from "./residual";
+import { drawnOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
 import { usePlotly } from "./usePlotly";
 
@@ -27,15 +27,15 @@ export function PlotGrid({ templates, scene }: Props) {
   const other = useDetail(pair.other);
   const onZoom = useZoom();
   const layered = useLayered(scene);
-  const { strategies, axis, range, shown, residual, reference, baseline, ids, summaries } = scene;
+  const { strategies, axis, range, shown, differences, baseline, ids, summaries } = scene;
   // What changes are against is drawn only in plots of the differences.
-  const [base, against] = residual ? [baseline, reference] : [null, null];
+  const [base, against] = differences ? [baseline, scene.against] : [null, null];
   const drawn = useMemo(
-    () => drawnOf({ residual, reference: against, baseline: base, ids, axis, summaries }, own, other),
-    [residual, against, base, ids, axis, summaries, own, other],
+    () => drawnOf({ differences, against, baseline: base, ids, axis, summaries }, own, other),
+    [differences, against, base, ids, axis, summaries, own, other],
   );
-  const minus = residual ? subtrahend(scene) : undefined;
-  const layers = useMemo(() => (residual ? [] : layersOf(layered)), [residual, layered]);
+  const minus = differences ? subtrahend(scene) : undefined;
+  const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
   const curves = useMemo(
     () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", runId: shown.runId, coreVersion: shown.coreVersion, ...(roads !== undefined && { roads }), ...(minus !== undefined && { minus }) }),
     [drawn, layers, strategies, axis, range, shown.source, shown.runId, shown.coreVersion, roads, minus],

@@ -27,8 +27,8 @@ it("beside means stand means, beside one road's curves one road's", () => {
 });
 
 it("differences are those of the means where both have them over as many roads, else those of the first road", () => {
-  const roads = (reference: Shown) => {
-    const scene = { shown: result("ten", 10), residual: true, reference: { name: "pin", shown: reference } } as unknown as Scene;
+  const roads = (against: Shown) => {
+    const scene = { shown: result("ten", 10), differences: true, against: { name: "pin", shown: against } } as unknown as Scene;
     const curves = curvesFrom(client, scene);
     return [curves.own.shown.over?.roads, curves.other.shown.over?.roads, curves.roads];
   };

@@ -103,17 +103,17 @@ const onOneRoad = (drawn: Drawn): Drawn => ({ ...drawn, shown: { ...drawn.shown,
 /** Means are subtracted from means over as many roads; where one of them is missing, the first road's curves from each other. */
 function curvesOf(scene: Scene, meansOf: (shown: Shown) => SeriesByStrategy | undefined): Curves {
   const { shown } = scene;
-  const reference = scene.residual ? scene.reference?.shown : undefined;
-  const other = reference ? { ...scene, shown: reference, series: reference.series } : scene;
+  const subtracted = scene.differences ? scene.against?.shown : undefined;
+  const other = subtracted ? { ...scene, shown: subtracted, series: subtracted.series } : scene;
   const hasBoth = meansOf(shown) !== undefined && meansOf(other.shown) !== undefined && roadsOf(shown) === roadsOf(other.shown);
-  if (reference && !hasBoth) return { own: onOneRoad(scene), other: onOneRoad(other), roads: undefined };
+  if (subtracted && !hasBoth) return { own: onOneRoad(scene), other: onOneRoad(other), roads: undefined };
   return { own: scene, other, roads: hasBoth ? roadsOf(shown) : undefined };
 }
 
 export function useCurves(scene: Scene): Curves {
   const { shown } = scene;
   const means = useMeans(shown);
-  const others = useMeans(scene.reference?.shown ?? shown);
+  const others = useMeans(scene.against?.shown ?? shown);
   return curvesOf(scene, (result) => (result === shown ? means : others));
 }
 

@@ -33,7 +33,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
   const { lab, router } = useLabContext();
   // The link's pins stay with it: what is against one of them would be against something else in the copy.
   const openCopy = () => {
-    if (link.view.reference) router.setView({ against: "baseline", residual: false });
+    if (link.view.reference) router.setView({ against: "baseline", differences: false });
     lab.openCopy();
   };
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };

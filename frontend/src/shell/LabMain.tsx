@@ -24,14 +24,14 @@ interface Props {
 export function LabMain({ strategies, catalogue, figures, fault }: Props) {
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
-  const { axis, zoom, baseline, against, residual } = useView();
+  const { axis, zoom, baseline, against, differences } = useView();
   const compared = useCompared();
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
     () => (shown && strategies.length > 0 ? partShown(shown, strategies, selected, { axis, zoom }) : null),
     [shown, strategies, selected, axis, zoom],
   );
-  const scene = useMemo(() => part && withBaseline(part, { baseline, against, residual }, compared), [part, baseline, against, residual, compared]);
+  const scene = useMemo(() => part && withBaseline(part, { baseline, against, differences }, compared), [part, baseline, against, differences, compared]);
   return (
     <main className={classes.main}>
       <div className={classes.lead}>

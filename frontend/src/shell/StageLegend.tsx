@@ -19,7 +19,7 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
   const stages = catalogue.stages.filter(({ key }) => key in meta.stage_fills);
   const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
   const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
-  const hasBand = useCurves(scene).roads !== undefined && !scene.residual;
+  const hasBand = useCurves(scene).roads !== undefined && !scene.differences;
   const several = scene.axis === "time" && scene.ids.length > 1;
   return (
     <p className={classes.legend}>

@@ -17,7 +17,7 @@ export interface View {
   readonly zoom: ViewZoom;
   readonly against: Against;
   /** Plots show differences to what changes are against. */
-  readonly residual: boolean;
+  readonly differences: boolean;
 }
 
 export interface Address {
@@ -29,7 +29,7 @@ export interface Address {
   readonly from?: string;
 }
 
-export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null, against: "baseline", residual: false };
+export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null, against: "baseline", differences: false };
 
 type Raw = Readonly<Record<string, unknown>>;
 
@@ -68,17 +68,17 @@ export const viewOf = ({ axis, baseline, hide, zoom, against, plots }: LabSearch
   hidden: listOf(hide),
   zoom: parseZoom(zoom),
   against: parseAgainst(against),
-  residual: plots === "differences",
+  differences: plots === "differences",
 });
 
 /** Only what is not as usual. */
-export const searchOf = ({ axis, baseline, hidden, zoom, against, residual }: View): LabSearch => ({
+export const searchOf = ({ axis, baseline, hidden, zoom, against, differences }: View): LabSearch => ({
   ...(axis !== DEFAULT_VIEW.axis && { axis }),
   ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
   ...(hidden.length > 0 && { hide: hidden.join(",") }),
   ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
   ...(against !== "baseline" && { against: runOf(against) ?? against }),
-  ...(residual && { plots: "differences" }),
+  ...(differences && { plots: "differences" }),
 });
 
 /** Any lab's search part without what makes no sense. */

@@ -31,7 +31,7 @@ export const againstVariant = ({ run, shown }: Variant): Against => againstPin(r
 export const runOf = (against: Against): string | null => (against.startsWith(PIN) ? against.slice(PIN.length) : null);
 
 /** The variant that changes are against; `null` where that is a strategy. */
-export function referenceOf({ before, pins }: Compared, against: Against): Variant | null {
+export function againstOf({ before, pins }: Compared, against: Against): Variant | null {
   if (against === "before") return before && { name: "before the last edit", shown: before };
   return pins.find((pin) => against === againstVariant(pin)) ?? null;
 }

@@ -2,7 +2,7 @@
 
 import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, View, ViewZoom, Zoom } from "./address";
-import { NOTHING_COMPARED, referenceOf, type Compared, type Variant } from "./compare";
+import { againstOf, NOTHING_COMPARED, type Compared, type Variant } from "./compare";
 import type { Shown } from "./shown";
 
 export interface Scene {
@@ -17,9 +17,9 @@ export interface Scene {
   readonly before: Shown | null;
   readonly pins: readonly Variant[];
   /** What changes are against, where that is not the baseline. */
-  readonly reference: Variant | null;
+  readonly against: Variant | null;
   /** Plots show differences to what changes are against. */
-  readonly residual: boolean;
+  readonly differences: boolean;
   readonly axis: Axis;
   readonly whole: Zoom;
   /** The bump with some road around it; `null` where there is none. */
@@ -45,7 +45,7 @@ export function makeScene(
 }
 
 /** What is drawn, whatever it is compared with. */
-export type PartShown = Omit<Scene, "baseline" | "before" | "pins" | "reference" | "residual">;
+export type PartShown = Omit<Scene, "baseline" | "before" | "pins" | "against" | "differences">;
 
 export function partShown(
   shown: Shown,
@@ -61,14 +61,14 @@ export function partShown(
   return { shown, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
 }
 
-export function withBaseline(part: PartShown, { baseline, against, residual }: Pick<View, "baseline" | "against" | "residual">, compared: Compared): Scene {
+export function withBaseline(part: PartShown, { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">, compared: Compared): Scene {
   return {
     ...part,
     baseline: baseline in part.summaries ? baseline : (part.ids.at(-1) ?? null),
     before: compared.before,
     pins: compared.pins,
-    reference: referenceOf(compared, against),
-    residual,
+    against: againstOf(compared, against),
+    differences,
   };
 }
 

@@ -15,7 +15,7 @@ describe("a link's view", () => {
 
   it("is what was shared", () => {
     const scene = {
-      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", reference: null, residual: false, pins: [{ name: "Soft", shown: { runId: "s" } }], whole: [0, 9], range: [1, 2.5],
+      summaries: run.strategies, ids: ["lv", "passive"], baseline: "lv", axis: "time", against: null, differences: false, pins: [{ name: "Soft", shown: { runId: "s" } }], whole: [0, 9], range: [1, 2.5],
     } as unknown as Scene;
     const shared = viewToShare(scene, 2);
     expect(shared).toEqual({
@@ -28,19 +28,19 @@ describe("a link's view", () => {
 
   const pin = { name: "Soft", shown: { runId: "s" } };
   const before = { runId: "b" };
-  const scene = (compared: object) => ({ summaries: run.strategies, ids: ["lv"], pins: [pin], before, residual: true, ...compared }) as unknown as Scene;
+  const scene = (compared: object) => ({ summaries: run.strategies, ids: ["lv"], pins: [pin], before, differences: true, ...compared }) as unknown as Scene;
 
   it("is against the pin or the baseline it was shared with, differences too", () => {
-    const toPin = viewToShare(scene({ reference: pin }), null);
+    const toPin = viewToShare(scene({ against: pin }), null);
     expect(toPin).toMatchObject({ reference: "s", differences: true });
-    expect(read(toPin).view).toMatchObject({ against: "pin:s", residual: true });
-    expect(read(viewToShare(scene({ reference: null }), null)).view).toMatchObject({ against: "baseline", residual: true });
+    expect(read(toPin).view).toMatchObject({ against: "pin:s", differences: true });
+    expect(read(viewToShare(scene({ against: null }), null)).view).toMatchObject({ against: "baseline", differences: true });
   });
 
   it("leaves out the state before the last edit, which a reader has not", () => {
-    const view = viewToShare(scene({ reference: { name: "before the last edit", shown: before } }), null);
+    const view = viewToShare(scene({ against: { name: "before the last edit", shown: before } }), null);
     expect(view).not.toHaveProperty("reference");
-    expect(read(view).view).toMatchObject({ against: "baseline", residual: false });
+    expect(read(view).view).toMatchObject({ against: "baseline", differences: false });
   });
 
   it("never names what the run has not", () => {

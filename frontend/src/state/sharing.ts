@@ -26,7 +26,7 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
       hidden: computed.filter((id) => !strategies.includes(id)),
       zoom: readZoom(view.zoom),
       against: view.reference ? againstPin(view.reference) : "baseline",
-      residual: view.differences ?? false,
+      differences: view.differences ?? false,
     },
     strategies,
     at: view.cursor ?? null,
@@ -41,10 +41,10 @@ function readZoom(zoom: SharedView["zoom"]): ViewZoom {
 }
 
 /** The state before the last edit is this page's alone: neither it nor differences to it are shared. */
-function comparisonToShare({ reference, before, residual }: Scene): Pick<SharedView, "reference" | "differences"> {
-  if (reference === null) return residual ? { differences: true } : {};
-  const { runId } = reference.shown;
-  return reference.shown === before || runId === null ? {} : { reference: runId, ...(residual && { differences: true }) };
+function comparisonToShare({ against, before, differences }: Scene): Pick<SharedView, "reference" | "differences"> {
+  if (against === null) return differences ? { differences: true } : {};
+  const { runId } = against.shown;
+  return against.shown === before || runId === null ? {} : { reference: runId, ...(differences && { differences: true }) };
 }
 
 export function viewToShare(scene: Scene, at: number | null): SharedView {

@@ -73,7 +73,7 @@ export function ComparisonTable({ scene, catalogue, figures, signals, caption }:
         <tbody key={entries[0]?.key ?? name} data-pinned={name ?? undefined}>
           {groups.length > 1 && <GroupRow name={name} columns={1 + VIEWS.length * signals.length} />}
           {entries.map((entry) => (
-            <tr key={entry.key} data-baseline={entry.isReference || undefined} {...{ [name === null ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id }}>
+            <tr key={entry.key} data-baseline={entry.isBaseline || undefined} {...{ [name === null ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id }}>
               <th scope="row" className={classes.rowHeader}>
                 <EntryHead entry={entry} catalogue={catalogue} />
               </th>

@@ -16,7 +16,7 @@ interface Props {
   readonly upright?: boolean;
 }
 
-export function EntryHead({ entry: { strategy, summary, isReference }, catalogue, upright = false }: Props) {
+export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue, upright = false }: Props) {
   const { lab } = useLabContext();
   const speed = summary?.arrival_speed_kmh;
   return (
@@ -24,8 +24,8 @@ export function EntryHead({ entry: { strategy, summary, isReference }, catalogue
       <button
         type="button"
         className={classes.baselineButton}
-        aria-pressed={isReference}
-        title={isReference ? "Changes are against this one" : `Compare with ${strategy.label}`}
+        aria-pressed={isBaseline}
+        title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
         onClick={() => lab.setBaseline(strategy.id)}
       >
         <StrategyKey strategy={strategy} />
@@ -33,7 +33,7 @@ export function EntryHead({ entry: { strategy, summary, isReference }, catalogue
       </button>
       <span className={classes.entryFacts}>
         <span title="Speed at which the front axle meets the bump">{typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}</span>
-        {isReference && <span>reference</span>}
+        {isBaseline && <span>baseline</span>}
         <CaveatMark caveats={caveatsOf(summary?.events, catalogue)} />
       </span>
     </span>

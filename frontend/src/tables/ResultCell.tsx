@@ -26,7 +26,7 @@ export function ResultCell({ scene, entry, metric, name, scale, first = false, m
     <td
       className={classes.cell}
       data-first={first || undefined}
-      data-baseline={(marked && entry.isReference) || undefined}
+      data-baseline={(marked && entry.isBaseline) || undefined}
       data-cell={name}
       data-value={value ?? ""}
     >

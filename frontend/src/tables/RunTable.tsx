@@ -79,7 +79,7 @@ function RunCell({ scene, entry, row: { quantity, metric, judged } }: { readonly
   return (
     <td className={classes.cell} data-cell={`${entry.strategy.id}.${quantity.key}`}>
       {interval ? <Estimated value={interval.mean} interval={interval} scale={1} /> : <span className={classes.value}>{show(value)}</span>}
-      {judged && metric && !entry.isReference && <ChangeText change={changeOf(scene, entry, metric)} />}
+      {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(scene, entry, metric)} />}
     </td>
   );
 }

@@ -12,7 +12,7 @@ export interface Entry {
   readonly shown: Shown;
   readonly summary: Summary | undefined;
   /** Whether changes are against this one: it has none. */
-  readonly isReference: boolean;
+  readonly isBaseline: boolean;
 }
 
 export interface EntryGroup {
@@ -21,7 +21,7 @@ export interface EntryGroup {
   readonly entries: readonly Entry[];
 }
 
-export function entryGroups({ shown, strategies, pins, reference, baseline }: Scene): readonly EntryGroup[] {
+export function entryGroups({ shown, strategies, pins, against, baseline }: Scene): readonly EntryGroup[] {
   const group = (name: string | null, of: Shown): EntryGroup => ({
     name,
     entries: strategies
@@ -31,7 +31,7 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Sc
         strategy,
         shown: of,
         summary: of.summaries[strategy.id],
-        isReference: reference === null ? strategy.id === baseline : of.runId !== null && of.runId === reference.shown.runId,
+        isBaseline: against === null ? strategy.id === baseline : of.runId !== null && of.runId === against.shown.runId,
       })),
   });
   const others = pins.filter((pin) => pin.shown.runId !== shown.runId);
@@ -41,20 +41,20 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Sc
 const NONE: Change = { percent: null, half: 0, verdict: "none" };
 
 /**
- * The change of an entry's number: against the same strategy in the reference, or against the baseline of its own
+ * The change of an entry's number: against the same strategy of that variant, or against the baseline of its own
  * variant; `null` for what changes are against.
  */
-export function changeOf({ reference, baseline }: Scene, { strategy, shown, summary, isReference }: Entry, metric: MetricPath, scale = 1): Change | null {
-  if (isReference) return null;
+export function changeOf({ against, baseline }: Scene, { strategy, shown, summary, isBaseline }: Entry, metric: MetricPath, scale = 1): Change | null {
+  if (isBaseline) return null;
   const value = valueAt(summary, metric);
-  if (reference === null) {
+  if (against === null) {
     const paired = pairedAt(shown, strategy.id, baseline, metric);
     if (paired) return pairedChange(paired);
     return changeAgainst(value, baseline === null ? null : valueAt(shown.summaries[baseline], metric), scale);
   }
   // A mean over roads and one road's number differ by the luck of the road.
-  if (roadsOf(shown) !== roadsOf(reference.shown)) return NONE;
-  const [one, other] = [intervalAt(shown, strategy.id, metric), intervalAt(reference.shown, strategy.id, metric)];
+  if (roadsOf(shown) !== roadsOf(against.shown)) return NONE;
+  const [one, other] = [intervalAt(shown, strategy.id, metric), intervalAt(against.shown, strategy.id, metric)];
   if (one && other) return separateChange(one, other);
-  return changeAgainst(value, valueAt(reference.shown.summaries[strategy.id], metric), scale);
+  return changeAgainst(value, valueAt(against.shown.summaries[strategy.id], metric), scale);
 }

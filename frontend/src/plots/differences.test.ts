@@ -4,14 +4,14 @@ import type { SeriesByStrategy } from "../api/types";
 import type { Axis } from "../state/address";
 import type { Scene } from "../state/scene";
 import type { FigureInput } from "./figure";
-import { drawnOf } from "./residual";
+import { drawnOf } from "./differences";
 import { stageShapes } from "./shapes";
 
 const numbers = (...values: number[]) => new Float32Array(values);
 const now = { lv: { time: numbers(0, 1, 2), position: numbers(0, 10, 20), speed: numbers(5, 7, 9) } };
 
-const BEFORE = { shown: {}, name: "before" } as unknown as Scene["reference"];
-const scene = (axis: Axis) => ({ residual: true, reference: BEFORE, baseline: null, ids: ["lv"], axis, summaries: {} });
+const BEFORE = { shown: {}, name: "before" } as unknown as Scene["against"];
+const scene = (axis: Axis) => ({ differences: true, against: BEFORE, baseline: null, ids: ["lv"], axis, summaries: {} });
 const differences = (own: SeriesByStrategy, other: SeriesByStrategy, axis: Axis) => drawnOf(scene(axis), own, other).series;
 
 describe("curves as differences", () => {

@@ -28,9 +28,9 @@ function difference(one: Series, other: Series, axis: Axis): Series {
   const [places, samples] = [one[axisKey(axis)], other[axisKey(axis)]];
   if (!places || !samples) return {};
   const less = (key: string, values: Numbers): Numbers => {
-    const reference = other[key];
-    if (COORDINATES.includes(key) || !reference) return values;
-    const at = resampled(samples, reference, places);
+    const subtracted = other[key];
+    if (COORDINATES.includes(key) || !subtracted) return values;
+    const at = resampled(samples, subtracted, places);
     return values.map((value, index) => value - (at[index] ?? 0));
   };
   // Extremes over roads are those of different roads: the means alone have a difference.
@@ -39,18 +39,18 @@ function difference(one: Series, other: Series, axis: Axis): Series {
 }
 
 /** Of those strategies that both have. */
-function differences(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis): SeriesByStrategy {
+function differencesOf(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis): SeriesByStrategy {
   return Object.fromEntries(
     Object.entries(series).flatMap(([id, own]) => {
-      const reference = other[id];
-      return reference ? [[id, difference(own, reference, axis)]] : [];
+      const subtracted = other[id];
+      return subtracted ? [[id, difference(own, subtracted, axis)]] : [];
     }),
   );
 }
 
-/** By strategy what its curves are compared with: the same one of the reference, or the baseline. */
-function referenceSeries({ reference, baseline, ids }: Pick<Scene, "reference" | "baseline" | "ids">, own: SeriesByStrategy, ofReference: SeriesByStrategy): SeriesByStrategy {
-  if (reference !== null) return ofReference;
+/** By strategy what its curves are compared with: the same one of another variant, or the baseline. */
+function seriesAgainst({ against, baseline, ids }: Pick<Scene, "against" | "baseline" | "ids">, own: SeriesByStrategy, ofAgainst: SeriesByStrategy): SeriesByStrategy {
+  if (against !== null) return ofAgainst;
   const base = baseline === null ? undefined : own[baseline];
   return base ? Object.fromEntries(ids.map((id) => [id, base])) : {};
 }
@@ -62,12 +62,12 @@ const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Re
 type Drawn = Pick<FigureInput, "series" | "driven" | "summaries">;
 
 /** What is drawn of a scene: the curves themselves, or what they differ by from what changes are against. */
-export function drawnOf(scene: Pick<Scene, "residual" | "reference" | "baseline" | "ids" | "axis" | "summaries">, own: SeriesByStrategy, ofReference: SeriesByStrategy): Drawn {
-  if (!scene.residual) return { series: own, driven: own, summaries: scene.summaries };
-  const series = differences(own, referenceSeries(scene, own, ofReference), scene.axis);
+export function drawnOf(scene: Pick<Scene, "differences" | "against" | "baseline" | "ids" | "axis" | "summaries">, own: SeriesByStrategy, ofAgainst: SeriesByStrategy): Drawn {
+  if (!scene.differences) return { series: own, driven: own, summaries: scene.summaries };
+  const series = differencesOf(own, seriesAgainst(scene, own, ofAgainst), scene.axis);
   return { series, driven: own, summaries: withoutReferences(scene.summaries) };
 }
 
 /** What is taken away, in words. */
-export const subtrahend = ({ reference, baseline, strategies }: Scene): string =>
-  reference?.name ?? strategies.find(({ id }) => id === baseline)?.label ?? "";
+export const subtrahend = ({ against, baseline, strategies }: Scene): string =>
+  against?.name ?? strategies.find(({ id }) => id === baseline)?.label ?? "";
