@@ -7,7 +7,11 @@ const root = new URL("../", import.meta.url);
 const [{ output }] = await build({
   root: fileURLToPath(root),
   logLevel: "warn",
-  build: { write: false, lib: { entry: fileURLToPath(new URL("src/plots/bundle.ts", root)), formats: ["iife"], name: "Plotly" } },
+  build: {
+    write: false,
+    lib: { entry: fileURLToPath(new URL("src/plots/bundle.ts", root)), formats: ["iife"], name: "Plotly" },
+    rolldownOptions: { output: { codeSplitting: false } },
+  },
 });
 
 await mkdir(new URL("dist/report/", root), { recursive: true });
