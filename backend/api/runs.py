@@ -15,7 +15,7 @@ from backend.http.problems import Problem
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
-from backend.runs.roads_models import Bands, CreatedRoadsRun, RoadsRun
+from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -66,6 +66,17 @@ async def get_run(run_id: RunId, request: Request, service: RunsService, client:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
     answer = await service.get(run_id, client)
     return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
+
+
+@runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges)
+async def get_changes(
+    run_id: RunId,
+    service: RunsService,
+    client: Client,
+    against: Annotated[str, Query(description="Id of a run over the same roads", max_length=64)],
+) -> Response:
+    """What a run over several roads changes against another run: paired by road, strategy by strategy."""
+    return json_answer(await service.changes(run_id, against, client), CACHED_FOR_AN_HOUR)
 
 
 @drawing.get(
@@ -172,12 +183,14 @@ async def get_run_report(
     service: RunsService,
     client: Client,
     baseline: Annotated[str | None, Query(description="Whose figures the changes refer to; omitted is passive")] = None,
+    against: Annotated[str | None, Query(description="A run they refer to instead, by strategy", max_length=64)] = None,
     x: Axis = "position",
 ) -> Response:
     """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
     if baseline is not None:
         _names("baseline", baseline, STRATEGIES)
-    report = await service.report(run_id, client, baseline=baseline, axis=x, compressed=takes_gzip(request))
+    compressed = takes_gzip(request)
+    report = await service.report(run_id, client, baseline=baseline, against=against, axis=x, compressed=compressed)
     return html_answer(report, f"ridelab-{run_id}.html")
 
 

@@ -16,6 +16,7 @@ from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
+from sim_core.study.roads import one_road_resolution
 
 schema = router("schema")
 
@@ -39,6 +40,10 @@ class StrategyAnswer(Answer):
     colour: str
     dark_colour: str = Field(description="On a dark background")
     dash: str
+    one_road_resolution: dict[str, float] = Field(
+        description="Smaller changes [%] on one road may be luck; by statistic, comfort figures as an RMS. Of two "
+        "strategies the larger one counts"
+    )
 
 
 class QuantityAnswer(Answer):
@@ -86,6 +91,7 @@ def _strategies() -> bytes:
                 label=strategy.label,
                 description=strategy.description,
                 reads=strategy.reads,
+                one_road_resolution=one_road_resolution(strategy.id),
                 **dataclasses.asdict(figures.STYLES[strategy.id]),
             )
             for strategy in STRATEGIES.values()

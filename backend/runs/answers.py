@@ -3,15 +3,16 @@
 from collections.abc import Mapping, Sequence
 from math import isfinite
 
+from backend.errors import InvalidError
 from backend.json_types import JsonObject
 from backend.models import CreatedRun, LiveRun, Run
-from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from backend.runs.roads_models import CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.work import ComputedResult
 from backend.store import StoredResult, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 from sim_core.study.intervals import Interval
-from sim_core.study.roads import Comparison, Numbers, compare, numbers
+from sim_core.study.roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 
 
 def run_answer(stored: StoredRun, *, baseline: str | None = None) -> Run | RoadsRun:
@@ -38,6 +39,25 @@ def live_answer(
     return LiveRun(core_version=CORE_VERSION, scenario=scenario, strategies=entries)
 
 
+def changes_answer(stored: StoredRun, against: StoredRun) -> PairedChanges:
+    """What a run over several roads changes against another one, strategy by strategy.
+
+    Raises:
+        InvalidError: They are not of the same roads, or not of the same core version.
+    """
+    seeds = [run.scenario["road"]["seed"] for run in (stored, against)]
+    if (against.roads, seeds[1]) != (stored.roads, seeds[0]):
+        message = f"It drives {against.roads} roads from seed {seeds[1]}, this run {stored.roads} from {seeds[0]}"
+        raise InvalidError(f"{message}: changes are of the same roads", parameter="against")
+    if stored.roads == 1:
+        raise InvalidError("This run is of one road: a change has no interval", parameter="id")
+    if against.core_version != stored.core_version:
+        message = f"Core {against.core_version} computed it, {stored.core_version} this run: request it again"
+        raise InvalidError(message, parameter="against")
+    changes = paired_changes(_driven(stored), _driven(against))
+    return PairedChanges(against=against.id, roads=stored.roads, changes=_plain_changes(changes))
+
+
 def default_baseline(strategies: Sequence[str]) -> str:
     """The default baseline of changes: passive, or the first strategy where passive is not run."""
     return "passive" if "passive" in strategies else strategies[0]
@@ -54,20 +74,24 @@ def _on_one_road(stored: StoredRun, fields: Mapping[str, JsonObject]) -> JsonObj
 
 
 def _over_roads(stored: StoredRun, fields: Mapping[str, JsonObject], baseline: str) -> JsonObject:
-    driven = {
-        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in stored.by_strategy[name]]
-        for name in (item.strategy for item in stored.shown)
-    }
-    comparison = compare(driven, baseline)
+    comparison = compare(_driven(stored), baseline)
     first_seed = stored.scenario["road"]["seed"]
     return _head(stored) | {
         "roads": stored.roads,
         "baseline": baseline,
-        "changes": {name: _plain(change) for name, change in comparison.changes.items()},
+        "changes": _plain_changes(comparison.changes),
         "strategies": {
             name: _entry_over_roads(items, fields[name], comparison, first_seed)
             for name, items in stored.by_strategy.items()
         },
+    }
+
+
+def _driven(stored: StoredRun) -> dict[str, list[Numbers]]:
+    """By strategy that succeeded on every road its numbers on each."""
+    return {
+        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in stored.by_strategy[name]]
+        for name in (item.strategy for item in stored.shown)
     }
 
 
@@ -88,6 +112,10 @@ def _entry_over_roads(
         return {**_entry(failure, fields), "compute_ms": compute_ms, "reason": reason}
     means = _plain(comparison.means[items[0].strategy])
     return {**_entry(items[0], fields), "compute_ms": compute_ms, "comfort": means.pop("comfort"), "metrics": means}
+
+
+def _plain_changes(changes: Changes) -> JsonObject:
+    return {name: _plain(change) for name, change in changes.items()}
 
 
 def _plain(part: Numbers) -> JsonObject:

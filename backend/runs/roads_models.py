@@ -93,6 +93,16 @@ class CreatedRoadsRun(RoadsRunBase):
     )
 
 
+class PairedChanges(Answer):
+    """What a run over several roads changes against another one over the same roads."""
+
+    against: str = Field(description="Id of the other run")
+    roads: int
+    changes: dict[str, StrategyChanges] = keys_of(
+        STRATEGY_IDS, "By strategy that succeeded in both: against the same strategy of the other run"
+    )
+
+
 class Band(Answer):
     """One strategy's time histories over the roads: at each sample the mean, the smallest and the largest value."""
 

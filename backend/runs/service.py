@@ -17,12 +17,12 @@ from backend.metrics import CACHE
 from backend.models import CreatedRun, LiveRun, Run
 from backend.roads.service import Roads
 from backend.runs import exports, figures, series
-from backend.runs.answers import created_answer, default_baseline, live_answer, run_answer
+from backend.runs.answers import changes_answer, created_answer, default_baseline, live_answer, run_answer
 from backend.runs.histories import Histories
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Result, Results
-from backend.runs.roads_models import CreatedRoadsRun, RoadsRun
+from backend.runs.roads_models import CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.work import ComputedResult
 from backend.store import Store, StoredResult, StoredRun
 from backend.store.roads import measured_roads
@@ -109,6 +109,15 @@ class Runs:
             NotFoundError: There is none.
         """
         return run_answer(await self.stored(run_id, client))
+
+    async def changes(self, run_id: str, against: str, client: str) -> PairedChanges:
+        """What a run over several roads changes against another one.
+
+        Raises:
+            NotFoundError: There is no such run.
+            InvalidError: There is no run `against`, or they are not of the same roads and core version.
+        """
+        return changes_answer(await self.stored(run_id, client), await self._other(against, client))
 
     async def live(
         self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
@@ -211,19 +220,22 @@ class Runs:
             return figures.filled(name, outcomes, axis)
         return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
 
-    async def report(self, run_id: str, client: str, *, baseline: str | None, axis: str, compressed: bool) -> Report:
+    async def report(
+        self, run_id: str, client: str, *, baseline: str | None, against: str | None, axis: str, compressed: bool
+    ) -> Report:
         """A stored run as one HTML file; without figures where its time histories are gone.
 
         Args:
             run_id: The run.
             client: Who asks.
             baseline: Whose figures the changes refer to; None is the run's own, or passive, or the first.
+            against: The run whose figures, strategy by strategy, the changes refer to instead.
             axis: `position` or `time`, for x of the figures.
             compressed: Whether whoever asked takes gzip.
 
         Raises:
             NotFoundError: No such run.
-            InvalidError: It has no such strategy as `baseline`.
+            InvalidError: It has no such strategy as `baseline`, or changes `against` that run do not exist.
         """
         stored = await self.stored(run_id, client)
         names = list(stored.by_strategy)
@@ -236,17 +248,32 @@ class Runs:
             outcomes = await self._histories.outcomes(stored, client)
         except GoneError as error:
             gone = error.message
-        against = baseline or stored.baseline or default_baseline(names)
+        base = baseline or stored.baseline or default_baseline(names)
+        answer = run_answer(stored, baseline=base).model_dump(mode="json")
+        other: JsonObject | None = None
+        if against is not None:
+            run = await self._other(against, client)
+            other = run_answer(run).model_dump(mode="json")
+            if stored.roads > 1 or run.roads > 1:
+                answer["changes"] = changes_answer(stored, run).model_dump(mode="json")["changes"]
         facts = run_report.RunFacts(
-            answer=run_answer(stored, baseline=against).model_dump(mode="json"),
+            answer=answer,
             created_at=stored.created_at,
-            baseline=against,
+            baseline=base,
+            against=other,
             outcomes=outcomes,
             axis=axis,
             gone=gone,
         )
         with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))
+
+    async def _other(self, run_id: str, client: str) -> StoredRun:
+        """The run that changes are against."""
+        try:
+            return await self.stored(run_id, client)
+        except NotFoundError as error:
+            raise InvalidError(error.message, parameter="against") from None
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
         """The run; one whose results were removed is computed again.

@@ -15,7 +15,7 @@ from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
 from ridelab.http import Http, split_login
 from ridelab.jobs import Batch, Job, Tuning
-from ridelab.results import Link, LinkedResult, RunResult, Solution
+from ridelab.results import Link, LinkedResult, RunResult, Solution, intervals
 
 if TYPE_CHECKING:
     import numpy as np
@@ -128,6 +128,17 @@ class Ridelab:
         """A stored run; it never changes."""
         return self._run(self.get(f"/runs/{_id(run_id)}"))
 
+    def changes(self, run: RunResult | str, against: RunResult | str) -> dict[str, Any]:
+        """What a run over several roads changes against another one over the same roads, paired road by road.
+
+        By strategy that both have, as `changes` of a `RunResult`.
+
+        Raises:
+            RidelabAPIError: They are not of the same roads, or not of the same core version.
+        """
+        answer: dict[str, Any] = self.get(f"/runs/{_id(run)}/changes", {"against": _id(against)})
+        return {strategy: intervals(each) for strategy, each in answer["changes"].items()}
+
     def solve(
         self,
         scenario: Scenario,
@@ -221,9 +232,15 @@ class Ridelab:
         """
         return save(self.series_content(run, format_of(path, file_format), **selection), path)
 
-    def run_report(self, run: RunResult | str, *, baseline: str | None = None) -> Iterator[bytes]:
-        """A run as one HTML file that needs nothing else, piece by piece; changes refer to the baseline."""
-        return self._content(f"/runs/{_id(run)}/report.html", {"baseline": baseline})
+    def run_report(
+        self, run: RunResult | str, *, baseline: str | None = None, against: RunResult | str | None = None
+    ) -> Iterator[bytes]:
+        """A run as one HTML file that needs nothing else, piece by piece.
+
+        Changes refer to the strategy `baseline`, or to the run `against`, strategy by strategy.
+        """
+        other = None if against is None else _id(against)
+        return self._content(f"/runs/{_id(run)}/report.html", {"baseline": baseline, "against": other})
 
     def paper(self, **asked: Any) -> dict[str, Any]:
         """The paper's printed changes with ours and a verdict on each; up to a minute the first time.

@@ -89,7 +89,7 @@ class Outcome:
     def of(cls, strategy: str, answer: Mapping[str, Any]) -> Self:
         """The outcome in a run's answer; fields of a newer service are ignored."""
         read = {key: value for key, value in answer.items() if key in cls.__dataclass_fields__ and key != "strategy"}
-        return cls(strategy=strategy, **{**read, **{key: _read(read[key]) for key in _AVERAGED & read.keys()}})
+        return cls(strategy=strategy, **{**read, **{key: intervals(read[key]) for key in _AVERAGED & read.keys()}})
 
     def figures(self) -> dict[str, Figure]:
         """Every metric by its flat name, as the columns of a batch's table are named; empty where it failed.
@@ -112,11 +112,11 @@ def flat(part: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]
             yield prefix + key, value
 
 
-def _read(value: Any) -> Any:
+def intervals(value: Any) -> Any:
     """Numbers by name, in mappings of any depth, with an `Interval` for each `{"mean", "low", "high"}`."""
     if not isinstance(value, Mapping):
         return value
-    return Interval(**value) if value.keys() == _INTERVAL else {key: _read(item) for key, item in value.items()}
+    return Interval(**value) if value.keys() == _INTERVAL else {key: intervals(item) for key, item in value.items()}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,7 +159,7 @@ class RunResult:
             strategies={name: Outcome.of(name, entry) for name, entry in answer["strategies"].items()},
             roads=answer.get("roads", 1),
             baseline=answer.get("baseline"),
-            changes=_read(answer.get("changes", {})),
+            changes=intervals(answer.get("changes", {})),
             answer=dict(answer),
             catalogue_units=catalogue_units,
         )
@@ -215,7 +215,7 @@ class Solution:
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> Self:
         """The solution in an answer; fields of a newer service are ignored."""
-        read = {key: _read(value) for key, value in answer.items() if key in cls.__dataclass_fields__}
+        read = {key: intervals(value) for key, value in answer.items() if key in cls.__dataclass_fields__}
         return cls(**{**read, "bracket": tuple(answer["bracket"]), "answer": dict(answer)})
 
 

@@ -1,21 +1,30 @@
 """The same scenario over several roads: mean of every metric and the paired change against a baseline.
 
 One road's peaks are partly luck: which part of the roughness meets the bump, and where the control grid lies. Roads
-differ in their seed alone, and every strategy drives the same ones, so that a change is of pairs.
+differ in their seed alone, and every strategy drives the same ones, so that a change is of pairs. What one road alone
+cannot tell from luck is smaller than `one_road_resolution`.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from sim_core.catalogue import PEAK, RMS
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from sim_core.strategies import STRATEGIES
 from sim_core.study.intervals import Interval, changes_with_intervals, means_with_intervals
 
 MAX_ROADS = 50
 
+# Smaller changes [%] on one road may be luck (docs/physics.md, "What one run resolves").
+_RESOLUTION = 7.0
+_RESOLUTION_OF_PREDICTIVE_PEAKS = 15.0
+
 # Numbers by name, in mappings of any depth: {"bump": {"body_acceleration": {"rms": 1.2, "peak": 3.4}}}
 Numbers = Mapping[str, Any]
+# strategy -> the same with an `Interval` for each number [%]
+Changes = Mapping[str, Numbers]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,7 +38,7 @@ class Comparison:
     """
 
     means: Mapping[str, Numbers]
-    changes: Mapping[str, Numbers]
+    changes: Changes
 
 
 def seeded(scenario: Scenario, roads: int) -> list[Scenario]:
@@ -39,6 +48,18 @@ def seeded(scenario: Scenario, roads: int) -> list[Scenario]:
         scenario.model_copy(update={"road": scenario.road.model_copy(update={"seed": seed})})
         for seed in range(first, first + roads)
     ]
+
+
+def one_road_resolution(strategy: str) -> dict[str, float]:
+    """By statistic the smallest change [%] that one road tells from luck; an RMS's is also that of comfort figures.
+
+    Of two strategies the larger one counts.
+
+    Raises:
+        KeyError: No such strategy.
+    """
+    predictive = STRATEGIES[strategy].suspension.predictive
+    return {RMS: _RESOLUTION, PEAK: _RESOLUTION_OF_PREDICTIVE_PEAKS if predictive else _RESOLUTION}
 
 
 def numbers(metrics: Numbers, comfort: Numbers) -> Numbers:
@@ -74,16 +95,35 @@ def compare(driven: Mapping[str, Sequence[Numbers]], baseline: str) -> Compariso
     Raises:
         ValueError: Not every strategy has as many roads as the baseline.
     """
-    samples = {name: [list(_leaves(each)) for each in roads] for name, roads in driven.items()}
-    base = samples.get(baseline)
+    base = driven.get(baseline)
+    others = {name: roads for name, roads in driven.items() if base is not None and name != baseline}
     return Comparison(
-        means={name: _like(driven[name][0], means_with_intervals(sample)) for name, sample in samples.items()},
-        changes={
-            name: _like(driven[name][0], changes_with_intervals(sample, base))
-            for name, sample in samples.items()
-            if base is not None and name != baseline
-        },
+        means={name: _like(roads[0], means_with_intervals(_sample(roads))) for name, roads in driven.items()},
+        changes=paired_changes(others, dict.fromkeys(others, base or ())),
     )
+
+
+def paired_changes(driven: Mapping[str, Sequence[Numbers]], against: Mapping[str, Sequence[Numbers]]) -> Changes:
+    """Change of the mean of every number against that of the same name in `against` [%], paired road by road.
+
+    Args:
+        driven: name -> its numbers on each road, as `drive` gives them.
+        against: The same of what changes refer to, over the same roads in the same order; names that only one has
+            are left out.
+
+    Raises:
+        ValueError: One of them has not as many roads as the other.
+    """
+    return {
+        name: _like(roads[0], changes_with_intervals(_sample(roads), _sample(against[name])))
+        for name, roads in driven.items()
+        if name in against
+    }
+
+
+def _sample(roads: Sequence[Numbers]) -> list[list[float]]:
+    """All numbers of each road, in one order."""
+    return [list(_leaves(road)) for road in roads]
 
 
 def _leaves(part: Numbers) -> Iterator[float]:

@@ -80,6 +80,13 @@ def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab) -> None:
     assert ridelab.get_run(run.id).changes == run.changes
     assert repr(run) == f"RunResult({run.id}, core {run.core_version}, 3 roads: lv ok, lqr ok, passive ok)"
     assert len(repr(run["lv"])) < 240
+    heavier = SHORT.model_copy(update={"vehicle": SHORT.vehicle.model_copy(update={"body_mass": 1300.0})})
+    edited = ridelab.run(heavier, ["lv"], roads=3)
+    change = ridelab.changes(edited, run)["lv"]["bump"]["body_acceleration"]["peak"]
+    after = edited["lv"].metrics["bump"]["body_acceleration"]["peak"]
+    assert isinstance(after, Interval)
+    assert change.mean == pytest.approx(100 * (after.mean / peak.mean - 1))
+    assert run.id in b"".join(ridelab.run_report(edited, against=run)).decode()
     with pytest.raises(RidelabAPIError, match="One of the strategies"):
         ridelab.run(SHORT, ["lv"], roads=3, baseline="lqr")
 

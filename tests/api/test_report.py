@@ -105,6 +105,37 @@ def test_changes_refer_to_the_baseline_asked_for(client: httpx.Client, page: Ele
     assert "worse" in change(other, "passive")
 
 
+def test_changes_of_one_road_refer_to_another_run_and_small_ones_are_luck(
+    client: httpx.Client, run: dict[str, Any]
+) -> None:
+    """A bump higher by a tenth: passive peaks grow by a tenth, more than 7 %; a tenth of LV's is within its 15 %."""
+    scenario = {**run["scenario"], "road": {**run["scenario"]["road"]}}
+    scenario["road"]["bump"] = {**scenario["road"]["bump"], "height": 1.1 * scenario["road"]["bump"]["height"]}
+    other = client.post("/api/v1/runs", json={"scenario": scenario, "strategies": ["lv", "passive"]}).json()
+    text = client.get(f"/api/v1/runs/{other['id']}/report.html", params={"against": run["id"]}).text
+    page = read(text)
+    check(page)
+    assert "within one road&#39;s luck" in text or "within one road's luck" in text
+    cells = {
+        row.attributes["data-strategy"]: cell.text for row in page.all("tr") for cell in row.all("td", data_cell=CELL)
+    }
+    values = {name: each["strategies"] for name, each in (("new", other), ("old", run))}
+    change = {
+        name: 100
+        * (
+            values["new"][name]["metrics"]["bump"]["body_acceleration"]["peak"]
+            / values["old"][name]["metrics"]["bump"]["body_acceleration"]["peak"]
+            - 1
+        )
+        for name in ("lv", "passive")
+    }
+    assert change["passive"] > 7
+    assert abs(change["lv"]) < 15
+    assert "worse" in cells["passive"]
+    assert "worse" not in cells["lv"]
+    assert "better" not in cells["lv"]
+
+
 CELL = "bump.body_acceleration.peak"
 
 

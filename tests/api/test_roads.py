@@ -10,7 +10,7 @@ import pytest
 from backend import digest
 from backend.models import CreatedRun
 from backend.runs import bands, histories
-from backend.runs.roads_models import Bands, CreatedRoadsRun, RoadsRun
+from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.work import ComputedResult
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
@@ -102,6 +102,61 @@ def test_another_baseline_is_another_run_of_the_same_results(
     assert other["baseline"] == "lqr"
     assert set(other["changes"]) == {"passive"}
     assert all(entry["cached"] for entry in other["strategies"].values())
+
+
+@pytest.fixture(scope="module")
+def higher(service: Any, scenario: dict[str, Any]) -> Any:
+    """The same roads with a higher bump, one strategy more."""
+    bump = {**scenario["road"]["bump"], "height": 0.11}
+    body = {"scenario": {"road": {**scenario["road"], "bump": bump}}, "strategies": ["passive", "lqr", "skyhook"]}
+    return post(service, **body, roads=3).json()
+
+
+def changes(service: Any, run: str, against: str) -> Any:
+    return service.client.get(f"/api/v1/runs/{run}/changes", params={"against": against})
+
+
+def test_changes_against_another_run_are_paired_by_road(
+    service: Any, three: dict[str, Any], higher: dict[str, Any], scenario: dict[str, Any]
+) -> None:
+    answer = changes(service, higher["id"], three["id"]).json()
+    PairedChanges.model_validate(answer)
+    assert (answer["against"], answer["roads"], list(answer["changes"])) == (three["id"], 3, ["lqr", "passive"])
+
+    def peaks(of: dict[str, Any]) -> list[float]:
+        singles = [{**of, "road": {**of["road"], "seed": SEED + i}} for i in range(3)]
+        answers = [post(service, scenario=single, strategies=["passive"]).json() for single in singles]
+        return [each["strategies"]["passive"]["metrics"]["bump"]["body_acceleration"]["peak"] for each in answers]
+
+    expected = change_with_interval(peaks(higher["scenario"]), peaks(scenario))
+    change = answer["changes"]["passive"]["bump"]["body_acceleration"]["peak"]
+    assert change == pytest.approx(triple(expected), rel=1e-9)
+    assert answer["changes"]["passive"]["rough_road"]["body_acceleration"]["rms"] == {"mean": 0, "low": 0, "high": 0}
+    report = service.client.get(f"/api/v1/runs/{higher['id']}/report.html", params={"against": three["id"]}).text
+    check(read(report))
+    assert f"run {three['id']}, strategy by strategy" in report
+    assert f"+{change['mean']:.0f} ± {change['high'] - change['mean']:.0f}\u2009%" in report
+
+
+def test_changes_are_refused_against_other_roads(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:
+    body = {"strategies": ["passive"]}
+    one = post(service, scenario=scenario, **body).json()["id"]
+    others = {
+        "no run": "nothing",
+        "1 roads": one,
+        f"from seed {SEED - 9}": post(
+            service, scenario={"road": {**scenario["road"], "seed": SEED - 9}}, roads=3, **body
+        ).json()["id"],
+    }
+    for says, other in others.items():
+        refused = changes(service, three["id"], other)
+        assert refused.status_code == 422, refused.text
+        (error,) = refused.json()["errors"]
+        assert error["parameter"] == "against"
+        assert says in error["message"]
+    alone = changes(service, one, one)
+    assert (alone.status_code, alone.json()["errors"][0]["parameter"]) == (422, "id")
+    assert changes(service, "nothing", three["id"]).status_code == 404
 
 
 def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any], scenario: dict[str, Any]) -> None:

@@ -56,13 +56,13 @@ def test_inputs_keep_every_digit(value: float, shown: str) -> None:
     ("change", "shown"),
     [
         (-43.72, "−43.7\u2009%"),
-        (0.04, "±0.0\u2009%"),
-        (-0.04, "±0.0\u2009%"),
+        (0.04, "0.0\u2009%"),
+        (-0.04, "0.0\u2009%"),
         (741.2, "+741\u2009%"),
         (1e6, "+>9999\u2009%"),
     ],
 )
-def test_changes_always_have_a_sign(change: float, shown: str) -> None:
+def test_changes_have_a_sign_unless_they_are_nothing(change: float, shown: str) -> None:
     assert numbers.percent(change) == shown
 
 
@@ -103,7 +103,15 @@ def facts(outcomes: dict[str, ComputedResult], **more: Any) -> RunFacts:
         **more,
     }
     when = datetime(2026, 1, 2, 3, 4, tzinfo=UTC)
-    return RunFacts(answer=answer, created_at=when, baseline="passive", outcomes=outcomes, axis="position", gone=False)
+    return RunFacts(
+        answer=answer,
+        created_at=when,
+        baseline="passive",
+        against=None,
+        outcomes=outcomes,
+        axis="position",
+        gone=None,
+    )
 
 
 def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, ComputedResult]) -> None:

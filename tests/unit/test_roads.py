@@ -6,7 +6,8 @@ import pytest
 
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
-from sim_core.study.roads import Numbers, compare, drive, seeded
+from sim_core.strategies import STRATEGIES
+from sim_core.study.roads import Numbers, compare, drive, one_road_resolution, paired_changes, seeded
 
 T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
 
@@ -32,6 +33,32 @@ def test_a_change_is_that_of_the_means_and_exact_where_pairs_keep_their_ratio() 
     change = compared.changes["a"]["bump"]["body"]["rms"]
     assert [change.value, change.low, change.high] == pytest.approx([-40, -40, -40], abs=1e-9)
     assert list(compared.changes) == ["a"]
+
+
+def test_a_change_against_another_scenario_is_paired_by_road() -> None:
+    """Ratio of means by hand: b = (1, 2, 3), a = (2, 3, 5), r = 10/6; residuals a − r·b = (1/3, −1/3, 0), s = 1/3.
+
+    The half width is t·s/√3 over the base's mean 2; of independent means it would be eight times as wide.
+    """
+    driven = {"lv": [numbers(value) for value in (2.0, 3.0, 5.0)], "lqr": [numbers(1.0)] * 3}
+    against = {"lv": [numbers(value) for value in (1.0, 2.0, 3.0)], "passive": [numbers(1.0)] * 3}
+    changes = paired_changes(driven, against)
+    assert list(changes) == ["lv"], "what both have"
+    t_2 = 4.3026527
+    half = 100 * t_2 / 3 / sqrt(3) / 2
+    for statistic in ("rms", "peak"):
+        change = changes["lv"]["bump"]["body"][statistic]
+        middle = 100 * (10 / 6 - 1)
+        assert [change.value, change.low, change.high] == pytest.approx([middle, middle - half, middle + half])
+    with pytest.raises(ValueError, match="as many"):
+        paired_changes(driven, {"lv": against["lv"][:2]})
+
+
+def test_one_road_resolves_less_of_predictive_peaks() -> None:
+    """The table of docs/physics.md, "What one run resolves"."""
+    resolved = {name: tuple(one_road_resolution(name).values()) for name in STRATEGIES}
+    assert resolved["lv"] == resolved["lv_hil"] == (7, 15)
+    assert resolved["lqr"] == resolved["passive"] == (7, 7)
 
 
 def test_roads_follow_the_scenarios_seed_and_every_strategy_drives_them() -> None:

@@ -51,15 +51,15 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def percent(change: float, half: float = 0.0) -> str:
-    """`−43.7 %`: a sign always, one decimal up to 100 %, none beyond; with half an interval's width `−44 ± 2 %`."""
+    """`−43.7 %`: a sign unless it is 0, one decimal up to 100 %, none beyond; with half an interval `−44 ± 2 %`."""
     if not isfinite(change):
         return NO_VALUE
-    size, sign = abs(change), "−" if change < 0 else "+"
+    size, sign = abs(change), "" if change == 0 else "−" if change < 0 else "+"
     if half:
         decimals = 1 if size < 99.95 and half < 0.95 else 0
         return f"{sign}{size:.{decimals}f} ± {half:.{decimals}f}{_THIN}%"
     if size < SAME:
-        return f"±0.0{_THIN}%"
+        return f"0.0{_THIN}%"
     digits = f"{size:.1f}" if size < 99.95 else f"{size:.0f}" if size < 9999.5 else ">9999"
     return f"{sign}{digits}{_THIN}%"
 

@@ -33,9 +33,12 @@ from sim_core.catalogue import (
     METRICS,
     PAPER_SIGNALS,
     PAPER_VIEWS,
+    PEAK,
+    RMS,
     RUN_FIGURES,
     SIGNALS,
 )
+from sim_core.study.roads import one_road_resolution
 
 WHOLE_RUN = (
     *((f"comfort.{key}", quantity) for key, quantity in COMFORT.items()),
@@ -54,9 +57,10 @@ class RunFacts:
     """The contents of a report.
 
     Attributes:
-        answer: The run as it is answered; over several roads with changes against `baseline`.
+        answer: The run as it is answered; over several roads with the changes to show.
         created_at: When it was stored, UTC.
         baseline: Whose figures the changes refer to.
+        against: The run to whose figures, strategy by strategy, they refer instead; None where to the baseline's.
         outcomes: By strategy, with the time histories there are.
         axis: `position` or `time`, for x of the figures.
         gone: Why time histories there were cannot be had any more; None where they can.
@@ -65,6 +69,7 @@ class RunFacts:
     answer: JsonObject
     created_at: datetime
     baseline: str
+    against: JsonObject | None
     outcomes: Mapping[str, ComputedResult]
     axis: str
     gone: str | None
@@ -82,14 +87,15 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
     drawn = {name: framed(figures.filled(name, facts.outcomes, facts.axis)) for name in figures.PANELS}
     with_data = {name: figure for name, figure in drawn.items() if figure["data"]}
     roads = answer.get("roads", 1)
-    numbers = Numbers(ran=ran, changes=answer.get("changes", {}), baseline=facts.baseline)
+    numbers = Numbers(ran=ran, changes=answer.get("changes", {}), bases=_bases(ran, facts))
     values = {
         "run_id": answer["id"],
         "core_version": answer["core_version"],
         "current_version": CORE_VERSION,
         "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
         "strategies": [key_of(name) for name in entries],
-        "baseline": key_of(facts.baseline),
+        "baseline": None if facts.against else key_of(facts.baseline),
+        "against": f"run {facts.against['id']}, strategy by strategy" if facts.against else label(facts.baseline),
         "drive": drive(answer["scenario"]),
         "roads": roads,
         "seed": answer["scenario"]["road"]["seed"],
@@ -132,21 +138,29 @@ def drive(scenario: JsonObject) -> list[str]:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Base:
+    """What changes refer to: the entry of a strategy."""
+
+    of: str
+    entry: JsonObject
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Numbers:
-    """The strategies' metrics and their changes against the baseline.
+    """The strategies' metrics and their changes.
 
     Attributes:
         ran: By strategy its entry.
         changes: By strategy its paired changes over several roads [%]; empty for a run of one.
-        baseline: Whose figures the changes refer to.
+        bases: By strategy that is compared what its changes refer to.
     """
 
     ran: JsonObject
     changes: JsonObject
-    baseline: str
+    bases: Mapping[str, Base]
 
     def cell(self, key: str, strategy: str, scale: float | None = None) -> JsonObject:
-        """One value, and its change where there is a baseline.
+        """One value, and its change where it is compared.
 
         Args:
             key: Of the metric.
@@ -157,17 +171,36 @@ class Numbers:
         value, half = _estimate(metric.of(self.ran[strategy]))
         number = isinstance(value, int | float) and not isinstance(value, bool)
         shown = in_words(value) if scale is None else significant(value * scale) if number else NO_VALUE
-        change = None
-        if strategy != self.baseline and self.baseline in self.ran and key not in NOT_COMPARED:
+        change, luck = None, 0.0
+        if key not in NOT_COMPARED and (base := self.bases.get(strategy)):
             paired = self.changes.get(strategy, {})
-            change = _change(value, metric.of(self.ran[self.baseline]), metric.of({"metrics": paired, **paired}))
+            change = _change(value, metric.of(base.entry), metric.of({"metrics": paired, **paired}))
+            luck = (
+                0.0 if paired or key == "travel_time" else max(_resolution(name, key) for name in (strategy, base.of))
+            )
         percentage, uncertainty = change or (0.0, 0.0)
+        same = abs(percentage) < max(SAME, uncertainty, luck)
         return {
             "raw": value,
             "shown": plus_minus(shown, half * (scale or 1)) if half > NOTHING else shown,
             "change": None if change is None else percent(percentage, uncertainty),
-            "verdict": "" if abs(percentage) < max(SAME, uncertainty) else "better" if percentage < 0 else "worse",
+            "verdict": "" if same else "better" if percentage < 0 else "worse",
         }
+
+
+def _bases(ran: JsonObject, facts: RunFacts) -> dict[str, Base]:
+    """By strategy what its changes refer to: the baseline, or itself in another run."""
+    if facts.against is None:
+        base = ran.get(facts.baseline)
+        return {name: Base(of=facts.baseline, entry=base) for name in ran if base and name != facts.baseline}
+    others = facts.against["strategies"]
+    return {name: Base(of=name, entry=others[name]) for name in ran if others.get(name, {}).get("status") == "ok"}
+
+
+def _resolution(strategy: str, key: str) -> float:
+    """The smallest change of that metric [%] that one road tells from luck."""
+    resolution = one_road_resolution(strategy)
+    return resolution[PEAK] if key.endswith(f".{PEAK}") else resolution[RMS]
 
 
 def _change(value: Any, base: Any, paired: Any) -> tuple[float, float] | None:

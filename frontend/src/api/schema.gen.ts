@@ -603,6 +603,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/runs/{id}/changes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Changes
+         * @description What a run over several roads changes against another run: paired by road, strategy by strategy.
+         */
+        get: operations["getChanges"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/runs/{id}/figures": {
         parameters: {
             query?: never;
@@ -3803,6 +3823,26 @@ export interface components {
             most: number;
         };
         /**
+         * PairedChanges
+         * @description What a run over several roads changes against another one over the same roads.
+         */
+        PairedChanges: {
+            /**
+             * Against
+             * @description Id of the other run
+             */
+            against: string;
+            /**
+             * Changes
+             * @description By strategy that succeeded in both: against the same strategy of the other run
+             */
+            changes: {
+                [key: string]: components["schemas"]["StrategyChanges"];
+            };
+            /** Roads */
+            roads: number;
+        };
+        /**
          * PaperAnswer
          * @description The paper's changes against ours.
          */
@@ -5494,6 +5534,13 @@ export interface components {
             id: string;
             /** Label */
             label: string;
+            /**
+             * One Road Resolution
+             * @description Smaller changes [%] on one road may be luck; by statistic, comfort figures as an RMS. Of two strategies the larger one counts
+             */
+            one_road_resolution: {
+                [key: string]: number;
+            };
             /** Reads */
             reads: string[];
         };
@@ -9735,6 +9782,85 @@ export interface operations {
             };
         };
     };
+    getChanges: {
+        parameters: {
+            query: {
+                /** @description Id of a run over the same roads */
+                against: string;
+            };
+            header?: never;
+            path: {
+                /** @description 22 characters */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description What a run over several roads changes against another run: paired by road, strategy by strategy. */
+            200: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["PairedChanges"];
+                };
+            };
+            /** @description `token-required`: The service answers those with a token: Authorization: Bearer, or the page's login. */
+            401: {
+                headers: {
+                    "WWW-Authenticate": components["headers"]["WWW-Authenticate"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `not-found`: There is nothing at this address, or nothing of this id. */
+            404: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `invalid-request`: The request has values that cannot be used; errors names each. `refused`: The values fit one by one, but the simulation cannot work with them together. `unknown`: The body names a run, a batch or a road that is not there, or a field it does not sweep. `cost-limit`: The estimated cost or the number of runs is over the limit. `too-expensive`: A run takes more computing than one may; errors names what to change. `no-solution`: No value in the range keeps the limit. `strict-json`: The body is not JSON (400), holds too many values (413), or something that two readers may understand differently (422): a key twice, NaN, an integer no double holds. */
+            422: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `internal-error`: Something went wrong in the service. It is in its log. */
+            500: {
+                headers: {
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description `unavailable`: The service, or the proxy before it, cannot answer now. `full`: The service has too much to do at the moment. `connections`: Too many connections are open, of this client or of all. `store-unavailable`: The database does not answer. `worker-lost`: The computation ended unexpectedly, twice. `newer-schema`: A newer version of the service stored this; it is being updated. `ecu-unavailable`: The ECU's program cannot be built here; detail names the remedy, and waiting is none. `not-built`: The dashboard's files are not there. The API answers. */
+            503: {
+                headers: {
+                    "Retry-After": components["headers"]["Retry-After"];
+                    "X-Request-ID": components["headers"]["X-Request-ID"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     getRunFigures: {
         parameters: {
             query?: {
@@ -9942,6 +10068,8 @@ export interface operations {
     getRunReport: {
         parameters: {
             query?: {
+                /** @description A run they refer to instead, by strategy */
+                against?: string | null;
                 /** @description Whose figures the changes refer to; omitted is passive */
                 baseline?: ("lv" | "lv_hil" | "lqr" | "skyhook" | "groundhook" | "hybrid" | "suspension_only" | "speed_only" | "passive") | null;
                 /** @description What is on the x axis */
