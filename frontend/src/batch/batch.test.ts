@@ -87,8 +87,8 @@ describe("how a sweep is looked at", () => {
 
 describe("a plot of many points", () => {
   const strategies = [
-    { id: "lv", label: "LV control", description: "", colour: "#00f", dark_colour: "#00f", dash: "solid", reads: [] },
-    { id: "passive", label: "Passive", description: "", colour: "#555", dark_colour: "#555", dash: "dot", reads: [] },
+    { id: "lv", label: "LV control", description: "", colour: "#00f", dark_colour: "#00f", dash: "solid", reads: [], one_road_resolution: {} },
+    { id: "passive", label: "Passive", description: "", colour: "#555", dark_colour: "#555", dash: "dot", reads: [], one_road_resolution: {} },
   ];
   const x = { name: "road.bump.height", title: "Height", unit: "m", linked_to: null };
   const y = { key: "peak", label: "Body acceleration", group: "Peak, bump", unit: "m/s^2", scale: 1 };
