@@ -1,7 +1,7 @@
 /** Every run as a row, a page of them at a time, sorted by any column. */
 
-import { ActionIcon, Checkbox, Pagination, Text, Tooltip, UnstyledButton } from "@mantine/core";
-import { IconAlertTriangle, IconArrowsSort, IconExternalLink, IconSortAscending, IconSortDescending } from "../icons";
+import { ActionIcon, Box, Checkbox, Group, Pagination, Text, Tooltip } from "@mantine/core";
+import { IconExternalLink } from "../icons";
 import { useMemo, useState } from "react";
 import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
@@ -10,11 +10,12 @@ import classes from "./batch.module.css";
 import type { Figure } from "./figures";
 import { MarkerKey } from "./MarkerKey";
 import { showCell, showFigure } from "./show";
-import { cell, ordered, rowsOf, type Columns, type Order } from "./table";
+import { cell, rowsOf, type Columns } from "./table";
 import { caveatsOfRow } from "./describeRow";
 import { Card } from "../ui/Card";
+import { DataTable, type Column } from "../ui/DataTable";
 import ui from "../ui/ui.module.css";
-import { ScrollTable } from "../ui/ScrollTable";
+import { CaveatMark } from "../tables/CaveatMark";
 
 interface Props {
   readonly batch: Batch;
@@ -32,27 +33,18 @@ interface Props {
 
 const PAGE = 50;
 
-export function BatchRows({ batch, columns, catalogue, strategies, markers, figures, best, loading, opening, onOpen }: Props) {
-  const [order, setOrder] = useState<Order>({ column: "run", descending: false });
+export function BatchRows(props: Props) {
+  const { batch, columns, best, loading } = props;
   const [failedOnly, setFailedOnly] = useState(false);
   const [page, setPage] = useState(1);
 
-  const rows = useMemo(() => {
-    const filtered = rowsOf(columns, (row) => !failedOnly || cell(columns, "status", row) === "failed");
-    return ordered(columns, filtered, order);
-  }, [columns, failedOnly, order]);
+  const rows = useMemo(() => rowsOf(columns, (row) => !failedOnly || statusOf(columns, row) === "failed"), [columns, failedOnly]);
   const pages = Math.max(1, Math.ceil(rows.length / PAGE));
   const current = Math.min(page, pages);
-  const shown = rows.slice((current - 1) * PAGE, current * PAGE);
-  const sort = (column: string) => {
-    setOrder({ column, descending: order.column === column && !order.descending });
-    setPage(1);
-  };
-  const head = { order, onSort: sort };
 
   return (
     <Card aria-label="Rows">
-      <div className={classes.rowsTools}>
+      <Group gap="0.4rem 1rem" mih="2.8rem" px="0.9rem" py="0.4rem">
         <Text size="sm" fw={600}>
           {count(rows.length, failedOnly ? "failed run" : "run")}
         </Text>
@@ -67,131 +59,101 @@ export function BatchRows({ batch, columns, catalogue, strategies, markers, figu
             }}
           />
         )}
-        <span className={classes.grow} />
         <Pagination
           size="sm"
+          ml="auto"
           total={pages}
           value={current}
           onChange={setPage}
           getControlProps={(control) => ({ "aria-label": `${control} page` })}
           getItemProps={(item) => ({ "aria-label": `Page ${item}` })}
         />
-      </div>
-      <ScrollTable label="Runs of the sweep" className={classes.table}>
-        <caption className="visually-hidden">Runs of the sweep, a page of {PAGE}</caption>
-        <thead>
-          <tr>
-            <Heading {...head} column="run" title="Run" />
-            {batch.fields.map(({ name, title, unit }) => (
-              <Heading key={name} {...head} column={name} title={title} unit={unit} />
-            ))}
-            <Heading {...head} column="strategy" title="Strategy" left />
-            {figures.map(({ key, label, group, unit }) => (
-              <Heading key={key} {...head} column={key} title={label} detail={group} unit={unit} />
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {shown.map((row) => (
-            <Row key={row} row={row} isBest={row === best} isOpening={row === opening} {...{ batch, columns, catalogue, strategies, markers, figures, onOpen }} />
-          ))}
-        </tbody>
-      </ScrollTable>
-      {shown.length === 0 && (
-        <Text size="sm" c="dimmed" p="md">
-          {loading ? "Loading the rows…" : failedOnly ? "No run has failed." : "There are no rows."}
-        </Text>
-      )}
+      </Group>
+      <DataTable
+        label={`Runs of the sweep, a page of ${PAGE}`}
+        rows={rows}
+        rowKey={(row) => row}
+        rowAttributes={(row) => ({ "data-best": row === best || undefined, "data-status": statusOf(columns, row), "data-run": runOf(columns, row) })}
+        columns={columnsOf(props)}
+        order={BY_RUN}
+        attributes={{ "data-dense": true }}
+        onSort={() => setPage(1)}
+        page={[(current - 1) * PAGE, current * PAGE]}
+        empty={loading ? "Loading the rows…" : failedOnly ? "No run has failed." : "There are no rows."}
+      />
     </Card>
   );
 }
 
-interface HeadingProps {
-  readonly column: string;
-  readonly title: string;
-  readonly detail?: string;
-  readonly unit?: string;
-  readonly left?: boolean;
-  readonly order: Order;
-  readonly onSort: (column: string) => void;
+const BY_RUN = { column: "run", descending: false };
+
+const runOf = (columns: Columns, row: number) => Number(cell(columns, "run", row));
+const statusOf = (columns: Columns, row: number) => String(cell(columns, "status", row));
+
+function columnsOf(props: Props): readonly Column<number>[] {
+  const { batch, columns, strategies, figures } = props;
+  const sort = (name: string) => (row: number) => cell(columns, name, row);
+  const ran = (row: number) => statusOf(columns, row) === "ok";
+  return [
+    { key: "run", head: "Run", sort: sort("run"), cell: (row) => <Run {...props} row={row} /> },
+    ...batch.fields.map(({ name, title, unit }): Column<number> => ({ key: name, head: title, detail: prettyUnit(unit), sort: sort(name), cell: (row) => showCell(cell(columns, name, row)) })),
+    { key: "strategy", head: "Strategy", text: true, sort: (row) => strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label, cell: (row) => <Driven {...props} row={row} /> },
+    ...figures.map(
+      ({ key, label, group, unit, scale }, index): Column<number> => ({
+        key,
+        head: label,
+        group,
+        detail: prettyUnit(unit),
+        sort: sort(key),
+        span: (row) => (ran(row) || index > 0 ? 1 : figures.length),
+        attributes: (row) => ({ "data-text": !ran(row) || undefined }),
+        cell: (row) => (ran(row) ? showFigure(cell(columns, key, row), scale) : <Unfinished columns={columns} row={row} />),
+      }),
+    ),
+  ];
 }
 
-function Heading({ column, title, detail, unit = "1", left = false, order, onSort }: HeadingProps) {
-  const sorted = order.column === column;
-  const Icon = !sorted ? IconArrowsSort : order.descending ? IconSortDescending : IconSortAscending;
-  const small = [detail, prettyUnit(unit)].filter(Boolean).join(" · ");
+interface CellProps extends Props {
+  readonly row: number;
+}
+
+function Run({ columns, row, best, opening, onOpen }: CellProps) {
+  const run = runOf(columns, row);
   return (
-    <th scope="col" data-left={left || undefined} aria-sort={sorted ? (order.descending ? "descending" : "ascending") : "none"}>
-      <UnstyledButton className={classes.sort ?? ""} data-sorted={sorted || undefined} onClick={() => onSort(column)}>
-        <span>
-          {title}
-          {small !== "" && <span className={classes.detail}>{small}</span>}
-        </span>
-        <Icon size={13} stroke={1.8} aria-hidden />
-      </UnstyledButton>
-    </th>
+    <span className={ui.named}>
+      {row === best && (
+        <Tooltip label="Lowest value of the plotted metric">
+          <span className={classes.ring} role="img" aria-label="lowest" />
+        </Tooltip>
+      )}
+      {run}
+      <Tooltip label="Open in the dashboard" openDelay={400}>
+        <ActionIcon size={24} variant="subtle" loading={row === opening} aria-label={`Open run ${run} in the dashboard`} onClick={() => onOpen(row)}>
+          <IconExternalLink size={14} />
+        </ActionIcon>
+      </Tooltip>
+    </span>
   );
 }
 
-type RowProps = Pick<Props, "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "onOpen"> & {
-  readonly row: number;
-  readonly isBest: boolean;
-  readonly isOpening: boolean;
-};
-
-function Row({ row, batch, columns, catalogue, strategies, markers, figures, isBest, isOpening, onOpen }: RowProps) {
-  const run = Number(cell(columns, "run", row));
-  const status = String(cell(columns, "status", row));
-  const reason = cell(columns, "reason", row);
+function Driven({ columns, catalogue, strategies, markers, row }: CellProps) {
   const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row));
-  const caveats = caveatsOfRow(columns, row, catalogue);
   return (
-    <tr data-best={isBest || undefined} data-status={status} data-run={run}>
-      <td>
-        <span className={classes.runCell}>
-          {isBest && (
-            <Tooltip label="Lowest value of the plotted metric">
-              <span className={classes.ring} role="img" aria-label="lowest" />
-            </Tooltip>
-          )}
-          {run}
-          <Tooltip label="Open in the dashboard" openDelay={400}>
-            <ActionIcon size={24} variant="subtle" loading={isOpening} aria-label={`Open run ${run} in the dashboard`} onClick={() => onOpen(row)}>
-              <IconExternalLink size={14} />
-            </ActionIcon>
-          </Tooltip>
-        </span>
-      </td>
-      {batch.fields.map(({ name }) => (
-        <td key={name}>{showCell(cell(columns, name, row))}</td>
-      ))}
-      <td data-left>
-        <span className={classes.strategy}>
-          {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
-          {strategy?.label ?? String(cell(columns, "strategy", row))}
-          {caveats.length > 0 && (
-            <span
-              role="img"
-              className={classes.caveat}
-              data-caveat={caveats.map(({ event }) => event).join(" ")}
-              aria-label={caveats.map(({ text }) => text).join(", ")}
-              title={caveats.map(({ text, description }) => `${text} (${description})`).join("\n")}
-            >
-              <IconAlertTriangle size={14} stroke={1.9} aria-hidden />
-            </span>
-          )}
-        </span>
-      </td>
-      {status === "ok" ? (
-        figures.map(({ key, scale }) => <td key={key}>{showFigure(cell(columns, key, row), scale)}</td>)
-      ) : (
-        <td colSpan={figures.length} data-left className={status === "failed" ? ui.error : classes.waiting}>
-          <span className={classes.reason}>
-            {status}
-            {typeof reason === "string" && `: ${reason}`}
-          </span>
-        </td>
-      )}
-    </tr>
+    <span className={ui.named}>
+      {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
+      {strategy?.label ?? String(cell(columns, "strategy", row))}
+      <CaveatMark caveats={caveatsOfRow(columns, row, catalogue)} short />
+    </span>
+  );
+}
+
+/** What became of a run that has no results, and why. */
+function Unfinished({ columns, row }: Pick<CellProps, "columns" | "row">) {
+  const [status, reason] = [statusOf(columns, row), cell(columns, "reason", row)];
+  return (
+    <Box component="span" display="inline-block" maw="min(44rem, 60vw)" c={status === "failed" ? "var(--danger)" : "dimmed"}>
+      {status}
+      {typeof reason === "string" && `: ${reason}`}
+    </Box>
   );
 }

@@ -6,7 +6,8 @@ import { secondsLeft, withMark, type Mark } from "../jobs/pace";
 import { MANY, scatterFigure } from "./scatter";
 import { stringifySearch } from "../state/address";
 import { searchOf, viewOf } from "./view";
-import { lowest, ordered, pointsOf, rowsOf, type Columns } from "./table";
+import { inOrder } from "../ui/order";
+import { lowest, pointsOf, rowsOf, type Columns } from "./table";
 
 const COLUMNS: Columns = {
   run: [0, 1, 2, 3],
@@ -19,9 +20,9 @@ const COLUMNS: Columns = {
 
 describe("rows", () => {
   it("are sorted by any column, what has no value last", () => {
-    expect(ordered(COLUMNS, [0, 1, 2, 3], { column: "peak", descending: false })).toEqual([0, 3, 1, 2]);
-    expect(ordered(COLUMNS, [0, 1, 2, 3], { column: "peak", descending: true })).toEqual([1, 3, 0, 2]);
-    expect(ordered(COLUMNS, [0, 1, 2, 3], { column: "strategy", descending: false })).toEqual([0, 2, 1, 3]);
+    expect(inOrder([0, 1, 2, 3], (row) => COLUMNS.peak?.[row])).toEqual([0, 3, 1, 2]);
+    expect(inOrder([0, 1, 2, 3], (row) => COLUMNS.peak?.[row], true)).toEqual([1, 3, 0, 2]);
+    expect(inOrder([0, 1, 2, 3], (row) => COLUMNS.strategy?.[row])).toEqual([0, 2, 1, 3]);
   });
 
   it("can be kept by what they are", () => {

@@ -1,33 +1,12 @@
 /** A batch's rows as columns: which are shown, in which order, and which is best. */
 
 import type { BatchTable, StrategyId } from "../api/types";
+import { inOrder } from "../ui/order";
 
 export type Cell = BatchTable["columns"][string][number] | undefined;
 export type Columns = BatchTable["columns"];
 
-export interface Order {
-  readonly column: string;
-  readonly descending: boolean;
-}
-
 export const cell = (columns: Columns, name: string, row: number): Cell => columns[name]?.[row];
-
-function compare(a: Cell, b: Cell): number {
-  if (typeof a === "number" && typeof b === "number") return a - b;
-  return String(a).localeCompare(String(b), "en", { numeric: true });
-}
-
-const isMissing = (value: Cell) => value === null || value === undefined;
-
-/** Row numbers in the order asked for; what has no value comes last either way. Rows alike keep their order. */
-export function ordered(columns: Columns, rows: readonly number[], { column, descending }: Order): readonly number[] {
-  const values = columns[column] ?? [];
-  return [...rows].sort((left, right) => {
-    const [a, b] = [values[left], values[right]];
-    if (isMissing(a) || isMissing(b)) return Number(isMissing(a)) - Number(isMissing(b));
-    return descending ? compare(b, a) : compare(a, b);
-  });
-}
 
 export function rowsOf(columns: Columns, keep: (row: number) => boolean): readonly number[] {
   return (columns.run ?? []).flatMap((_, row) => (keep(row) ? [row] : []));
@@ -60,10 +39,9 @@ const asAxisValue = (value: Cell): number | string | null =>
 /** What a plot shows: for each strategy the rows that have both values, in ascending x. */
 export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x: string, y: string, scale: number, xScale = 1): readonly Points[] {
   return strategies.map((strategy) => {
-    const rows = ordered(
-      columns,
+    const rows = inOrder(
       rowsOf(columns, (row) => cell(columns, "strategy", row) === strategy && typeof cell(columns, y, row) === "number" && asAxisValue(cell(columns, x, row)) !== null),
-      { column: x, descending: false },
+      (row) => cell(columns, x, row),
     );
     return {
       strategy,

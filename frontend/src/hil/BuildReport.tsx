@@ -1,6 +1,6 @@
 /** Whether the controller fits the microcontroller: memory and time of the scenario's own and of smaller ones, with what each loses. */
 
-import { Button, Skeleton, Switch, Text } from "@mantine/core";
+import { Button, Skeleton, Stack, Switch, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "../icons";
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
@@ -10,8 +10,7 @@ import { formatPercent } from "../tables/change";
 import { headingOf, VIEWS } from "../tables/ComparisonTable";
 import { formatNumber, formatWhole } from "../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
-import classes from "./hil.module.css";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
@@ -45,7 +44,7 @@ export function BuildReport({ scenario, catalogue }: Props) {
       {report.data ? (
         <Report report={report.data} catalogue={catalogue} />
       ) : (
-        <div className={classes.body}>
+        <Stack gap="xs" px="0.9rem" pb="sm">
           <Text size="sm" c="dimmed">
             {report.isFetching
               ? "The program is built for the part and driven over the road, the scenario’s own and smaller ones: this takes some seconds each."
@@ -55,21 +54,21 @@ export function BuildReport({ scenario, catalogue }: Props) {
           {report.isError && !report.isFetching && (
             <Fault>{report.error.message}</Fault>
           )}
-        </div>
+        </Stack>
       )}
     </Card>
   );
 }
 
 function Report({ report, catalogue }: { readonly report: ControllerReport; readonly catalogue: Catalogue }) {
-  const { part, rows, sample_time: step, cycles_per_operation: cycles, spread } = report;
+  const { part, rows, cycles_per_operation: cycles, spread } = report;
   const [all, setAll] = useState(false);
   const [own, ...smaller] = rows;
   const fitting = smaller.filter(({ fits }) => fits);
   const least = fitting.toSorted((a, b) => largestLoss(a.changes) - largestLoss(b.changes))[0];
   return (
     <>
-      <Text size="sm" className={classes.body ?? ""} data-testid="fits">
+      <Text size="sm" px="0.9rem" pb="sm" data-testid="fits">
         {own?.fits
           ? "The scenario’s own controller fits. "
           : `The scenario’s own controller does not fit: ${own?.reasons.join("; ") ?? ""}. `}
@@ -78,80 +77,15 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
             ? `Of the smaller ones ${fitting.length === 1 ? "one fits" : `${fitting.length} fit`}; the least loss has Np ${least.prediction_horizon}, Nc ${least.control_horizon}, ${least.checked_rows} limits checked.`
             : "None of the smaller ones tried does either.")}
       </Text>
-      <ScrollTable label="Controllers on the part" className={classes.report}>
-        <thead>
-          <tr>
-            <th scope="col" data-left>
-              Np · Nc
-            </th>
-            <th scope="col">Limits checked</th>
-            <th scope="col">Iterations</th>
-            <th scope="col">
-              Flash <span className={ui.dim}>of {kilobytes(part.flash)}</span>
-            </th>
-            <th scope="col">
-              RAM with stack <span className={ui.dim}>of {kilobytes(part.ram)}</span>
-            </th>
-            <th scope="col">
-              Operations a step <span className={ui.dim}>least to most</span>
-            </th>
-            <th scope="col">
-              Time a step <span className={ui.dim}>of {formatTime(step)}</span>
-            </th>
-            <th scope="col">Fits</th>
-            {VIEWS.map((view) =>
-              all ? (
-                catalogue.paper_signals.map((signal) => (
-                  <th key={`${view.window} ${signal}`} scope="col">
-                    {labelOf(signal, catalogue)} <span className={ui.dim}>{headingOf(view, catalogue)}</span>
-                  </th>
-                ))
-              ) : (
-                <th key={view.window} scope="col">
-                  {headingOf(view, catalogue)} <span className={ui.dim}>largest increase</span>
-                </th>
-              ),
-            )}
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map((row, index) => (
-            <tr key={`${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`} data-fits={row.fits}>
-              <th scope="row" data-left>
-                {row.prediction_horizon} · {row.control_horizon}
-                {index === 0 && <span className={ui.dim}> the scenario’s</span>}
-              </th>
-              <td>{formatWhole(row.checked_rows)}</td>
-              <td>
-                {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
-                {row.unfinished > 0 && <span className={classes.bad}>, {formatWhole(row.unfinished)} unfinished</span>}
-              </td>
-              <td>{kilobytes(row.code + row.constants)}</td>
-              <td>{kilobytes(row.variables + part.stack)}</td>
-              <td>
-                {formatEnds(row.operations, formatWhole)}
-              </td>
-              <td>
-                {formatEnds(row.time, formatTime)}
-              </td>
-              <td>
-                <Fits fits={row.fits} reasons={row.reasons} />
-              </td>
-              {VIEWS.map(({ window }) =>
-                all ? (
-                  catalogue.paper_signals.map((signal) => <td key={`${window} ${signal}`}>{shownChange(row.changes[window]?.[signal])}</td>)
-                ) : (
-                  <td key={window}>
-                    <Loss changes={row.changes[window] ?? {}} catalogue={catalogue} />
-                  </td>
-                ),
-              )}
-            </tr>
-          ))}
-        </tbody>
-      </ScrollTable>
-      <Switch size="xs" className={classes.all ?? ""} label="All eight figures" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
-      <Text size="xs" c="dimmed" className={classes.foot ?? ""}>
+      <DataTable
+        label="Controllers on the part"
+        rows={rows}
+        rowKey={(row) => `${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`}
+        rowAttributes={({ fits }) => ({ "data-fits": fits })}
+        columns={[...costColumns(report), ...(all ? changeColumns(catalogue) : lossColumns(catalogue))]}
+      />
+      <Switch size="xs" px="0.9rem" py="xs" label="All eight figures" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own, they are the first move’s forces and every third deflection of the horizon.{" "}
         {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
         (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator that counts cycles as the processor’s manual does.
@@ -160,6 +94,62 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
   );
 }
 
+type Row = ControllerReport["rows"][number];
+
+function costColumns({ part, rows, sample_time: step }: ControllerReport): readonly Column<Row>[] {
+  return [
+    {
+      key: "horizons",
+      head: "Np · Nc",
+      text: true,
+      cell: (row) => (
+        <>
+          {row.prediction_horizon} · {row.control_horizon}
+          {row === rows[0] && <span className={ui.dim}> the scenario’s</span>}
+        </>
+      ),
+    },
+    { key: "limits", head: "Limits checked", cell: (row) => formatWhole(row.checked_rows) },
+    {
+      key: "iterations",
+      head: "Iterations",
+      cell: (row) => (
+        <>
+          {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
+          {row.unfinished > 0 && <span className={ui.warning}>, {formatWhole(row.unfinished)} unfinished</span>}
+        </>
+      ),
+    },
+    { key: "flash", head: "Flash", detail: `of ${kilobytes(part.flash)}`, cell: (row) => kilobytes(row.code + row.constants) },
+    { key: "ram", head: "RAM with stack", detail: `of ${kilobytes(part.ram)}`, cell: (row) => kilobytes(row.variables + part.stack) },
+    { key: "operations", head: "Operations a step", detail: "least to most", cell: (row) => formatEnds(row.operations, formatWhole) },
+    { key: "time", head: "Time a step", detail: `of ${formatTime(step)}`, cell: (row) => formatEnds(row.time, formatTime) },
+    { key: "fits", head: "Fits", cell: (row) => <Fits fits={row.fits} reasons={row.reasons} /> },
+  ];
+}
+
+const changeColumns = (catalogue: Catalogue) =>
+  VIEWS.flatMap((view) =>
+    catalogue.paper_signals.map(
+      (signal): Column<Row> => ({
+        key: `${view.window} ${signal}`,
+        group: headingOf(view, catalogue),
+        head: labelOf(signal, catalogue),
+        cell: ({ changes }) => shownChange(changes[view.window]?.[signal]),
+      }),
+    ),
+  );
+
+const lossColumns = (catalogue: Catalogue) =>
+  VIEWS.map(
+    (view): Column<Row> => ({
+      key: view.window,
+      head: headingOf(view, catalogue),
+      detail: "largest increase",
+      cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} catalogue={catalogue} />,
+    }),
+  );
+
 const labelOf = (signal: string, catalogue: Catalogue) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
@@ -167,8 +157,8 @@ const shownChange = (change: number | null | undefined) => (typeof change === "n
 function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: readonly string[] }) {
   const Icon = fits ? IconCheck : IconAlertTriangle;
   return (
-    <span className={fits ? classes.good : classes.bad} title={reasons.join("\n")}>
-      <Icon size={14} stroke={2} aria-hidden className={classes.icon} /> {fits ? "yes" : "no"}
+    <span className={fits ? ui.good : ui.warning} title={reasons.join("\n")}>
+      <Icon size={14} stroke={2} aria-hidden className={ui.inline} /> {fits ? "yes" : "no"}
       {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
     </span>
   );
@@ -181,7 +171,7 @@ function Loss({ changes, catalogue }: { readonly changes: Readonly<Record<string
   if (!worst) return <>–</>;
   return (
     <>
-      {formatPercent(worst.change)} <span className={classes.lossOf}>{labelOf(worst.signal, catalogue)}</span>
+      {formatPercent(worst.change)} <span className={ui.under}>{labelOf(worst.signal, catalogue)}</span>
     </>
   );
 }

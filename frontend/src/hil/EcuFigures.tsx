@@ -1,6 +1,6 @@
 /** Figures 19 to 22 for this scenario: the paper's four signals, in the ECU, in the simulation and under the LQR. */
 
-import { SegmentedControl, useComputedColorScheme } from "@mantine/core";
+import { Box, Group, SegmentedControl, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
@@ -12,7 +12,7 @@ import { DETAIL_POINTS, seriesQuery } from "../state/queries";
 import { makeScene } from "../state/scene";
 import { fromRun } from "../state/shown";
 import { cursor } from "../state/cursor";
-import { StrategyKey } from "../tables/StrategyKey";
+import { StrategyName } from "../tables/StrategyKey";
 import classes from "./hil.module.css";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
@@ -41,16 +41,14 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const curves = useMemo(() => scene && { ...scene, driven: scene.series, live: false, runId: scene.shown.runId, coreVersion: scene.shown.coreVersion }, [scene]);
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
-    <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
+    <section aria-label="Time histories" data-stale={stale || undefined}>
       <header className={ui.head}>
         <h2 className={ui.heading}>Figures 19 to 22, for this scenario</h2>
-        <span className={classes.keys}>
+        <Group component="span" gap="0.2rem 0.9rem" fz="xs" c="dimmed">
           {drawn.map((strategy) => (
-            <span key={strategy.id} className={classes.columnHead}>
-              <StrategyKey strategy={strategy} /> {strategy.label}
-            </span>
+            <StrategyName key={strategy.id} strategy={strategy} />
           ))}
-        </span>
+        </Group>
         <SegmentedControl
           size="xs"
           aria-label="Plots over"
@@ -75,7 +73,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
             <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, curves, palette }} onZoom={setZoom} />
           ))
         ) : (
-          templates.map(({ layout }) => <div key={layout.meta.signal} className={`${ui.card} ${classes.panelLoading}`} />)
+          templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)
         )}
       </div>
     </section>

@@ -1,16 +1,15 @@
 /** The C sources of this scenario's controller, as a zip. */
 
-import { Button, Text } from "@mantine/core";
+import { Button, Group, Text } from "@mantine/core";
 import { IconDownload } from "../icons";
 import type { Scenario } from "../api/types";
-import classes from "./hil.module.css";
 import { useController } from "./useController";
 import { Fault } from "../ui/Fault";
 
 export function ExportController({ scenario }: { readonly scenario: Scenario | undefined }) {
   const { save, saving, error } = useController();
   return (
-    <div className={classes.export}>
+    <Group gap="xs">
       <Button size="xs" variant="default" leftSection={<IconDownload size={15} />} loading={saving} disabled={!scenario} onClick={() => scenario && save(scenario)}>
         Export controller (C)
       </Button>
@@ -20,6 +19,6 @@ export function ExportController({ scenario }: { readonly scenario: Scenario | u
       {error && (
         <Fault>It could not be exported: {error.message}</Fault>
       )}
-    </div>
+    </Group>
   );
 }

@@ -1,20 +1,19 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
-import { Button, Progress, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { Box, Button, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useEffect, useMemo, useState } from "react";
 import { api } from "../api/client";
 import { isTransient } from "../api/problem";
-import type { Catalogue, RealtimeReport, Scenario, Times } from "../api/types";
+import type { Catalogue, RealtimeReport, Scenario } from "../api/types";
 import { Chart } from "../plots/Chart";
 import { PALETTES } from "../plots/palettes";
 import { formatPercent } from "../tables/change";
 import { VIEWS } from "../tables/ComparisonTable";
 import { count, formatNumber, formatWhole } from "../units/format";
 import { formatTime } from "./effort";
-import classes from "./hil.module.css";
 import { histogramFigure } from "./histogram";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable } from "../ui/DataTable";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
@@ -42,7 +41,7 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
         </Button>
       }
     >
-      <div className={classes.body}>
+      <Stack gap="xs" px="0.9rem" pb="sm">
         <Text size="sm" c="dimmed">
           The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed deadline, and the actuators hold the last command. It takes as long as
           the drive{seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes both sides, not a real-time one: the figures are the server’s at that
@@ -53,11 +52,11 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
           <Fault>{isTransient(drive.error) ? `The server has no room for a drive by the clock just now: ${drive.error.message}` : drive.error.message}</Fault>
         )}
         {other && (
-          <Text size="xs" className={classes.bad} role="status">
+          <Text size="xs" className={ui.warning ?? ""} role="status">
             The scenario has changed since: these numbers are of the previous one.
           </Text>
         )}
-      </div>
+      </Stack>
       {report && <Report {...{ report, catalogue, colour }} />}
     </Card>
   );
@@ -77,15 +76,15 @@ function Waiting({ seconds }: { readonly seconds: number | undefined }) {
   }, []);
   const whole = seconds === undefined ? undefined : seconds + BEFORE_S;
   return (
-    <div className={classes.waiting}>
+    <Stack gap={5}>
       <Progress.Root size={8} transitionDuration={TICK_MS}>
         <Progress.Section value={whole === undefined ? 100 : Math.min(99, (100 * passed) / whole)} animated={whole === undefined || passed > whole} color="var(--accent)" aria-label="Driven" />
       </Progress.Root>
-      <Text size="xs" c="dimmed" className={classes.counter ?? ""}>
+      <Text size="xs" c="dimmed">
         {formatWhole(Math.round(passed))}
         {whole === undefined ? " s" : ` of about ${formatWhole(Math.round(whole))} s`}
       </Text>
-    </div>
+    </Stack>
   );
 }
 
@@ -95,6 +94,16 @@ const KINDS = [
   { value: "computing", label: "Computing" },
 ] as const;
 type Kind = (typeof KINDS)[number]["value"];
+
+const TIMES = [
+  ["mean", "Mean"],
+  ["deviation", "Deviation"],
+  ["median", "Median"],
+  ["percentile_99", "99 %"],
+  ["most", "Most"],
+] as const;
+
+const shownTime = (time: number | undefined) => (time === undefined ? "–" : formatTime(time));
 
 const MEANING: Readonly<Record<Kind, string>> = {
   latency: "From a frame’s sending to its answer.",
@@ -109,28 +118,29 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
   const figure = useMemo(() => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null), [spread, report.deadline, palette, colour]);
   return (
     <>
-      <ScrollTable label="Times by the clock" className={classes.report}>
-        <thead>
-          <tr>
-            <th scope="col" data-left>
-              <span className={report.misses === 0 ? classes.good : classes.bad} data-testid="misses">
+      <DataTable
+        label="Times by the clock"
+        rows={KINDS}
+        rowKey={({ value }) => value}
+        columns={[
+          {
+            key: "kind",
+            head: (
+              <span className={report.misses === 0 ? ui.good : ui.warning} data-testid="misses">
                 {report.misses === 0 ? "No deadline missed" : `${count(report.misses, "deadline")} missed`} in {count(report.steps, "step")}
               </span>
-            </th>
-            <th scope="col">Mean</th>
-            <th scope="col">Deviation</th>
-            <th scope="col">Median</th>
-            <th scope="col">99 %</th>
-            <th scope="col">Most</th>
-          </tr>
-        </thead>
-        <tbody>
-          {KINDS.map(({ value, label }) => (
-            <SpreadRow key={value} label={label} meaning={MEANING[value]} spread={report[value]} />
-          ))}
-        </tbody>
-      </ScrollTable>
-      <div className={classes.histogram}>
+            ),
+            text: true,
+            cell: ({ value, label }) => (
+              <>
+                {label} <span className={ui.dim}>{MEANING[value]}</span>
+              </>
+            ),
+          },
+          ...TIMES.map(([key, head]) => ({ key, head, cell: ({ value }: (typeof KINDS)[number]) => shownTime(report[value]?.[key]) })),
+        ]}
+      />
+      <Box px="0.9rem" pt="xs">
         <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
         {figure ? (
           <Chart figure={figure} height={230} label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`} />
@@ -139,8 +149,8 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
             There is nothing to count: no answer came in time.
           </Text>
         )}
-      </div>
-      <p className={classes.lockStep}>
+      </Box>
+      <Text size="sm" px="0.9rem" pt={6} pb="sm">
         <span className={ui.dim}>Against the drive in lock-step: </span>
         {VIEWS.map(({ window, statistic }) => (
           <span key={window}>
@@ -152,19 +162,7 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
             {". "}
           </span>
         ))}
-      </p>
+      </Text>
     </>
-  );
-}
-
-function SpreadRow({ label, meaning, spread }: { readonly label: string; readonly meaning: string; readonly spread: Times | null }) {
-  const values = spread && [spread.mean, spread.deviation, spread.median, spread.percentile_99, spread.most];
-  return (
-    <tr>
-      <th scope="row" data-left>
-        {label} <span className={ui.dim}>{meaning}</span>
-      </th>
-      {values ? values.map((value, index) => <td key={index}>{formatTime(value)}</td>) : <td colSpan={5}>–</td>}
-    </tr>
   );
 }

@@ -4,10 +4,10 @@ import { NativeSelect, Text } from "@mantine/core";
 import type { BatchSummary, Strategy, StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { formatPercent } from "../tables/change";
-import { StrategyKey } from "../tables/StrategyKey";
+import { StrategyName } from "../tables/StrategyKey";
 import classes from "./robustness.module.css";
 import { quantile, type Margin } from "./summary";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -21,7 +21,6 @@ interface Props {
 export function Leads({ summary, strategies, figures, onBaseline }: Props) {
   const baseline = strategies.find(({ id }) => id === summary.baseline);
   const others = strategies.filter(({ id }) => id !== summary.baseline);
-  const groups = [...new Set(figures.map(({ group }) => group))];
   if (!baseline || others.length === 0) return null;
   return (
     <Card
@@ -40,47 +39,24 @@ export function Leads({ summary, strategies, figures, onBaseline }: Props) {
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is: in the scenario itself, then the median and the range of 90 % of the points.
       </Text>
-      <ScrollTable label="Leads" className={classes.table}>
-        <thead>
-          <tr>
-            <td />
-            {groups.map((group) => (
-              <th key={group} colSpan={figures.filter((each) => each.group === group).length} className={classes.group}>
-                {group}
-              </th>
-            ))}
-          </tr>
-          <tr>
-            <th scope="col" className={classes.left}>
-              Against
-            </th>
-            {figures.map(({ key, label }) => (
-              <th key={key} scope="col" className={classes.leadColumn}>
-                {label}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {others.map((strategy) => (
-            <tr key={strategy.id} data-strategy={strategy.id}>
-              <th scope="row" className={classes.left}>
-                <span className={classes.strategy}>
-                  <StrategyKey strategy={strategy} /> {strategy.label}
-                </span>
-              </th>
-              {figures.map(({ key }) => {
-                const margin = summary.strategies[strategy.id]?.figures[key]?.margin;
-                return (
-                  <td key={key} className={classes.lead} data-cell={key}>
-                    {margin ? <Lead summary={summary} margin={margin} /> : "–"}
-                  </td>
-                );
-              })}
-            </tr>
-          ))}
-        </tbody>
-      </ScrollTable>
+      <DataTable
+        label="Leads"
+        rows={others}
+        rowKey={({ id }) => id}
+        rowAttributes={({ id }) => ({ "data-strategy": id })}
+        columns={[
+          { key: "strategy", head: "Against", text: true, cell: (strategy) => <StrategyName strategy={strategy} /> },
+          ...figures.map(
+            ({ key, label, group }): Column<Strategy> => ({
+              key,
+              head: label,
+              group,
+              attributes: () => ({ "data-cell": key }),
+              cell: ({ id }) => <Lead summary={summary} margin={summary.strategies[id]?.figures[key]?.margin} />,
+            }),
+          ),
+        ]}
+      />
     </Card>
   );
 }
@@ -89,10 +65,10 @@ const whole = (share: number) => `${Math.round(100 * share)}\u2009%`;
 
 const plain = (percent: number | null) => (percent === null ? "–" : formatPercent(Math.round(percent)).replace(".0", ""));
 
-function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly margin: Margin }) {
+function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly margin: Margin | null | undefined }) {
   // The margin is the other strategy's: where that is worse, the baseline is better.
+  if (typeof margin?.worse !== "number" || typeof margin.better !== "number") return "–";
   const { worse, better } = margin;
-  if (worse === null || better === null) return "–";
   return (
     <>
       <span className={classes.share}>{whole(worse)}</span>

@@ -2,13 +2,12 @@
 
 import { Text } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../api/types";
-import { StrategyKey } from "../tables/StrategyKey";
+import { StrategyName } from "../tables/StrategyKey";
 import { formatFixed, formatResult, formatWhole } from "../units/format";
 import { RunButton } from "./RunButton";
-import classes from "./robustness.module.css";
-import { AIRBORNE, quantile, TRAVEL, type FigureSummary } from "./summary";
+import { AIRBORNE, quantile, TRAVEL, type StrategySummary } from "./summary";
 import type { Opening } from "../batch/useOpenRun";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -20,73 +19,13 @@ interface Props {
 
 export function Limits({ summary, strategies, opening }: Props) {
   const reasons = strategies.flatMap(({ id, label }) => Object.entries(summary.strategies[id]?.reasons ?? {}).map(([reason, times]) => ({ label, reason, times })));
+  const rows = strategies.flatMap((strategy): Row[] => {
+    const results = summary.strategies[strategy.id];
+    return results ? [{ strategy, results }] : [];
+  });
   return (
     <Card aria-label="Limits and stability" title="Limits and stability">
-      <ScrollTable label="Limits" className={classes.table}>
-        <thead>
-          <tr>
-            <td />
-            <th colSpan={4} className={classes.group}>
-              Least damping ratio of the closed loop
-            </th>
-            <th colSpan={2} className={classes.group}>
-              Travel over the limit
-            </th>
-            <th colSpan={2} className={classes.group}>
-              A tyre airborne
-            </th>
-            <th className={classes.group}>Runs</th>
-          </tr>
-          <tr>
-            <th scope="col" className={classes.left}>
-              Strategy
-            </th>
-            <th scope="col">nominal</th>
-            <th scope="col">median</th>
-            <th scope="col">lowest</th>
-            <th scope="col">unstable at</th>
-            <th scope="col">at</th>
-            <th scope="col">at most</th>
-            <th scope="col">at</th>
-            <th scope="col">at most</th>
-            <th scope="col">failed</th>
-          </tr>
-        </thead>
-        <tbody>
-          {strategies.map((strategy) => {
-            const results = summary.strategies[strategy.id];
-            if (!results) return null;
-            const { stability, figures } = results;
-            const median = quantile(summary, stability, 50);
-            return (
-              <tr key={strategy.id} data-strategy={strategy.id}>
-                <th scope="row" className={classes.left}>
-                  <span className={classes.strategy}>
-                    <StrategyKey strategy={strategy} /> {strategy.label}
-                  </span>
-                </th>
-                {stability.known === 0 ? (
-                  <td colSpan={4} className={ui.dim}>
-                    not judged: this controller is no linear law
-                  </td>
-                ) : (
-                  <>
-                    <td>{stability.nominal === null ? "–" : formatFixed(stability.nominal, 2)}</td>
-                    <td>{median === null ? "–" : formatFixed(median, 2)}</td>
-                    <td>
-                      <RunButton run={stability.lowest} text={stability.lowest ? formatFixed(stability.lowest.value, 2) : "–"} what={`${strategy.label}: least damping`} opening={opening} />
-                    </td>
-                    <td data-bad={stability.unstable > 0 || undefined}>{times(stability.unstable, stability.known)}</td>
-                  </>
-                )}
-                <Event results={figures[TRAVEL]} unit="mm" what={`${strategy.label}: travel over the limit`} opening={opening} />
-                <Event results={figures[AIRBORNE]} unit="ms" what={`${strategy.label}: airborne`} opening={opening} />
-                <td data-bad={results.failed > 0 || undefined}>{formatWhole(results.failed)}</td>
-              </tr>
-            );
-          })}
-        </tbody>
-      </ScrollTable>
+      <DataTable label="Limits" rows={rows} rowKey={({ strategy }) => strategy.id} rowAttributes={({ strategy }) => ({ "data-strategy": strategy.id })} columns={columnsOf(summary, opening)} />
       {reasons.map(({ label, reason, times: count }) => (
         <Text key={`${label} ${reason}`} size="xs" className={`${ui.error ?? ""} ${ui.note ?? ""}`}>
           {label}, {formatWhole(count)} failed: {reason}
@@ -101,20 +40,58 @@ export function Limits({ summary, strategies, opening }: Props) {
 
 const times = (count: number, of: number) => (count === 0 ? "no point" : `${formatWhole(count)} of ${formatWhole(of)}`);
 
-interface EventProps {
-  readonly results: FigureSummary | undefined;
-  readonly unit: string;
-  readonly what: string;
-  readonly opening: Opening;
+interface Row {
+  readonly strategy: Strategy;
+  readonly results: StrategySummary;
 }
 
-function Event({ results, unit, what, opening }: EventProps) {
-  if (!results) return <td colSpan={2}>–</td>;
-  const happens = results.above_zero > 0;
-  return (
-    <>
-      <td data-bad={happens || undefined}>{times(results.above_zero, results.n)}</td>
-      <td>{happens && results.highest ? <RunButton run={results.highest} text={`${formatResult(results.highest.value)}\u00a0${unit}`} what={what} opening={opening} /> : "–"}</td>
-    </>
-  );
+const bad = (count: number) => ({ "data-bad": count > 0 || undefined });
+
+function columnsOf(summary: BatchSummary, opening: Opening): readonly Column<Row>[] {
+  const damping = { group: "Least damping ratio of the closed loop" };
+  return [
+    { key: "strategy", head: "Strategy", text: true, cell: ({ strategy }) => <StrategyName strategy={strategy} /> },
+    {
+      ...damping,
+      key: "nominal",
+      head: "nominal",
+      span: ({ results }) => (results.stability.known === 0 ? 4 : 1),
+      cell: ({ results: { stability } }) => (stability.known === 0 ? <span className={ui.dim}>not judged: this controller is no linear law</span> : shown(stability.nominal)),
+    },
+    { ...damping, key: "median", head: "median", cell: ({ results }) => shown(quantile(summary, results.stability, 50)) },
+    {
+      ...damping,
+      key: "lowest",
+      head: "lowest",
+      cell: ({ strategy, results: { stability } }) => <RunButton run={stability.lowest} text={shown(stability.lowest?.value ?? null)} what={`${strategy.label}: least damping`} opening={opening} />,
+    },
+    { ...damping, key: "unstable", head: "unstable at", attributes: ({ results }) => bad(results.stability.unstable), cell: ({ results: { stability } }) => times(stability.unstable, stability.known) },
+    ...eventColumns(TRAVEL, "Travel over the limit", "mm", opening),
+    ...eventColumns(AIRBORNE, "A tyre airborne", "ms", opening),
+    { key: "failed", group: "Runs", head: "failed", attributes: ({ results }) => bad(results.failed), cell: ({ results }) => formatWhole(results.failed) },
+  ];
+}
+
+const shown = (damping: number | null) => (damping === null ? "–" : formatFixed(damping, 2));
+
+function eventColumns(event: string, group: string, unit: string, opening: Opening): readonly Column<Row>[] {
+  return [
+    {
+      key: `${event} at`,
+      group,
+      head: "at",
+      attributes: ({ results }) => bad(results.figures[event]?.above_zero ?? 0),
+      cell: ({ results: { figures } }) => (figures[event] ? times(figures[event].above_zero, figures[event].n) : "–"),
+    },
+    {
+      key: `${event} most`,
+      group,
+      head: "at most",
+      cell({ strategy, results: { figures } }) {
+        const { above_zero: happens = 0, highest = null } = figures[event] ?? {};
+        if (happens === 0 || !highest) return "–";
+        return <RunButton run={highest} text={`${formatResult(highest.value)}\u00a0${unit}`} what={`${strategy.label}: ${group.toLowerCase()}`} opening={opening} />;
+      },
+    },
+  ];
 }

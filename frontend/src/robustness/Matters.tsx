@@ -8,8 +8,8 @@ import { formatFixed } from "../units/format";
 import { nameOf } from "./names";
 import classes from "./robustness.module.css";
 import { hasOrder } from "./study";
-import { matters, ranked, type Sensitivity, type StrategySummary } from "./summary";
-import { ScrollTable } from "../ui/ScrollTable";
+import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary } from "./summary";
+import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -63,46 +63,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
           Too few points have run, or nothing that varies reaches this strategy.
         </Text>
       ) : (
-        <ScrollTable label="What matters" className={classes.table}>
-          <thead>
-            <tr>
-              <td />
-              {[...new Set(figures.map(({ group }) => group))].map((group) => (
-                <th key={group} colSpan={figures.filter((each) => each.group === group).length} className={classes.group}>
-                  {group}
-                </th>
-              ))}
-              {!margins && <td />}
-            </tr>
-            <tr>
-              <th scope="col" className={classes.left}>
-                Field
-              </th>
-              {figures.map(({ key, label }) => (
-                <th key={key} scope="col" className={classes.leadColumn}>
-                  {label}
-                </th>
-              ))}
-              {!margins && (
-                <th scope="col" className={classes.leadColumn}>
-                  Least damping
-                </th>
-              )}
-            </tr>
-          </thead>
-          <tbody>
-            {rows.map(({ field, cells }) => (
-              <tr key={field} data-field={field}>
-                <th scope="row" className={classes.left}>
-                  <span className={classes.fieldName}>{nameOf(field, batch.fields)}</span>
-                </th>
-                {[...figures.map(({ key }) => key), ...(margins ? [] : [STABILITY])].map((key) => (
-                  <SensitivityCell key={key} figure={key} sensitivity={cells[key]} />
-                ))}
-              </tr>
-            ))}
-          </tbody>
-        </ScrollTable>
+        <DataTable label="What matters" rows={rows} rowKey={({ field }) => field} rowAttributes={({ field }) => ({ "data-field": field })} columns={columnsOf(batch, figures, margins)} />
       )}
     </Card>
   );
@@ -113,19 +74,35 @@ function sensitivitiesOf({ figures: results, stability }: StrategySummary, figur
   return Object.fromEntries(margins ? own : [...own, [STABILITY, stability.sensitivity] as const]);
 }
 
-function SensitivityCell({ figure, sensitivity }: { readonly figure: string; readonly sensitivity: Sensitivity | undefined }) {
-  if (!sensitivity || !matters(sensitivity)) {
-    return (
-      <td data-cell={figure} className={ui.dim}>
-        ·
-      </td>
-    );
-  }
-  const share = Math.round(100 * sensitivity.effect);
+function columnsOf(batch: Batch, figures: readonly Figure[], margins: boolean): readonly Column<Ranked>[] {
+  const sensitivity = (key: string, head: string, group?: string): Column<Ranked> => ({
+    key,
+    head,
+    group,
+    attributes: ({ cells }) => ({ "data-cell": key, style: { background: shadeOf(cells[key]) } }),
+    cell: ({ cells }) => <Share sensitivity={cells[key]} />,
+  });
+  return [
+    { key: "field", head: "Field", text: true, cell: ({ field }) => <span className={classes.fieldName}>{nameOf(field, batch.fields)}</span> },
+    ...figures.map(({ key, label, group }) => sensitivity(key, label, group)),
+    ...(margins ? [] : [sensitivity(STABILITY, "Least damping")]),
+  ];
+}
+
+const shareOf = (sensitivity: Sensitivity | undefined) => (sensitivity && matters(sensitivity) ? Math.round(100 * sensitivity.effect) : undefined);
+
+function shadeOf(sensitivity: Sensitivity | undefined): string | undefined {
+  const share = shareOf(sensitivity);
+  return share === undefined ? undefined : `color-mix(in srgb, var(--accent) ${Math.min(55, share)}%, transparent)`;
+}
+
+function Share({ sensitivity }: { readonly sensitivity: Sensitivity | undefined }) {
+  const share = shareOf(sensitivity);
+  if (!sensitivity || share === undefined) return <span className={ui.dim}>·</span>;
   return (
-    <td data-cell={figure} className={classes.follow} style={{ background: `color-mix(in srgb, var(--accent) ${Math.min(55, share)}%, transparent)` }}>
-      <span className={classes.strong}>{share < 1 ? "<1" : share}&#8239;%</span>
+    <>
+      <b>{share < 1 ? "<1" : share}&#8239;%</b>
       <span className={classes.rho}>{`${sensitivity.spearman < 0 ? "" : "+"}${formatFixed(sensitivity.spearman, 2)}`}</span>
-    </td>
+    </>
   );
 }

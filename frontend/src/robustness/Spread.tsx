@@ -5,15 +5,14 @@ import { useState } from "react";
 import type { BatchSummary, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { formatPercent } from "../tables/change";
-import { StrategyKey } from "../tables/StrategyKey";
+import { StrategyName } from "../tables/StrategyKey";
 import { formatResult, prettyUnit } from "../units/format";
 import { Intervals } from "./Intervals";
 import { RunButton } from "./RunButton";
-import classes from "./robustness.module.css";
-import { quantile, type FigureSummary } from "./summary";
+import { quantile, type FigureSummary, type Margin } from "./summary";
 import type { Opening } from "../batch/useOpenRun";
 import styles from "./bars.module.css";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -43,78 +42,72 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
           <Intervals key={figure.key} {...{ summary, strategies, figure }} />
         ))}
       </div>
-      <ScrollTable label="Values of the spread" className={classes.table}>
-        <thead>
-          <tr>
-            <td />
-            <th colSpan={5} className={classes.group}>
-              {shownGroup}
-            </th>
-            <th colSpan={3} className={classes.group}>
-              Change against {against} at the same point
-            </th>
-          </tr>
-          <tr>
-            <th scope="col" className={classes.left}>
-              Strategy
-            </th>
-            {["Nominal", "Median", "5 %", "95 %", "Worst case", "Median", "5 %", "95 %"].map((head, index) => (
-              <th key={index} scope="col">
-                {head}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        {shown.map((figure) => (
-          <tbody key={figure.key}>
-            <tr>
-              <th colSpan={9} scope="rowgroup" className={classes.rowGroup}>
-                {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
-              </th>
-            </tr>
-            {strategies.map((strategy) => {
-              const figureSummary = summary.strategies[strategy.id]?.figures[figure.key];
-              return figureSummary && <Row key={strategy.id} {...{ summary, strategy, figure, figureSummary, opening }} />;
-            })}
-          </tbody>
-        ))}
-      </ScrollTable>
+      <DataTable
+        label="Values of the spread"
+        columns={columnsOf({ summary, shownGroup, against, opening })}
+        groups={shown.map((figure) => ({
+          key: figure.key,
+          title: (
+            <>
+              {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
+            </>
+          ),
+          rows: strategies.flatMap((strategy) => {
+            const results = summary.strategies[strategy.id]?.figures[figure.key];
+            return results ? [{ strategy, figure, results }] : [];
+          }),
+        }))}
+        rowKey={({ strategy }) => strategy.id}
+        rowAttributes={({ strategy, figure }) => ({ "data-strategy": strategy.id, "data-figure": figure.key })}
+      />
     </Card>
   );
 }
 
-interface RowProps {
-  readonly summary: BatchSummary;
+interface Row {
   readonly strategy: Strategy;
   readonly figure: Figure;
-  readonly figureSummary: FigureSummary;
+  readonly results: FigureSummary;
+}
+
+interface Context {
+  readonly summary: BatchSummary;
+  readonly shownGroup: string;
+  readonly against: string;
   readonly opening: Opening;
 }
 
-function Row({ summary, strategy, figure, figureSummary, opening }: RowProps) {
-  const value = (number: number | null) => (number === null ? "–" : formatResult(number * figure.scale));
-  const { margin } = figureSummary;
-  const change = (percent: number) => {
+const PERCENTS = { Median: 50, "5 %": 5, "95 %": 95 };
+
+function columnsOf({ summary, shownGroup, against, opening }: Context): readonly Column<Row>[] {
+  const group = shownGroup;
+  const value = (number: number | null, { figure }: Row) => (number === null ? "–" : formatResult(number * figure.scale));
+  const change = (percent: number, margin: Margin | null) => {
     const at = margin && quantile(summary, margin, percent);
-    return <td key={percent}>{typeof at === "number" ? formatPercent(at) : margin ? "–" : ""}</td>;
+    return typeof at === "number" ? formatPercent(at) : margin ? "–" : "";
   };
-  return (
-    <tr data-strategy={strategy.id} data-figure={figure.key}>
-      <th scope="row" className={classes.left}>
-        <span className={classes.strategy}>
-          <StrategyKey strategy={strategy} /> {strategy.label}
-        </span>
-      </th>
-      <td>{value(figureSummary.nominal)}</td>
-      <td className={classes.strong}>{value(quantile(summary, figureSummary, 50))}</td>
-      <td>{value(quantile(summary, figureSummary, 5))}</td>
-      <td>{value(quantile(summary, figureSummary, 95))}</td>
-      <td>
-        <RunButton run={figureSummary.highest} text={value(figureSummary.highest?.value ?? null)} what={`${strategy.label}, ${figure.label}: worst case`} opening={opening} />
-      </td>
-      {[50, 5, 95].map(change)}
-    </tr>
-  );
+  return [
+    { key: "strategy", head: "Strategy", text: true, cell: ({ strategy }) => <StrategyName strategy={strategy} /> },
+    { key: "nominal", group, head: "Nominal", cell: (row) => value(row.results.nominal, row) },
+    ...Object.entries(PERCENTS).map(([head, percent]): Column<Row> => ({
+      key: head,
+      group,
+      head,
+      attributes: () => ({ style: { fontWeight: percent === 50 ? 600 : undefined } }),
+      cell: (row) => value(quantile(summary, row.results, percent), row),
+    })),
+    {
+      key: "worst",
+      group,
+      head: "Worst case",
+      cell: (row) => (
+        <RunButton run={row.results.highest} text={value(row.results.highest?.value ?? null, row)} what={`${row.strategy.label}, ${row.figure.label}: worst case`} opening={opening} />
+      ),
+    },
+    ...Object.entries(PERCENTS).map(
+      ([head, percent]): Column<Row> => ({ key: `change ${head}`, group: `Change against ${against} at the same point`, head, cell: ({ results }) => change(percent, results.margin) }),
+    ),
+  ];
 }
 
 function Key() {

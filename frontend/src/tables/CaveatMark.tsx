@@ -5,7 +5,7 @@ import { IconAlertTriangle } from "../icons";
 import type { Caveat } from "./caveats";
 import classes from "./tables.module.css";
 
-export function CaveatMark({ caveats }: { readonly caveats: readonly Caveat[] }) {
+export function CaveatMark({ caveats, short = false }: { readonly caveats: readonly Caveat[]; readonly short?: boolean }) {
   if (caveats.length === 0) return null;
   const text = caveats.map((caveat) => caveat.text).join(", ");
   const meaning = caveats.map((caveat) => (
@@ -16,8 +16,8 @@ export function CaveatMark({ caveats }: { readonly caveats: readonly Caveat[] })
   return (
     <Tooltip label={meaning} multiline w={280} withinPortal events={{ hover: true, focus: true, touch: true }}>
       <button type="button" className={classes.caveat} data-caveat={caveats.map(({ event }) => event).join(" ")}>
-        <IconAlertTriangle size={12} stroke={2} aria-hidden />
-        <span>{text}</span>
+        <IconAlertTriangle size={short ? 14 : 12} stroke={2} aria-hidden />
+        <span className={short ? "visually-hidden" : ""}>{text}</span>
       </button>
     </Tooltip>
   );

@@ -1,6 +1,7 @@
 /** A strategy's line as the plots draw it: colour and dash. */
 
 import type { Strategy } from "../api/types";
+import ui from "../ui/ui.module.css";
 
 const DASHES: Readonly<Record<string, string>> = {
   solid: "none",
@@ -16,5 +17,13 @@ export function StrategyKey({ strategy }: { readonly strategy: Pick<Strategy, "c
     <svg width="24" height="10" viewBox="0 0 24 10" aria-hidden style={{ flex: "none" }}>
       <line x1="1" x2="23" y1="5" y2="5" stroke={strategy.colour} strokeWidth="2.5" strokeDasharray={DASHES[strategy.dash] ?? strategy.dash.replaceAll("px", "").replaceAll(",", " ")} />
     </svg>
+  );
+}
+
+export function StrategyName({ strategy }: { readonly strategy: Pick<Strategy, "colour" | "dash" | "label"> }) {
+  return (
+    <span className={ui.named}>
+      <StrategyKey strategy={strategy} /> {strategy.label}
+    </span>
   );
 }

@@ -1,0 +1,193 @@
+/** The page's table: its columns are data, its first column is the rows' names and stays in sight when it scrolls sideways. */
+
+import { UnstyledButton } from "@mantine/core";
+import { Fragment, useState, type HTMLAttributes, type ReactNode } from "react";
+import { IconArrowsSort, IconSortAscending, IconSortDescending } from "../icons";
+import { inOrder, type Order } from "./order";
+import classes from "./table.module.css";
+import ui from "./ui.module.css";
+
+type Attributes = HTMLAttributes<HTMLElement> & Readonly<Record<`data-${string}`, string | number | boolean | null | undefined>>;
+
+export interface Column<Row> {
+  readonly key: string;
+  readonly head: ReactNode;
+  /** In small under the head: a unit, or what the column is of. */
+  readonly detail?: ReactNode;
+  readonly help?: string;
+  /** Over this column and its neighbours of the same group. */
+  readonly group?: ReactNode;
+  /** Words, which stand at the left; numbers stand at the right. */
+  readonly text?: boolean;
+  readonly headAttributes?: Attributes;
+  readonly cell: (row: Row) => ReactNode;
+  readonly attributes?: (row: Row) => Attributes;
+  /** How many columns the cell takes; one where this is left out. */
+  readonly span?: (row: Row) => number;
+  /** The value to sort by: with it the head is a button. */
+  readonly sort?: (row: Row) => unknown;
+}
+
+export interface RowGroup<Row> {
+  readonly key: string;
+  readonly title?: ReactNode;
+  /** Heads of the group's own, after the title. */
+  readonly heads?: readonly ReactNode[];
+  readonly rows: readonly Row[];
+  /** In a row under the others. */
+  readonly note?: ReactNode;
+  readonly attributes?: Attributes;
+}
+
+interface Props<Row> {
+  /** Of the region that scrolls, and the caption. */
+  readonly label: string;
+  readonly columns: readonly Column<Row>[];
+  readonly rows?: readonly Row[];
+  readonly groups?: readonly RowGroup<Row>[];
+  readonly rowKey: (row: Row) => string | number;
+  readonly rowAttributes?: (row: Row) => Attributes;
+  readonly order?: Order;
+  readonly onSort?: () => void;
+  /** The first row shown and the one after the last, of the sorted ones. */
+  readonly page?: readonly [from: number, to: number];
+  /** In place of rows. */
+  readonly empty?: ReactNode;
+  /** On a surface of its own. */
+  readonly card?: boolean;
+  readonly captioned?: boolean;
+  readonly attributes?: Attributes;
+}
+
+export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "", rows }], rowKey, rowAttributes, order: initial, onSort, page, empty, card = false, captioned = false, attributes = {} }: Props<Row>) {
+  const [chosen, setOrder] = useState<Order | undefined>();
+  const order = chosen ?? initial;
+  const sort = (column: string) => {
+    const again = order?.column === column;
+    setOrder(again && order.descending ? undefined : { column, descending: again });
+    onSort?.();
+  };
+  const valueOf = columns.find(({ key }) => key === order?.column)?.sort;
+  const shown = (group: RowGroup<Row>) => (valueOf ? inOrder(group.rows, valueOf, order?.descending) : group.rows).slice(...(page ?? []));
+  const { className = "", ...rest } = attributes;
+  return (
+    <div className={`${classes.scroll} ${card ? ui.card : ""}`} tabIndex={0} role="region" aria-label={label}>
+      <table className={`${classes.table} ${className}`} {...rest}>
+        <caption className={captioned ? classes.caption : "visually-hidden"}>{label}</caption>
+        <thead>
+          <GroupHeads columns={columns} />
+          <tr>
+            {columns.map((column, index) => (
+              <Head key={column.key} {...{ column, order }} first={beginsGroup(columns, index)} onSort={sort} />
+            ))}
+          </tr>
+        </thead>
+        {groups.map((group) => (
+          <tbody key={group.key} {...group.attributes}>
+            {group.title !== undefined && <GroupRow group={group} columns={columns} />}
+            {shown(group).map((row) => (
+              <tr key={rowKey(row)} {...rowAttributes?.(row)}>
+                <Cells row={row} columns={columns} />
+              </tr>
+            ))}
+            {group.note !== undefined && (
+              <tr className={classes.note}>
+                <td colSpan={columns.length}>
+                  <span>{group.note}</span>
+                </td>
+              </tr>
+            )}
+          </tbody>
+        ))}
+      </table>
+      {empty !== undefined && groups.every((group) => shown(group).length === 0) && <p className={classes.empty}>{empty}</p>}
+    </div>
+  );
+}
+
+interface Columns<Row> {
+  readonly columns: readonly Column<Row>[];
+}
+
+/** A line stands between groups of columns. */
+const beginsGroup = <Row,>(columns: readonly Column<Row>[], index: number) => (index > 0 && columns[index]?.group !== columns[index - 1]?.group) || undefined;
+
+function GroupHeads<Row>({ columns }: Columns<Row>) {
+  if (columns.every(({ group }) => group === undefined)) return null;
+  const starts = columns.flatMap((_, index) => (index === 0 || beginsGroup(columns, index) ? [index] : []));
+  return (
+    <tr>
+      {starts.map((start, index) => {
+        const group = columns[start]?.group;
+        const colSpan = (starts[index + 1] ?? columns.length) - start;
+        return group === undefined ? (
+          <td key={start} colSpan={colSpan} />
+        ) : (
+          <th key={start} colSpan={colSpan} scope="colgroup" className={classes.group} data-first={start > 0 || undefined}>
+            {group}
+          </th>
+        );
+      })}
+    </tr>
+  );
+}
+
+interface HeadProps<Row> {
+  readonly column: Column<Row>;
+  readonly first: true | undefined;
+  readonly order: Order | undefined;
+  readonly onSort: (column: string) => void;
+}
+
+function Head<Row>({ column: { key, head, detail, help, text, headAttributes, sort }, first, order, onSort }: HeadProps<Row>) {
+  const look = { "data-text": text, "data-first": first, title: help, ...headAttributes };
+  if (head === "") return <td {...look} />;
+  const content = (
+    <>
+      {head} {detail !== undefined && detail !== "" && <span className={classes.detail}>{detail}</span>}
+    </>
+  );
+  if (!sort) {
+    return (
+      <th scope="col" {...look}>
+        {content}
+      </th>
+    );
+  }
+  const sorted = order?.column === key ? (order.descending ? "descending" : "ascending") : "none";
+  const Icon = { none: IconArrowsSort, ascending: IconSortAscending, descending: IconSortDescending }[sorted];
+  return (
+    <th scope="col" aria-sort={sorted} {...look}>
+      <UnstyledButton className={classes.sort ?? ""} onClick={() => onSort(key)}>
+        <span>{content}</span>
+        <Icon size={13} stroke={1.8} aria-hidden />
+      </UnstyledButton>
+    </th>
+  );
+}
+
+function GroupRow<Row>({ group: { title, heads }, columns }: Columns<Row> & { readonly group: RowGroup<Row> }) {
+  return (
+    <tr className={classes.groupRow}>
+      <th scope="rowgroup" data-text colSpan={heads ? 1 : columns.length}>
+        {heads ? title : <span>{title}</span>}
+      </th>
+      {heads?.map((head, index) => {
+        const { key, text } = columns[index + 1] ?? {};
+        const look = { "data-text": text, "data-first": beginsGroup(columns, index + 1) };
+        return head === "" ? <td key={key} {...look} /> : <th key={key} scope="col" {...look}>{head}</th>;
+      })}
+    </tr>
+  );
+}
+
+function Cells<Row>({ row, columns }: Columns<Row> & { readonly row: Row }) {
+  let taken = 0;
+  return columns.map(({ key, text, cell, attributes, span }, index) => {
+    if (index < taken) return null;
+    const colSpan = span?.(row) ?? 1;
+    taken = index + colSpan;
+    const look = { "data-text": text, "data-first": beginsGroup(columns, index), ...(colSpan > 1 && { colSpan }), ...attributes?.(row) };
+    return <Fragment key={key}>{index === 0 ? <th scope="row" {...look}>{cell(row)}</th> : <td {...look}>{cell(row)}</td>}</Fragment>;
+  });
+}

@@ -1,0 +1,22 @@
+/** The one way in which rows are sorted. */
+
+export interface Order {
+  readonly column: string;
+  readonly descending: boolean;
+}
+
+function compare(a: unknown, b: unknown): number {
+  if (typeof a === "number" && typeof b === "number") return a - b;
+  return String(a).localeCompare(String(b), "en", { numeric: true });
+}
+
+const isMissing = (value: unknown) => value === null || value === undefined;
+
+/** What has no value comes last either way; rows with equal values keep their order. */
+export function inOrder<Row>(rows: readonly Row[], valueOf: (row: Row) => unknown, descending = false): readonly Row[] {
+  return rows.toSorted((left, right) => {
+    const [a, b] = [valueOf(left), valueOf(right)];
+    if (isMissing(a) || isMissing(b)) return Number(isMissing(a)) - Number(isMissing(b));
+    return descending ? compare(b, a) : compare(a, b);
+  });
+}
