@@ -20,5 +20,18 @@ export const connection = {
   lost: (trouble: Trouble, wait = 0) => store.set({ trouble, wait }),
 };
 
+export type Readiness = "ready" | "starting" | "down";
+
+/** Asks whether the server can work; never throws. */
+export async function probe(signal: AbortSignal): Promise<Readiness> {
+  try {
+    const response = await fetch("/readyz", { signal, cache: "no-store" });
+    if (response.ok) return "ready";
+    return response.status === 503 ? "starting" : "down";
+  } catch {
+    return "down";
+  }
+}
+
 /** Whether a request was refused for want of a token. */
 export const tokenWanted = createStore(false);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { decodeArray, decodeBand, decodeSeries, isExtreme, maximumOf, minimumOf } from "./decode";
 
-const encode = (array: Float32Array | Float64Array) =>
+const encode = (array: Float32Array) =>
   btoa(String.fromCharCode(...new Uint8Array(array.buffer, array.byteOffset, array.byteLength)));
 
 describe("typed arrays", () => {
@@ -10,16 +10,12 @@ describe("typed arrays", () => {
     expect(decodeArray({ dtype: "f4", bdata: encode(values) })).toEqual(values);
   });
 
-  it("are narrowed from float64", () => {
-    expect(decodeArray({ dtype: "f8", bdata: encode(new Float64Array([0.5, -2])) })).toEqual(new Float32Array([0.5, -2]));
-  });
-
-  it("refuse a type nobody agreed on", () => {
-    expect(() => decodeArray({ dtype: "i2", bdata: "" })).toThrow("i2");
+  it("are lists as well", () => {
+    expect(decodeArray([0.5, null])).toEqual(new Float32Array([0.5, NaN]));
   });
 
   it("over several roads have their extremes beside the means", () => {
-    const encoded = (value: number) => ({ dtype: "f4", bdata: encode(new Float32Array([value])) });
+    const encoded = (value: number) => ({ dtype: "f4", bdata: encode(new Float32Array([value])) }) as const;
     const series = decodeBand({ mean: { time: encoded(7), force: encoded(2) }, minimum: { force: encoded(1) }, maximum: { force: encoded(5) } });
     expect([series.time, series.force, series[minimumOf("force")], series[maximumOf("force")]].map((values) => values?.[0])).toEqual([7, 2, 1, 5]);
     expect(Object.keys(series).filter(isExtreme)).toHaveLength(2);

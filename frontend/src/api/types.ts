@@ -1,154 +1,91 @@
-/** The shapes of the HTTP contract that the page uses: names for what the backend's OpenAPI says. */
+/** The shapes of the HTTP contract: as the backend's OpenAPI says, and as the page has them. */
 
 import type { Series } from "./decode";
-import type { components } from "./schema.gen";
+import type { JsonObject, JsonValue } from "./json";
+import type {
+  CreatedRoadsRun,
+  Link as LinkAnswer,
+  PaperAnswer,
+  PaperFigure as PaperFigureAnswer,
+  RoadsResult,
+  RoadsRun,
+  SolveRequest,
+  StrategyFailure,
+  StrategyResult,
+  Trial,
+  TuningRequest,
+} from "./schema.gen";
 
-type Schemas = components["schemas"];
-
-type Deep<T> = T extends readonly (infer Item)[]
-  ? readonly Deep<Item>[]
-  : T extends object
-    ? { readonly [Key in keyof T]: Deep<T[Key]> }
-    : T;
+export type * from "./json";
+export type * from "./schema.gen";
+export type {
+  AttributionAnswer as Attribution,
+  CombinationRow as Combination,
+  Counts as VerdictCounts,
+  CreatedLink as NewLink,
+  Judgement as PaperJudgement,
+  LimitAnswer as Limit,
+  LinkView as SharedView,
+  LiveRun as LiveAnswer,
+  ObjectiveAnswer as Objective,
+  PaperAnswer as Paper,
+  PresetAnswer as Preset,
+  QuantityAnswer as Quantity,
+  ReadingsAnswer as ReadingEffects,
+  RoadAnswer as MeasuredRoad,
+  StrategyAnswer as Strategy,
+  TunedFigures as TunedFigure,
+  VehicleAnswer as VehiclePreset,
+} from "./schema.gen";
 
 export type StrategyId = string;
 export type SignalKey = string;
-
-export type JsonValue = string | number | boolean | null | readonly JsonValue[] | { readonly [key: string]: JsonValue };
-export type JsonObject = Readonly<Record<string, JsonValue>>;
-
-/**
- * A whole scenario. The form is made from its schema at run time and reaches every field by its path, so the page
- * treats it as plain JSON; a field added to the core appears here without a change.
- */
+/** Plain JSON: the form is made from the scenario's schema at run time and reaches every field by its path. */
 export type Scenario = JsonObject;
 
-export type Quantity = Deep<Schemas["QuantityAnswer"]>;
-export type Catalogue = Deep<Schemas["Catalogue"]>;
-export type Strategy = Deep<Schemas["StrategyAnswer"]>;
-export type Preset = Deep<Omit<Schemas["PresetAnswer"], "scenario">> & { readonly scenario: Scenario };
-export type MeasuredRoad = Deep<Schemas["RoadAnswer"]>;
-export type CreatedRoad = Deep<Schemas["CreatedRoad"]>;
-/** A vehicle with its sources; its values are plain JSON, as the scenario's. */
-export type VehiclePreset = Deep<Omit<Schemas["VehicleAnswer"], "vehicle">> & { readonly vehicle: JsonObject };
-
 /** One strategy's figures; `cached` only where the answer is to a request that could have computed it. */
-export type Summary = Deep<Schemas["StrategyResult"]> & { readonly cached?: boolean };
-export type Failure = Deep<Schemas["StrategyFailure"]> & { readonly cached?: boolean };
-
-interface RunBase {
-  readonly core_version: string;
-  readonly scenario: Scenario;
-}
+export type Summary = StrategyResult & { readonly cached?: boolean };
+export type Failure = StrategyFailure & { readonly cached?: boolean };
 
 /** A run of one road, as the service answers it. */
-export interface RunAnswer extends RunBase {
+export interface RunAnswer {
   readonly id: string;
+  readonly core_version: string;
+  readonly scenario: Scenario;
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
 }
+export type RoadsAnswer = RoadsRun | CreatedRoadsRun;
 
-/** A mean over roads, or a change of means in percent, with its 95 % interval. */
-export type Interval = Deep<Schemas["Interval"]>;
-type RoadsSummary = Deep<Schemas["RoadsResult"]> & { readonly cached?: boolean };
-
-/** A run over several roads, as the service answers it. */
-export interface RoadsAnswer extends RunBase, Pick<OverRoads, "roads" | "baseline" | "changes"> {
-  readonly id: string;
-  readonly strategies: Readonly<Record<StrategyId, RoadsSummary | Failure>>;
-}
-
-/** What several roads say of a run. */
-export interface OverRoads {
-  readonly roads: number;
-  readonly baseline: StrategyId;
-  /** Paired, against the baseline. */
-  readonly changes: Readonly<Record<StrategyId, Deep<Schemas["StrategyChanges"]>>>;
-  readonly estimates: Readonly<Record<StrategyId, Pick<RoadsSummary, "metrics" | "comfort">>>;
+/** What several roads say of a run: the changes are paired, against the baseline. */
+export interface OverRoads extends Pick<RoadsRun, "roads" | "baseline" | "changes"> {
+  readonly estimates: Readonly<Record<StrategyId, Pick<RoadsResult, "metrics" | "comfort">>>;
 }
 
 /** A run as the page has it: over several roads its numbers are the means. */
 export interface Run extends RunAnswer {
   readonly over: OverRoads | null;
 }
-
-/** What `/solve` is asked beside scenario and roads. */
-export interface Question {
-  readonly field: string;
-  readonly strategy: StrategyId;
-  readonly metric: string;
-  readonly range: readonly [number, number];
-  readonly limit: number;
-}
-export type Solution = Deep<Schemas["Solution"]>;
-
-export interface LiveAnswer extends RunBase {
-  readonly strategies: Readonly<Record<StrategyId, Deep<Schemas["LiveResult"]> | Failure>>;
-}
-
-/** How a shared result is looked at; what is left out is as the page opens it. */
-export type SharedView = Deep<Omit<Schemas["LinkView"], "strategies" | "hidden" | "baseline">> & {
-  readonly strategies?: readonly StrategyId[] | null;
-  readonly hidden?: readonly StrategyId[] | null;
-  readonly baseline?: StrategyId | null;
-};
-export type NewLink = Deep<Schemas["CreatedLink"]>;
-
-export type Batch = Deep<Omit<Schemas["Batch"], "scenario">> & { readonly scenario: Scenario };
-export type BatchItem = Deep<Omit<Schemas["BatchItem"], "scenario">> & { readonly scenario: Scenario };
-export type BatchTable = Deep<Schemas["BatchTable"]>;
-export type BatchSummary = Deep<Schemas["BatchSummary"]>;
-export type RobustnessDefaults = Deep<Schemas["RobustnessDefaults"]>;
-export type Estimate = Deep<Schemas["Estimate"]>;
-export type Sweep = Deep<Schemas["Sweep"]>;
-
-export type Tuning = Deep<Omit<Schemas["Tuning"], "scenario">> & { readonly scenario: Scenario };
-export type TuningItem = Deep<Schemas["TuningItem"]>;
-export type TuningEstimate = Deep<Schemas["TuningEstimate"]>;
-export type Objective = Deep<Schemas["ObjectiveAnswer"]>;
-export type Limit = Deep<Schemas["LimitAnswer"]>;
-/** A set of weights that was tried, and what it gave. */
-export type Trial = Deep<Schemas["Trial"]>;
-export type Weights = Trial["weights"];
-export type Generation = Deep<Schemas["Generation"]>;
-export type Comparison = Deep<Schemas["Comparison"]>;
-export type ComparedPoint = Deep<Schemas["ComparedPoint"]>;
-export type TunedFigure = Deep<Schemas["TunedFigures"]>;
-
-export type ControllerReport = Deep<Schemas["ControllerReport"]>;
-export type RealtimeReport = Deep<Schemas["RealtimeReport"]>;
-/** Times with their histogram. */
-export type Times = RealtimeReport["wake_up"];
-
-export type LinkAnswer = Deep<Omit<Schemas["Link"], "run" | "batch" | "scenario" | "view">> & {
-  readonly view: SharedView;
-  readonly scenario: Scenario;
-  readonly run: RunAnswer | RoadsAnswer | null;
-  readonly batch: Batch | null;
-};
 export type Link = Omit<LinkAnswer, "run"> & { readonly run: Run | null };
 
-/** The paper, checked. */
-export type Paper = Deep<Omit<Schemas["PaperAnswer"], "scenario">> & { readonly scenario: Scenario };
-export type PaperCell = Paper["cells"][number];
-export type PaperReading = Paper["readings"][number];
-export type PaperInterpretation = Paper["interpretations"][number];
-export type PaperTable = Paper["tables"][number];
-export type VerdictCounts = Paper["counts"];
-/** Those that are counted; a cell may be pending or unavailable instead. */
-export type PaperVerdict = keyof VerdictCounts;
-export type PaperJudgement = Deep<Schemas["Judgement"]>;
-export type ReadingEffects = Deep<Schemas["ReadingsAnswer"]>;
-export type Attribution = Deep<Schemas["AttributionAnswer"]>;
-export type Combination = Attribution["rows"][number];
-export type PaperFigure = Deep<Omit<Schemas["PaperFigure"], "figure">> & { readonly figure: MadeFigure };
+/** What `/solve` is asked beside scenario and roads. */
+export type Question = Omit<SolveRequest, "scenario" | "roads">;
+/** What of a tuning is chosen beside its scenario. */
+export type TuningChoice = Omit<TuningRequest, "scenario">;
+export type Weights = Trial["weights"];
 
-export type EncodedSeries = Readonly<Record<SignalKey, Deep<Schemas["TypedArray"]>>>;
+export type PaperCell = PaperAnswer["cells"][number];
+export type PaperReading = PaperAnswer["readings"][number];
+export type PaperInterpretation = PaperAnswer["interpretations"][number];
+export type PaperTable = PaperAnswer["tables"][number];
+/** Those that are counted; a cell may be pending or unavailable instead. */
+export type PaperVerdict = keyof PaperAnswer["counts"];
+export type PaperFigure = Omit<PaperFigureAnswer, "figure"> & { readonly figure: MadeFigure };
+
 /**
  * Over several roads a signal's samples are the means, and under two names of their own stand the smallest and the largest
  * values of all roads.
  */
 export type SeriesByStrategy = Readonly<Record<StrategyId, Series>>;
-export type EncodedBand = Readonly<Record<"mean" | "minimum" | "maximum", EncodedSeries>>;
 
 /** A whole plotly figure with its data in it, as the server has made it. */
 export interface MadeFigure {
@@ -196,3 +133,4 @@ export interface FigureTemplate {
   readonly data: readonly FigureTrace[];
   readonly layout: { readonly meta: FigureMeta } & Readonly<Record<string, unknown>>;
 }
+export type FigureTemplates = Readonly<Record<string, FigureTemplate>>;

@@ -2,8 +2,7 @@
 
 import { Button, Menu } from "@mantine/core";
 import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../icons";
-import { api } from "../api/client";
-import { batches } from "../api/jobs";
+import { address, ask } from "../api/http";
 import type { Batch, SharedView } from "../api/types";
 import { download } from "../ui/download";
 import { ShareLink } from "../share/ShareLink";
@@ -25,7 +24,7 @@ export function BatchActions({ batch, view }: Props) {
   return (
     <>
       <ShareLink
-        make={() => (batch ? api.shareBatch(batch.id, toShare(batch, view)) : Promise.reject(new Error("there is no sweep")))}
+        make={() => (batch ? ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } }) : Promise.reject(new Error("there is no sweep")))}
         obstacle={batch ? null : "There is no sweep to share yet"}
         opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
       />
@@ -41,7 +40,7 @@ export function BatchActions({ batch, view }: Props) {
             <Menu.Item
               key={format}
               leftSection={<Icon size={16} />}
-              onClick={() => batch && download(batches.resultsAddress(batch.id, format), `ridelab-batch-${batch.id}.${format}`)}
+              onClick={() => batch && download(address("/batches/{id}/results", { path: { id: batch.id }, query: { format } }), `ridelab-batch-${batch.id}.${format}`)}
             >
               {label}
             </Menu.Item>

@@ -1,7 +1,7 @@
 /** How far a sweep is, and what it sweeps over. */
 
 import { Button, Text } from "@mantine/core";
-import { batches } from "../api/jobs";
+import { ask } from "../api/http";
 import type { Batch } from "../api/types";
 import { otherThanPaper } from "../origin/otherThanPaper";
 import type { Group } from "../editor/schema";
@@ -23,7 +23,7 @@ interface Props {
 }
 
 export function BatchState({ batch, form, connected, left, readOnly }: Props) {
-  const resume = useJobCall(BATCH, batch.id, () => batches.resume(batch.id));
+  const resume = useJobCall(BATCH, batch.id, () => ask("post", "/batches/{id}/resume", { path: { id: batch.id } }));
   const ended = isFinal(batch);
   const counts = (
     <>

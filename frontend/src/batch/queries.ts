@@ -1,7 +1,7 @@
 /** A batch's rows, column by column. */
 
 import { queryOptions } from "@tanstack/react-query";
-import { batches } from "../api/jobs";
+import { ask } from "../api/http";
 import type { Batch, BatchTable } from "../api/types";
 import { isFinal } from "../jobs/follow";
 
@@ -15,7 +15,7 @@ export const tableQuery = (batch: Batch | undefined, figures: readonly string[])
   queryOptions({
     // A table of the final state is another one than those before it.
     queryKey: ["batch table", batch?.id ?? "", batch !== undefined && isFinal(batch), figures],
-    queryFn: ({ signal }) => batches.table(batch?.id ?? "", figures, signal),
+    queryFn: ({ signal }) => ask("get", "/batches/{id}/table", { path: { id: batch?.id ?? "" }, query: { figures: figures.join(",") } }, signal),
     enabled: batch !== undefined && figures.length > 0,
     staleTime: Infinity,
     gcTime: 5 * 60_000,

@@ -4,7 +4,7 @@ import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
 import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "../icons";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
-import { api } from "../api/client";
+import { address } from "../api/http";
 import { useCompared } from "../compare/useCompared";
 import { useCommands } from "../state/commands";
 import { useLabContext, useLab, useView } from "../state/context";
@@ -57,7 +57,7 @@ export function ExportMenu() {
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;
     const { baseline } = makeScene(shown, strategies, selected, view);
-    download(api.reportAddress(runId, baseline, axisKey(view.axis)), `ridelab-${runId}.html`);
+    download(address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), baseline } }), `ridelab-${runId}.html`);
   };
   const copyAs = (write: (request: CopyRequest) => string) => {
     if (!form) return;
@@ -104,7 +104,7 @@ export function ExportMenu() {
                     className={classes.format ?? ""}
                     aria-label={`${label} as ${name}`}
                     disabled={runId === null || shown?.missing !== null}
-                    onClick={() => download(api.seriesAddress(runId ?? "", id, format), `ridelab-${runId ?? ""}-${id}.${format}`)}
+                    onClick={() => download(address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }), `ridelab-${runId ?? ""}-${id}.${format}`)}
                   >
                     {name}
                   </Menu.Item>

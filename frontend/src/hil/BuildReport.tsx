@@ -4,7 +4,7 @@ import { Button, Skeleton, Stack, Switch, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "../icons";
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import { api } from "../api/client";
+import { ask } from "../api/http";
 import type { Catalogue, ControllerReport, Scenario } from "../api/types";
 import { formatPercent } from "../tables/change";
 import { headingOf, VIEWS } from "../tables/ComparisonTable";
@@ -21,7 +21,7 @@ interface Props {
 }
 
 const reportQuery = (scenario: Scenario, enabled: boolean) =>
-  queryOptions({ queryKey: ["controller report", scenario], queryFn: ({ signal }) => api.controllerReport(scenario, signal), staleTime: Infinity, enabled });
+  queryOptions({ queryKey: ["controller report", scenario], queryFn: ({ signal }) => ask("post", "/controller/report", { body: { scenario } }, signal), staleTime: Infinity, enabled });
 
 export function BuildReport({ scenario, catalogue }: Props) {
   const [requested, setRequested] = useState<Scenario | null>(null);

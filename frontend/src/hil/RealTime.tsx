@@ -3,7 +3,7 @@
 import { Box, Button, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useEffect, useMemo, useState } from "react";
-import { api } from "../api/client";
+import { ask } from "../api/http";
 import { isTransient } from "../api/problem";
 import type { Catalogue, RealtimeReport, Scenario } from "../api/types";
 import { Chart } from "../plots/Chart";
@@ -27,7 +27,7 @@ interface Props {
 }
 
 export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
-  const drive = useMutation({ mutationFn: (wanted: Scenario) => api.driveByClock(wanted), networkMode: "always" });
+  const drive = useMutation({ mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }), networkMode: "always" });
   const report = drive.data;
   const other = drive.isSuccess && drive.variables !== scenario;
   return (

@@ -1,7 +1,7 @@
 /** Fetches the controller's C sources and hands them to the browser as a file. */
 
 import { useMutation } from "@tanstack/react-query";
-import { api } from "../api/client";
+import { askFile } from "../api/http";
 import type { Scenario } from "../api/types";
 import { download } from "../ui/download";
 
@@ -16,7 +16,7 @@ function saveAs(blob: Blob, name: string): void {
 
 export function useController() {
   const { mutate, isPending, error, reset } = useMutation({
-    mutationFn: (scenario: Scenario) => api.controller(scenario),
+    mutationFn: (scenario: Scenario) => askFile("/controller", { body: { scenario } }),
     networkMode: "always",
     onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
   });

@@ -22,12 +22,13 @@ interface Props<Item extends Common, Job extends Item> {
   readonly label?: string;
 }
 
+const PAGE = 10;
 const REFRESH_MS = 3_000;
 
 export function JobList<Item extends Common, Job extends Item>({ kind, title, describe, none, current, label }: Props<Item, Job>) {
   const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useInfiniteQuery({
     queryKey: [kind.name, "list", label ?? null],
-    queryFn: ({ pageParam, signal }) => kind.calls.page(pageParam, label, signal),
+    queryFn: ({ pageParam, signal }) => kind.calls.page({ limit: PAGE, cursor: pageParam, label: label ?? null }, signal),
     initialPageParam: null as string | null,
     getNextPageParam: ({ next }) => next,
     refetchInterval: ({ state }) => state.data?.pages.some(({ items }) => items.some((item) => !isFinal(item))) === true && REFRESH_MS,

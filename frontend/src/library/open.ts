@@ -2,6 +2,7 @@
 
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
+import { ask } from "../api/http";
 import { ApiProblem } from "../api/problem";
 import type { CreatedRoad, JsonObject, JsonValue, Scenario } from "../api/types";
 import { completed } from "../editor/diff";
@@ -61,7 +62,7 @@ async function upload(file: File, form: Group, wanted: Kind | undefined): Promis
   const content = readFile(file.name, await file.text(), parts);
   const stem = file.name.replace(/\.\w+$/, "") || "File";
   if (content.kind === "road") {
-    const { warnings, ...road } = await api.sendRoad(content.csv);
+    const { warnings, ...road } = await ask("post", "/roads", { body: content.csv });
     return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };
   }
   if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value)) throw new Error("This file has no vehicle");

@@ -5,7 +5,7 @@ import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { IconFileDescription } from "../icons";
 import { useEffect, type ReactNode } from "react";
-import { api } from "../api/client";
+import { address } from "../api/http";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Paper } from "../api/types";
 import { ShellSlot } from "../shell/slots";
@@ -44,7 +44,7 @@ export function PaperPage() {
         <span className={shell.grow} />
         <Button
           component="a"
-          href={api.paperReportAddress(choices)}
+          href={address("/paper/report.html", { query: choices })}
           size="xs"
           variant="default"
           aria-label="Report"

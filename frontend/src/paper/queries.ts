@@ -1,7 +1,8 @@
 /** What the page asks for; each answer is the same for as long as the server's version is, once all of it is available. */
 
 import { keepPreviousData, queryOptions } from "@tanstack/react-query";
-import { api } from "../api/client";
+import { ask, query } from "../api/http";
+import type { PaperFigure } from "../api/types";
 import type { Choices } from "./choices";
 
 const FOR_EVER = { staleTime: Infinity, gcTime: 30 * 60_000 } as const;
@@ -13,34 +14,22 @@ const untilComplete = ({ state }: { readonly state: { readonly data?: { readonly
 /** Only the roads concern what the switches do not. */
 export const roadsOf = ({ seeds, first_seed }: Choices): Choices => ({ ...(seeds !== undefined && { seeds }), ...(first_seed !== undefined && { first_seed }) });
 
-export const paperQuery = (choices: Choices) =>
-  queryOptions({
-    queryKey: ["paper", choices],
-    queryFn: ({ signal }) => api.paper(choices, signal),
-    placeholderData: keepPreviousData,
-    refetchInterval: untilComplete,
-    ...FOR_EVER,
-    staleTime: ({ state }) => (state.data?.unavailable ? 0 : Infinity),
-  });
+export const paperQuery = (choices: Choices) => ({
+  ...query("/paper", { query: { ...choices, partial: true } }),
+  placeholderData: keepPreviousData,
+  refetchInterval: untilComplete,
+  ...FOR_EVER,
+  staleTime: ({ state }: { readonly state: { readonly data?: { readonly unavailable: unknown } | undefined } }) => (state.data?.unavailable ? 0 : Infinity),
+});
 
-export const effectsQuery = (choices: Choices) =>
-  queryOptions({
-    queryKey: ["paper readings", roadsOf(choices)],
-    queryFn: ({ signal }) => api.paperReadings(roadsOf(choices), signal),
-    refetchInterval: untilComplete,
-    ...FOR_EVER,
-  });
+export const effectsQuery = (choices: Choices) => ({ ...query("/paper/readings", { query: roadsOf(choices) }), refetchInterval: untilComplete, ...FOR_EVER });
 
-export const attributionQuery = (choices: Choices) =>
-  queryOptions({
-    queryKey: ["paper attribution", roadsOf(choices)],
-    queryFn: ({ signal }) => api.paperAttribution(roadsOf(choices), signal),
-    ...FOR_EVER,
-  });
+export const attributionQuery = (choices: Choices) => ({ ...query("/paper/attribution", { query: roadsOf(choices) }), ...FOR_EVER });
 
 export const paperFiguresQuery = (choices: Choices) =>
   queryOptions({
     queryKey: ["paper figures", roadsOf(choices)],
-    queryFn: ({ signal }) => api.paperFigures(roadsOf(choices), signal),
+    // plotly's own JSON, which the API's description leaves open
+    queryFn: async ({ signal }) => (await ask("get", "/paper/figures", { query: roadsOf(choices) }, signal)).figures as unknown as readonly PaperFigure[],
     ...FOR_EVER,
   });

@@ -1,4 +1,3 @@
-import { queryOptions } from "@tanstack/react-query";
-import { batches } from "../api/jobs";
+import { query } from "../api/http";
 
-export const defaultsQuery = queryOptions({ queryKey: ["robustness"], queryFn: ({ signal }) => batches.robustness(signal), staleTime: Infinity, gcTime: Infinity });
+export const defaultsQuery = { ...query("/robustness", {}), staleTime: Infinity, gcTime: Infinity };

@@ -1,7 +1,7 @@
 /** What a study's summary holds, as the page reads it. */
 
 import { keepPreviousData, queryOptions } from "@tanstack/react-query";
-import { batches } from "../api/jobs";
+import { ask } from "../api/http";
 import { isFinal } from "../jobs/follow";
 import type { Batch, BatchSummary, StrategyId } from "../api/types";
 
@@ -20,7 +20,7 @@ export const summaryQuery = (batch: Batch, figures: readonly string[], baseline:
   queryOptions({
     // A summary of the final state is another one than those before it.
     queryKey: ["batch summary", batch.id, isFinal(batch), figures, baseline],
-    queryFn: ({ signal }) => batches.summary(batch.id, figures, baseline, signal),
+    queryFn: ({ signal }) => ask("get", "/batches/{id}/summary", { path: { id: batch.id }, query: { figures: figures.join(","), baseline } }, signal),
     enabled: batch.done > 0 || isFinal(batch),
     staleTime: Infinity,
     gcTime: 5 * 60_000,

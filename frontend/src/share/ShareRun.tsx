@@ -1,7 +1,7 @@
 /** Shares what the dashboard shows. */
 
 import { useQuery } from "@tanstack/react-query";
-import { api } from "../api/client";
+import { ask } from "../api/http";
 import { useCompared } from "../compare/useCompared";
 import { useLabContext, useLab } from "../state/context";
 import { cursor } from "../state/cursor";
@@ -31,7 +31,7 @@ export function ShareRun() {
     if (!shown?.runId) return Promise.reject(new Error("there is no result"));
     const { view } = router.get();
     const scene = makeScene(shown, catalogue, strategies, view, compared);
-    return api.share(shown.runId, viewToShare(scene, cursor.get()));
+    return ask("post", "/links", { body: { run_id: shown.runId, view: viewToShare(scene, cursor.get()) } });
   };
   return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;
 }

@@ -4,8 +4,7 @@ import { Button, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "../icons";
 import { useCallback, useEffect, useState } from "react";
-import { probe, type Readiness } from "../api/client";
-import { connection, type Trouble } from "../api/connection";
+import { connection, probe, type Readiness, type Trouble } from "../api/connection";
 import { useStore } from "../state/store";
 import classes from "./shell.module.css";
 

@@ -2,7 +2,7 @@
 
 import { useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
 import { useMutation, useQuery } from "@tanstack/react-query";
-import { login } from "../api/login";
+import { ask, query } from "../api/http";
 import { IconLogout, IconMoon, IconSun } from "../icons";
 import { IconButton } from "./IconButton";
 
@@ -10,15 +10,15 @@ export function HeaderEnd() {
   const { setColorScheme } = useMantineColorScheme();
   const isDark = useComputedColorScheme("light") === "dark";
   const next = isDark ? "light" : "dark";
-  const name = useQuery(login.query).data?.name ?? null;
-  const logOut = useMutation({ mutationFn: login.logOut, networkMode: "always", onSuccess: () => window.location.reload() });
+  const name = useQuery({ ...query("/login", {}), staleTime: Infinity }).data?.name ?? null;
+  const logOut = useMutation({ mutationFn: () => ask("delete", "/login", {}), networkMode: "always", onSuccess: () => window.location.reload() });
   return (
     <>
       <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
         {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
       </IconButton>
       {name !== null && (
-        <IconButton label={logOut.error?.message ?? `Log out ${name}`} disabled={logOut.isPending} onClick={logOut.mutate}>
+        <IconButton label={logOut.error?.message ?? `Log out ${name}`} disabled={logOut.isPending} onClick={() => logOut.mutate()}>
           <IconLogout size={18} stroke={1.7} />
         </IconButton>
       )}

@@ -1,38 +1,37 @@
-/** Asks once for the token that the service wants. */
+/** Asks once for the token that the service wants, which it keeps in a cookie so that event streams and downloads send it along. */
 
 import { Button, PasswordInput } from "@mantine/core";
-import { useState, type SyntheticEvent } from "react";
-import { login } from "../api/login";
+import { useMutation } from "@tanstack/react-query";
+import { useState } from "react";
+import { ask } from "../api/http";
 import { Blank } from "./Blank";
 import classes from "./shell.module.css";
 
 export function Login() {
   const [token, setToken] = useState("");
-  const [busy, setBusy] = useState(false);
-  const [error, setError] = useState<string | null>(null);
-  const submit = async (event: SyntheticEvent) => {
-    event.preventDefault();
-    setBusy(true);
-    try {
-      await login.logIn(token.trim());
-      window.location.reload();
-    } catch (reason) {
-      setError(reason instanceof Error ? reason.message : "It could not be sent");
-      setBusy(false);
-    }
-  };
+  const login = useMutation({
+    mutationFn: () => ask("post", "/login", { body: { token: token.trim() } }),
+    networkMode: "always",
+    onSuccess: () => window.location.reload(),
+  });
   return (
     <Blank title="Ridelab asks for a token" text="This service requires a token. The browser then stores a cookie for 90 days.">
-      <form className={classes.login} onSubmit={(event) => void submit(event)}>
+      <form
+        className={classes.login}
+        onSubmit={(event) => {
+          event.preventDefault();
+          login.mutate();
+        }}
+      >
         <PasswordInput
           label="Token"
           value={token}
-          error={error}
+          error={login.error?.message}
           autoFocus
           autoComplete="current-password"
           onChange={(event) => setToken(event.currentTarget.value)}
         />
-        <Button type="submit" loading={busy} disabled={token.trim() === ""}>
+        <Button type="submit" loading={login.isPending || login.isSuccess} disabled={token.trim() === ""}>
           Log in
         </Button>
       </form>

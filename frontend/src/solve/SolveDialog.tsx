@@ -3,7 +3,7 @@
 import { Button, Group, List, Modal, Select, Text, TextInput } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
-import { api } from "../api/client";
+import { ask } from "../api/http";
 import { explain } from "../api/problem";
 import type { Question, Scenario, Solution, Strategy } from "../api/types";
 import { fullName, optionsOf, type Figure } from "../batch/figures";
@@ -50,7 +50,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const figure = figures.find(({ key }) => key === draft.metric);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
   const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: null };
-  const search = useMutation({ mutationFn: (body: Question) => api.solve(scenario, body, roads) });
+  const search = useMutation({ mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body, roads } }) });
   const patch = (change: Partial<SolveDraft>) => {
     search.reset();
     setDraft({ ...draft, ...change });
@@ -122,7 +122,7 @@ interface AnswerProps {
 function Answer({ solution, field, figure, onClose }: AnswerProps) {
   const edit = useEdit();
   const readOnly = useReadOnly();
-  const [, above = solution.value] = solution.bracket;
+  const [, above] = solution.bracket;
   const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit));
   const take = () => {
     edit.commit(setAt(edit.newest(), pointerOf(field.name), solution.value));

@@ -54,8 +54,8 @@ function harness() {
     run: (id, signal) => hold("runs", runOf(id === "low" ? LOW : PAPER, OPENING), signal),
     series: (_id, ids, _points, signal) => hold<SeriesByStrategy>("series", byStrategy(ids, {}), signal),
     link: () => Promise.reject(new Error("no link here")),
-    live: ({ scenario, strategies }, signal) =>
-      hold<LiveAnswer>("live", { core_version: "1", scenario, strategies: byStrategy(strategies, { ...summary, series: {} }) }, signal),
+    live: ({ scenario = {}, strategies }, signal) =>
+      hold<LiveAnswer>("live", { core_version: "1", scenario, strategies: byStrategy(strategies, { ...summary, cached: false, series: {} }) }, signal),
   };
   const router = fakeRouter();
   const lab = createLab({ api, router, queries: new QueryClient() });

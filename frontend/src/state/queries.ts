@@ -2,8 +2,9 @@
 
 import { queryOptions } from "@tanstack/react-query";
 import { api } from "../api/client";
+import { ask, query } from "../api/http";
+import type { FigureTemplates, StrategyId } from "../api/types";
 import { readSchema } from "../editor/schema";
-import type { StrategyId } from "../api/types";
 
 /** Samples per strategy that cover a screen: half of them on and around the bump. */
 export const OVERVIEW_POINTS = 560;
@@ -14,25 +15,21 @@ const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
 
 export const schemaQuery = queryOptions({
   queryKey: ["schema"],
-  queryFn: async ({ signal }) => readSchema(await api.schema(signal)),
+  queryFn: async ({ signal }) => readSchema(await ask("get", "/schema", {}, signal)),
   ...FOR_EVER,
 });
-export const presetsQuery = queryOptions({ queryKey: ["presets"], queryFn: ({ signal }) => api.presets(signal), ...FOR_EVER });
+export const presetsQuery = { ...query("/presets", {}), ...FOR_EVER };
 /** A measured road; it never changes. */
-export const roadQuery = (id: string) =>
-  queryOptions({ queryKey: ["road", id], queryFn: ({ signal }) => api.road(id, signal), enabled: id !== "", ...FOR_EVER });
-export const vehiclesQuery = queryOptions({ queryKey: ["vehicles"], queryFn: ({ signal }) => api.vehicles(signal), ...FOR_EVER });
-export const strategiesQuery = queryOptions({
-  queryKey: ["strategies"],
-  queryFn: ({ signal }) => api.strategies(signal),
+export const roadQuery = (id: string) => ({ ...query("/roads/{id}", { path: { id }, query: { points: 2 } }), enabled: id !== "", ...FOR_EVER });
+export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
+export const strategiesQuery = { ...query("/strategies", {}), ...FOR_EVER };
+export const catalogueQuery = { ...query("/catalogue", {}), ...FOR_EVER };
+export const figuresQuery = queryOptions({
+  queryKey: ["figures"],
+  // plotly's own JSON, which the API's description leaves open
+  queryFn: async ({ signal }) => (await ask("get", "/figures", {}, signal)).figures as unknown as FigureTemplates,
   ...FOR_EVER,
 });
-export const catalogueQuery = queryOptions({
-  queryKey: ["catalogue"],
-  queryFn: ({ signal }) => api.catalogue(signal),
-  ...FOR_EVER,
-});
-export const figuresQuery = queryOptions({ queryKey: ["figures"], queryFn: ({ signal }) => api.figures(signal), ...FOR_EVER });
 
 export const runKey = (id: string) => ["run", id] as const;
 

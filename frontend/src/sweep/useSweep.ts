@@ -1,7 +1,8 @@
 /** A sweep written in the dialog, as a batch to order. */
 
 import { useMemo } from "react";
-import { batches } from "../api/jobs";
+import { ask } from "../api/http";
+import { withKey } from "../api/jobs";
 import type { Scenario } from "../api/types";
 import { BATCH } from "../jobs/useJob";
 import { useSubmission } from "../submission/useSubmission";
@@ -15,8 +16,8 @@ export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () 
     body: parsed.ok ? { scenario, strategies: draft.strategies, sweep: parsed.sweep } : null,
     errors: parsed.ok ? null : parsed.errors,
     fieldNameOf: sweepFieldName(draft.fields.map(({ field }) => field.name)),
-    estimate: batches.estimate,
+    estimate: (body, signal) => ask("post", "/batches", { body: { ...body, dry_run: true } }, signal),
     onSubmitted,
-    submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await batches.create(body, keyOf(body))).id } }),
+    submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await ask("post", "/batches", { body, ...withKey(keyOf(body)) })).id } }),
   });
 }

@@ -3,7 +3,7 @@
 import { Button, Text, TextInput } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import { tunings } from "../api/jobs";
+import { ask } from "../api/http";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { otherThanPaper } from "../origin/otherThanPaper";
@@ -74,7 +74,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
   const [trials, setTrials] = useState(String(tuning.state === "done" ? 2 * total : total));
   const requested = parseInput(trials);
   const wrong = requested === null || !Number.isInteger(requested) || requested < least;
-  const resume = useJobCall(TUNING, tuning.id, (number: number) => tunings.resume(tuning.id, { trials: String(number) }));
+  const resume = useJobCall(TUNING, tuning.id, (number: number) => ask("post", "/tunings/{id}/resume", { path: { id: tuning.id }, query: { trials: number } }));
   return (
     <form
       className={results.resume}

@@ -1,7 +1,6 @@
 /** A tuning while somebody puts it together: texts as they are typed, and what becomes of them. */
 
-import type { TuningChoice } from "../api/jobs";
-import type { StrategyId } from "../api/types";
+import type { StrategyId, TuningChoice } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { parseTyped, typedText } from "../editor/limits";
 import type { Group } from "../editor/schema";
@@ -127,17 +126,18 @@ function whole(text: string, low: number, high: number, field: string, put: Put)
   return value;
 }
 
-function objectives({ objectives: drafts }: TuningDraft, put: Put): TuningChoice["objectives"] {
+function objectives({ objectives: drafts }: TuningDraft, put: Put): NonNullable<TuningChoice["objectives"]> {
   if (drafts.length === 0) put("objectives", "Add an objective");
   return drafts.map(({ kind, q, window, figure }, index) => {
     if (kind === "figure") return { kind, figure };
     const coefficients = q.map((text) => number(text, 0, 1000, () => put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000")));
     if (coefficients.every((value) => value === 0)) put(`objectives.${index}`, "At least one coefficient must be greater than 0");
-    return { kind, q: coefficients, window };
+    const [first = 0, second = 0, third = 0] = coefficients;
+    return { kind, q: [first, second, third], window };
   });
 }
 
-function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put: Put): TuningChoice["limits"] {
+function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put: Put): NonNullable<TuningChoice["limits"]> {
   return drafts.map(({ figure, atMost }, index) => {
     const { unit, scale } = figures.find(({ key }) => key === figure) ?? { unit: "1", scale: 1 };
     const limit = parseQuantity(atMost, unit);
@@ -146,7 +146,7 @@ function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put
   });
 }
 
-function search({ ranges }: TuningDraft, numbers: readonly TunableNumber[], put: Put): TuningChoice["search"] {
+function search({ ranges }: TuningDraft, numbers: readonly TunableNumber[], put: Put): NonNullable<TuningChoice["search"]> {
   const searched = numbers.flatMap(({ name, field }) => {
     const range = ranges[name];
     return range?.on ? [{ name, field, range }] : [];

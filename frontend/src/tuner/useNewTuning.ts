@@ -1,7 +1,8 @@
 /** A tuning written in the form, as a request. */
 
 import { useMemo } from "react";
-import { tunings } from "../api/jobs";
+import { ask } from "../api/http";
+import { withKey } from "../api/jobs";
 import type { Scenario } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { TUNING } from "../jobs/useJob";
@@ -16,8 +17,8 @@ export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber
     body: parsed.ok && scenario ? { scenario, ...parsed.body } : null,
     errors: parsed.ok ? null : parsed.errors,
     fieldNameOf: tuningFieldName,
-    estimate: tunings.estimate,
+    estimate: (body, signal) => ask("post", "/tunings", { body: { ...body, dry_run: true } }, signal),
     onSubmitted,
-    submit: async (body, keyOf) => ({ to: TUNING.page, params: { id: (await tunings.create(body, keyOf(body))).id } }),
+    submit: async (body, keyOf) => ({ to: TUNING.page, params: { id: (await ask("post", "/tunings", { body, ...withKey(keyOf(body)) })).id } }),
   });
 }
