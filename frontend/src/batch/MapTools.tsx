@@ -1,11 +1,10 @@
 /** Whose map is drawn, compared with which strategy, and where it has a line. */
 
-import { NativeSelect, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { Strategy } from "../api/types";
-import { formatInput, prettyUnit } from "../units/format";
+import { formatInput } from "../units/format";
 import { parseQuantity } from "../units/quantity";
-import ui from "../ui/ui.module.css";
+import { Choice, Entry, labelled } from "../ui/Entry";
 import classes from "./batch.module.css";
 import type { ShownPlot } from "./shownPlot";
 import { NONE, type BatchView } from "./view";
@@ -18,16 +17,15 @@ interface Props {
 
 export function MapTools({ strategies, shown, onView }: Props) {
   const { strategy, against } = shown;
-  const options = strategies.map(({ id, label }) => ({ value: id, label }));
+  const options = labelled(strategies);
   return (
     <>
-      <NativeSelect size="xs" label="Strategy" value={strategy} data={options} onChange={(event) => onView({ strategy: event.currentTarget.value, against: against ?? NONE, threshold: null })} />
-      <NativeSelect
-        size="xs"
+      <Choice label="Strategy" value={strategy} data={options} onPick={(id) => onView({ strategy: id, against: against ?? NONE, threshold: null })} />
+      <Choice
         label="Change against"
         value={against ?? NONE}
         data={[{ value: NONE, label: "Nothing: its own values" }, ...options.filter(({ value }) => value !== strategy)]}
-        onChange={(event) => onView({ against: event.currentTarget.value, threshold: null })}
+        onPick={(id) => onView({ against: id, threshold: null })}
       />
       <LineEntry key={`${shown.y.key} ${strategy} ${against ?? ""}`} {...{ shown, onView }} />
     </>
@@ -44,18 +42,14 @@ function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<Props, "shown
     if (next === null || next.ok) onView({ threshold: next?.value ?? NONE });
   };
   return (
-    <TextInput
-      size="xs"
-      className={classes.threshold ?? ""}
+    <Entry
+      className={classes.threshold}
       label="Line at"
-      inputMode="decimal"
       placeholder="no line"
       value={typed}
+      unit={mapUnit}
       error={parsed?.ok === false ? parsed.message : undefined}
-      rightSection={<span className={ui.dim}>{prettyUnit(mapUnit)}</span>}
-      rightSectionWidth={48}
-      rightSectionPointerEvents="none"
-      onChange={(event) => change(event.currentTarget.value)}
+      onType={change}
     />
   );
 }

@@ -1,9 +1,10 @@
 /** What a sweep's plot shows: of which kind it is, which metric, over which field, under which strategies. */
 
-import { NativeSelect, SegmentedControl, Select } from "@mantine/core";
+import { SegmentedControl, Select } from "@mantine/core";
 import type { Strategy } from "../api/types";
 import type { Markers } from "../plots/markers";
 import bar from "../shell/toolbar.module.css";
+import { Choice } from "../ui/Entry";
 import { titleWithUnit } from "../units/format";
 import type { AxisOf } from "./axes";
 import classes from "./batch.module.css";
@@ -51,13 +52,7 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
       {kind === "trade_off"
         ? metric("Metric across", shown.versus, (versus) => onView({ versus }))
         : axes.length > 1 && (
-            <NativeSelect
-              size="xs"
-              label="Over"
-              value={shown.x.name}
-              data={axes.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))}
-              onChange={(event) => onView({ x: event.currentTarget.value })}
-            />
+            <Choice label="Over" value={shown.x.name} data={axes.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))} onPick={(x) => onView({ x })} />
           )}
       {metric(kind === "trade_off" ? "Metric up" : "Metric", shown.y, (y) => onView({ y, threshold: null }))}
       {kind === "map" ? (

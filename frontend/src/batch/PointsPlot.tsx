@@ -1,16 +1,14 @@
 /** Runs as points in their strategy's colour: a metric over a swept field, or over another metric. */
 
 import { Text, useComputedColorScheme } from "@mantine/core";
-import { useElementSize } from "@mantine/hooks";
-import { useEffect, useEffectEvent, useMemo, useRef, useState } from "react";
+import { useMemo, useRef } from "react";
 import type { Batch, Catalogue, Strategy } from "../api/types";
 import { IconAlertTriangle } from "../icons";
 import { isFinal } from "../jobs/follow";
+import { Chart } from "../plots/Chart";
 import { ChartButton } from "../plots/ChartButton";
 import type { Markers } from "../plots/markers";
 import { ON_PAPER, PALETTES } from "../plots/palettes";
-import type { PlotElement } from "../plots/plotly";
-import { useCharts } from "../plots/usePlotly";
 import { useLightColours } from "../state/useSchemeColours";
 import { count, formatWhole, formatWithUnit } from "../units/format";
 import { axesOf, type AxisOf } from "./axes";
@@ -40,13 +38,10 @@ interface Props {
   readonly onOpen: (row: number) => void;
 }
 
-const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 const NONE: readonly number[] = [];
 
 export function PointsPlot({ batch, columns, catalogue, strategies, visible, markers, shown, best, height, textOf, onOpen }: Props) {
-  const plotly = useCharts();
   const palette = PALETTES[useComputedColorScheme("light")];
-  const { ref, width } = useElementSize<HTMLDivElement>();
   const host = useRef<HTMLDivElement>(null);
 
   const { y, versus } = shown;
@@ -71,46 +66,23 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
   const figure = useMemo(() => draw({ strategies, palette }), [draw, strategies, palette]);
   const light = useLightColours(strategies);
   const drawOnPaper = () => {
-    const { lines, data, layout } = draw({ strategies: light, palette: ON_PAPER, most: Infinity });
-    return { figure: { data: [...lines, ...data], layout }, legend: light.map(({ label }) => label) };
+    return { figure: draw({ strategies: light, palette: ON_PAPER, most: Infinity }), legend: light.map(({ label }) => label) };
   };
   const airborne = useMemo(() => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0), [points, columns]);
-
-  const [drawing, setDrawing] = useState(0);
-  useEffect(() => {
-    if (!plotly || !host.current || width === 0) return undefined;
-    let mounted = true;
-    void plotly.react(host.current, [...figure.lines, ...figure.data], { ...figure.layout, width, height }, CONFIG).then(() => {
-      if (mounted) setDrawing((before) => before + 1);
-    });
-    return () => {
-      mounted = false;
-    };
-  }, [plotly, figure, width, height]);
-
-  const openRow = useEffectEvent((row: number) => onOpen(row));
-  useEffect(() => {
-    const element = host.current as PlotElement | null;
-    if (!plotly || !element || width === 0) return undefined;
-    element.on("plotly_click", ({ points }) => {
-      const row = points[0]?.customdata;
-      if (row !== undefined) openRow(row);
-    });
-    return () => element.removeAllListeners?.("plotly_click");
-  }, [plotly, width]);
-  useEffect(() => {
-    const element = host.current;
-    return () => {
-      if (plotly && element) plotly.purge(element);
-    };
-  }, [plotly]);
 
   const drawn = figure.count;
   return (
     <>
-      <div ref={ref} className={classes.plot} style={{ height }}>
-        <div ref={host} data-empty={drawn === 0 || undefined} role="img" aria-label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`} data-points={drawn} />
-        <DotLayer {...{ host, drawing, width, height, onOpen, textOf }} dots={figure.dots} />
+      <div className={classes.plot}>
+        <Chart
+          hostRef={host}
+          figure={figure}
+          height={height}
+          points={drawn}
+          label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`}
+          onPoint={onOpen}
+          over={(drawing, width) => <DotLayer {...{ host, drawing, width, height, onOpen, textOf }} dots={figure.dots} />}
+        />
         {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
       </div>
       {airborne > 0 && (

@@ -37,9 +37,8 @@ interface Input {
 }
 
 export interface ScatterFigure {
-  readonly data: readonly PointTrace[];
-  /** Below the points. */
-  readonly lines: readonly LineTrace[];
+  /** Lines below the points. */
+  readonly data: readonly (LineTrace | PointTrace)[];
   readonly layout: PlotLayout;
   readonly count: number;
   /** What is too much for plotly, which makes an element of each point: for a canvas over its axes. */
@@ -191,8 +190,7 @@ export function scatterFigure(input: Input): ScatterFigure {
           hollow: each.rows.map(isHollow),
         }))
       : [],
-    data: [...data, ...ring],
-    lines: [...(many ? [] : joints(input)), ...(front ? staircase(input) : [])],
+    data: [...(many ? [] : joints(input)), ...(front ? staircase(input) : []), ...data, ...ring],
     layout: chartLayout(palette, {
       margin: { l: 56, r: 16 + LABEL_PX * Math.max(0, ...labels.map(({ text }) => text.length)), t: 8, b: 52 },
       annotations: labels.map(({ x: atX, y: atY, text }) => ({

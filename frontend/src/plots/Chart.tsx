@@ -1,7 +1,7 @@
 /** One small plot of its own: drawn anew when its figure or its width changes; points can be clicked. */
 
 import { useElementSize } from "@mantine/hooks";
-import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
+import { useEffect, useEffectEvent, useRef, useState, type ReactNode, type RefObject } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
 import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
@@ -25,21 +25,33 @@ interface Props {
   readonly onPoint?: (point: number) => void;
   /** Gets the element that it is drawn in. */
   readonly hostRef?: RefObject<HTMLDivElement | null>;
+  /** What lies over it, once it is as wide as that; it counts plotly's drawings, as a new one means new axes. */
+  readonly over?: (drawing: number, width: number) => ReactNode;
+  /** How many points it shows, where that matters to who looks for it; without any its axes mean nothing. */
+  readonly points?: number;
 }
 
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
 
-export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostRef }: Props) {
+export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostRef, over, points: count }: Props) {
   const plotly = useCharts();
   const { ref, width: room } = useElementSize<HTMLDivElement>();
   const width = fixedWidth ?? room;
   const own = useRef<HTMLDivElement>(null);
   const host = hostRef ?? own;
 
+  const [drawing, setDrawing] = useState(0);
+  const covered = over !== undefined;
   useEffect(() => {
-    if (!plotly || !figure || !host.current || width === 0) return;
-    void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, CONFIG);
-  }, [plotly, figure, host, width, height]);
+    if (!plotly || !figure || !host.current || width === 0) return undefined;
+    let mounted = true;
+    void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, CONFIG).then(() => {
+      if (mounted && covered) setDrawing((before) => before + 1);
+    });
+    return () => {
+      mounted = false;
+    };
+  }, [plotly, figure, host, width, height, covered]);
 
   const clicked = useEffectEvent((point: number) => onPoint?.(point));
   const clickable = onPoint !== undefined;
@@ -62,7 +74,8 @@ export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostR
   return (
     <div ref={ref} className={classes.chart} style={{ height }}>
       <PlotlyFault />
-      <div ref={host} role="img" aria-label={label} />
+      <div ref={host} role="img" aria-label={label} data-points={count} data-empty={count === 0 || undefined} />
+      {over?.(drawing, width)}
     </div>
   );
 }

@@ -1,6 +1,6 @@
 /** At how many points the baseline strategy is better than each other one, and what is left of its lead. */
 
-import { NativeSelect, Text } from "@mantine/core";
+import { Text } from "@mantine/core";
 import type { BatchSummary, Strategy, StrategyId } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { formatPercent } from "../tables/change";
@@ -8,6 +8,7 @@ import { StrategyName } from "../tables/StrategyKey";
 import classes from "./robustness.module.css";
 import { quantile, type Margin } from "./summary";
 import { DataTable, type Column } from "../ui/DataTable";
+import { Choice, labelled } from "../ui/Entry";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -27,13 +28,7 @@ export function Leads({ summary, strategies, figures, onBaseline }: Props) {
       aria-label="Who keeps the lead"
       title={`Where ${baseline.label} is better`}
       tools={
-        <NativeSelect
-          size="xs"
-          aria-label="Baseline"
-          value={summary.baseline}
-          data={strategies.map(({ id, label }) => ({ value: id, label }))}
-          onChange={(event) => onBaseline(event.currentTarget.value)}
-        />
+        <Choice aria-label="Baseline" value={summary.baseline} data={labelled(strategies)} onPick={onBaseline} />
       }
     >
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>

@@ -10,6 +10,7 @@ import classes from "./robustness.module.css";
 import { hasOrder } from "./study";
 import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary } from "./summary";
 import { DataTable, type Column } from "../ui/DataTable";
+import { labelled } from "../ui/Entry";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -37,7 +38,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
       title="Which uncertainty matters"
       tools={
         <>
-          <SegmentedControl size="xs" aria-label="Strategy" className={classes.segments ?? ""} value={strategy.id} data={strategies.map(({ id, label }) => ({ value: id, label }))} onChange={setStrategyId} />
+          <SegmentedControl size="xs" aria-label="Strategy" className={classes.segments ?? ""} value={strategy.id} data={labelled(strategies)} onChange={setStrategyId} />
           {strategy.id !== summary.baseline && (
             <SegmentedControl
               size="xs"

@@ -1,6 +1,6 @@
 /** Each field alone at both its ends (a tornado): which one breaks a strategy. */
 
-import { NativeSelect, Text } from "@mantine/core";
+import { Text } from "@mantine/core";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useState, type CSSProperties } from "react";
 import { isFinal } from "../jobs/follow";
@@ -16,6 +16,7 @@ import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./torna
 import { TRAVEL } from "./summary";
 import { useOpenRun, type Opening } from "../batch/useOpenRun";
 import styles from "./bars.module.css";
+import { Choice, labelled } from "../ui/Entry";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
@@ -71,14 +72,8 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
       title="Each field alone"
       tools={
         <>
-          <NativeSelect size="xs" aria-label="Strategy alone" value={strategyId} data={strategies.map(({ id, label }) => ({ value: id, label }))} onChange={(event) => setStrategy(event.currentTarget.value)} />
-          <NativeSelect
-            size="xs"
-            aria-label="Metric alone"
-            value={figure.key}
-            data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
-            onChange={(event) => setFigure(event.currentTarget.value)}
-          />
+          <Choice aria-label="Strategy alone" value={strategyId} data={labelled(strategies)} onPick={setStrategy} />
+          <Choice aria-label="Metric alone" value={figure.key} data={offered.map((each) => ({ value: each.key, label: fullName(each) }))} onPick={setFigure} />
         </>
       }
     >

@@ -1,6 +1,6 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
-import { Button, Checkbox, Switch, Text, TextInput } from "@mantine/core";
+import { Button, Checkbox, Switch, Text } from "@mantine/core";
 import { useId, type ReactNode } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
@@ -12,6 +12,7 @@ import { useStudy } from "./useStudy";
 import rows from "./form.module.css";
 import ui from "../ui/ui.module.css";
 import { useDraft } from "../state/useDraft";
+import { Entry } from "../ui/Entry";
 import { Fault, Problems } from "../ui/Fault";
 import { ResetDraft } from "../ui/ResetDraft";
 
@@ -69,24 +70,8 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
       <div className={ui.part}>
         <StrategyChoice strategies={strategies} selected={draft.strategies} error={errors.strategies} onChange={(ids) => patch({ strategies: ids })} />
         <div className={rows.numbers}>
-          <TextInput
-            size="xs"
-            label="Samples"
-            description="Random cars from a Latin hypercube"
-            inputMode="numeric"
-            value={draft.samples}
-            error={errors.samples}
-            onChange={(event) => patch({ samples: event.currentTarget.value })}
-          />
-          <TextInput
-            size="xs"
-            label="Seed"
-            description="Same seed, same cars"
-            inputMode="numeric"
-            value={draft.seed}
-            error={errors.seed}
-            onChange={(event) => patch({ seed: event.currentTarget.value })}
-          />
+          <Entry label="Samples" description="Random cars from a Latin hypercube" inputMode="numeric" value={draft.samples} error={errors.samples} onType={(samples) => patch({ samples })} />
+          <Entry label="Seed" description="Same seed, same cars" inputMode="numeric" value={draft.seed} error={errors.seed} onType={(seed) => patch({ seed })} />
         </div>
         <Checkbox
           size="xs"
@@ -118,15 +103,13 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
   const id = useId();
   const unit = field.leaf.kind === "number" ? prettyUnit(field.leaf.shown.unit) : "";
   const end = (key: "from" | "to", value: string) => (
-    <TextInput
-      size="xs"
-      className={rows.end ?? ""}
-      inputMode="decimal"
+    <Entry
+      className={rows.end}
       aria-label={`${field.title}, ${key}`}
       value={value}
       error={error !== undefined}
       {...(error === undefined ? {} : { "aria-describedby": `${id}-error` })}
-      onChange={(event) => onChange({ [key]: event.currentTarget.value })}
+      onType={(text) => onChange({ [key]: text })}
     />
   );
   return (

@@ -1,6 +1,6 @@
 /** How large may a field be, so that a metric keeps a limit? Asked over the form's scenario, answered with a value for it. */
 
-import { Button, Group, List, Modal, Select, Text, TextInput } from "@mantine/core";
+import { Button, Group, List, Modal, Select, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import { ask } from "../api/http";
@@ -14,7 +14,7 @@ import type { Catalogues } from "../state/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../sweep/fields";
 import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../ui/Fault";
-import ui from "../ui/ui.module.css";
+import { Entry, labelled } from "../ui/Entry";
 import { formatExact, formatResult, prettyUnit } from "../units/format";
 import { askable, readDraft, type SolveDraft } from "./draft";
 
@@ -56,18 +56,9 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     setDraft({ ...draft, ...change });
   };
   const entry = (key: "from" | "to" | "limit", label: string, unit: string) => (
-    <TextInput
-      size="xs"
-      className={sweep.end ?? ""}
-      inputMode="decimal"
-      label={label}
-      value={draft[key]}
-      {...(unit === "" ? {} : { rightSection: <span className={ui.dim}>{unit}</span>, rightSectionWidth: 48 })}
-      rightSectionPointerEvents="none"
-      onChange={(event) => patch({ [key]: event.currentTarget.value })}
-    />
+    <Entry className={sweep.end} value={draft[key]} {...{ label, unit }} onType={(text) => patch({ [key]: text })} />
   );
-  const unit = prettyUnit(leaf?.shown.unit ?? "1");
+  const unit = leaf?.shown.unit ?? "1";
   return (
     <Modal opened onClose={onClose} title="How large may it be?" size="lg" closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}>
       <Text size="sm" c="dimmed">
@@ -80,9 +71,9 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
         {entry("to", "To", unit)}
       </Group>
       <Group gap="xs" align="flex-end">
-        <Select size="xs" label="Strategy" allowDeselect={false} data={strategies.map(({ id, label }) => ({ value: id, label }))} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedField(byId(draft.strategy), scenario) ? rangeOf(fields, speedField(byId(id), scenario)) : {}) })} />
+        <Select size="xs" label="Strategy" allowDeselect={false} data={labelled(strategies)} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedField(byId(draft.strategy), scenario) ? rangeOf(fields, speedField(byId(id), scenario)) : {}) })} />
         <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
-        {entry("limit", "At most", prettyUnit(figure?.unit ?? "1"))}
+        {entry("limit", "At most", figure?.unit ?? "1")}
       </Group>
       {wrong !== null && <Fault>{wrong}</Fault>}
       {search.error && <Fault>{explain(search.error)}</Fault>}

@@ -1,6 +1,6 @@
 /** Puts a sweep together: which fields, from where to where, under which strategies; says what it costs before it starts. */
 
-import { Button, Group, Modal, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Button, Group, Modal, SegmentedControl, Text } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { Strategy } from "../api/types";
@@ -16,6 +16,7 @@ import classes from "./sweep.module.css";
 import { useSweep } from "./useSweep";
 import { useLab, useScenario } from "../state/context";
 import { useDraft } from "../state/useDraft";
+import { Entry } from "../ui/Entry";
 import { Problems } from "../ui/Fault";
 import { ResetDraft } from "../ui/ResetDraft";
 
@@ -84,8 +85,8 @@ export function SweepDialog({ form, strategies, onClose }: Props) {
       </div>
       {draft.method === "hypercube" && (
         <Group gap="md" align="flex-start">
-          <TextInput size="xs" w={120} label="Samples" inputMode="numeric" value={draft.samples} error={errors.samples} onChange={(event) => patch({ samples: event.currentTarget.value })} />
-          <TextInput size="xs" w={120} label="Seed" inputMode="numeric" value={draft.seed} error={errors.seed} onChange={(event) => patch({ seed: event.currentTarget.value })} />
+          <Entry w={120} label="Samples" inputMode="numeric" value={draft.samples} error={errors.samples} onType={(samples) => patch({ samples })} />
+          <Entry w={120} label="Seed" inputMode="numeric" value={draft.seed} error={errors.seed} onType={(seed) => patch({ seed })} />
         </Group>
       )}
       <StrategyChoice

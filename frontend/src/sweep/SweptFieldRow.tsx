@@ -1,6 +1,6 @@
 /** One swept field: its values in a grid, or its range. */
 
-import { Chip, Group, MultiSelect, SegmentedControl, Text, TextInput } from "@mantine/core";
+import { Chip, Group, MultiSelect, SegmentedControl, Text } from "@mantine/core";
 import { optionTitle, type ChoiceField, type NumberField } from "../editor/schema";
 import { prettyUnit } from "../units/format";
 import { typedText } from "../editor/limits";
@@ -8,6 +8,7 @@ import { byRatio, spread, type FieldDraft, type Method } from "./draft";
 import type { SweepField } from "./fields";
 import classes from "./sweep.module.css";
 import ui from "../ui/ui.module.css";
+import { Entry } from "../ui/Entry";
 import { EntryRow } from "../ui/EntryRow";
 
 interface Props {
@@ -40,16 +41,13 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
   const unit = prettyUnit(field.shown.unit);
   const name = draft.field.title;
   const end = (key: "from" | "to", label: string) => (
-    <TextInput
-      size="xs"
-      className={classes.end ?? ""}
-      inputMode="decimal"
+    <Entry
+      className={classes.end}
       label={label}
       aria-label={`${name}, ${label.toLowerCase()}`}
       value={draft[key]}
-      {...(unit === "" ? {} : { rightSection: <span className={ui.dim}>{unit}</span>, rightSectionWidth: 48 })}
-      rightSectionPointerEvents="none"
-      onChange={(event) => onChange({ [key]: event.currentTarget.value })}
+      unit={field.shown.unit}
+      onType={(text) => onChange({ [key]: text })}
     />
   );
   const asList = method === "grid" && draft.by === "list";
@@ -69,29 +67,21 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
         />
       )}
       {asList ? (
-        <TextInput
-          size="xs"
-          className={classes.list ?? ""}
+        <Entry
+          className={classes.list}
+          inputMode="text"
           label={unit === "" ? "Values" : `Values [${unit}]`}
           aria-label={`${name}, values`}
           placeholder={spread(field, ...field.soft, 3).map((value) => typedText(field, value)).join(", ")}
           value={draft.list}
-          onChange={(event) => onChange({ list: event.currentTarget.value })}
+          onType={(list) => onChange({ list })}
         />
       ) : (
         <>
           {end("from", "From")}
           {end("to", "To")}
           {method === "grid" && (
-            <TextInput
-              size="xs"
-              className={classes.count ?? ""}
-              inputMode="numeric"
-              label="Values"
-              aria-label={`${name}, number of values`}
-              value={draft.count}
-              onChange={(event) => onChange({ count: event.currentTarget.value })}
-            />
+            <Entry className={classes.count} inputMode="numeric" label="Values" aria-label={`${name}, number of values`} value={draft.count} onType={(count) => onChange({ count })} />
           )}
           {method === "grid" && byRatio(field) && <Text className={classes.note}>equal ratios</Text>}
         </>

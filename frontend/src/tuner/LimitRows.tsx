@@ -1,13 +1,12 @@
 /** What may not be exceeded on any training road. */
 
-import { TextInput } from "@mantine/core";
 import { fullName, type Figure } from "../batch/figures";
 import type { DraftErrors } from "../submission/problems";
-import { prettyUnit } from "../units/format";
 import { limitOf, MOST_LIMITS, type LimitDraft } from "./draft";
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
 import ui from "../ui/ui.module.css";
+import { Entry } from "../ui/Entry";
 import { EntryRow } from "../ui/EntryRow";
 
 interface Props {
@@ -23,7 +22,6 @@ export function LimitRows({ limits, figures, errors, onChange }: Props) {
       {limits.map(({ figure: name, atMost }, index) => {
         const figure = figures.find(({ key }) => key === name);
         const title = figure ? fullName(figure) : name;
-        const unit = prettyUnit(figure?.unit ?? "1");
         const error = errors[`limits.${index}`];
         return (
           <EntryRow
@@ -36,19 +34,13 @@ export function LimitRows({ limits, figures, errors, onChange }: Props) {
             beside={
               <>
                 <span className={ui.dim}>at most</span>
-                <TextInput
-                  size="xs"
-                  className={classes.short ?? ""}
+                <Entry
+                  className={classes.short}
                   aria-label={`${title}, at most`}
-                  inputMode="decimal"
                   value={atMost}
+                  unit={figure?.unit}
                   error={error !== undefined}
-                  {...(unit === "" ? {} : { rightSection: <span className={ui.dim}>{unit}</span>, rightSectionWidth: 44 })}
-                  rightSectionPointerEvents="none"
-                  onChange={(event) => {
-                    const typed = event.currentTarget.value;
-                    onChange(limits.map((each) => (each.figure === name ? { ...each, atMost: typed } : each)));
-                  }}
+                  onType={(text) => onChange(limits.map((each) => (each.figure === name ? { ...each, atMost: text } : each)))}
                 />
               </>
             }

@@ -1,6 +1,6 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
-import { Button, Input, MultiSelect, NativeSelect, SegmentedControl, Switch, Text, TextInput } from "@mantine/core";
+import { Button, Input, MultiSelect, SegmentedControl, Switch, Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
@@ -19,6 +19,7 @@ import { useNewTuning } from "./useNewTuning";
 import ui from "../ui/ui.module.css";
 import { useDraft } from "../state/useDraft";
 import { Problems } from "../ui/Fault";
+import { Choice, Entry } from "../ui/Entry";
 import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
@@ -45,14 +46,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
   const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, numbers, figures, source.scenario, forget);
   const { preview } = tunable;
   const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
-    <TextInput
-      size="xs"
-      label={label}
-      description={description}
-      value={draft[key]}
-      error={errors[field]}
-      onChange={(event) => patch({ [key]: event.currentTarget.value })}
-    />
+    <Entry {...{ label, description }} inputMode="text" value={draft[key]} error={errors[field]} onType={(text) => patch({ [key]: text })} />
   );
   return (
     <form
@@ -115,15 +109,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
           checked={draft.uncertain}
           onChange={(event) => patch({ uncertain: event.currentTarget.checked })}
         />
-        <NativeSelect
-          size="xs"
-          maw="24rem"
-          label="Judge by"
-          value={draft.quantile}
-          error={errors.quantile}
-          data={QUANTILES}
-          onChange={(event) => patch({ quantile: event.currentTarget.value })}
-        />
+        <Choice maw="24rem" label="Judge by" value={draft.quantile} error={errors.quantile} data={QUANTILES} onPick={(quantile) => patch({ quantile })} />
         <div className={classes.entries}>
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
           {entry("validationSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}

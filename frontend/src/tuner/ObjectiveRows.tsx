@@ -1,6 +1,5 @@
 /** What is minimised: up to three objectives. */
 
-import { NativeSelect, TextInput } from "@mantine/core";
 import type { Catalogue } from "../api/types";
 import { fullName, type Figure } from "../batch/figures";
 import type { DraftErrors } from "../submission/problems";
@@ -9,6 +8,7 @@ import { MOST_OBJECTIVES, objectiveOf, type Kind, type ObjectiveDraft } from "./
 import { FigureSelect } from "./FigureSelect";
 import classes from "./tuner.module.css";
 import ui from "../ui/ui.module.css";
+import { Choice, Entry } from "../ui/Entry";
 import { EntryRow } from "../ui/EntryRow";
 
 interface Props {
@@ -51,27 +51,18 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
             {kind !== "figure" && (
               <div className={ui.entryValues}>
                 {Q.map((label, part) => (
-                  <TextInput
+                  <Entry
                     key={label}
-                    size="xs"
-                    className={classes.short ?? ""}
+                    className={classes.short}
                     label={label}
-                    inputMode="decimal"
                     value={q[part] ?? ""}
-                    onChange={(event) => {
-                      const typed = event.currentTarget.value;
+                    onType={(typed) => {
                       const [q1, q2, q3] = q.map((text, at) => (at === part ? typed : text));
                       patch(key, { q: [q1 ?? "", q2 ?? "", q3 ?? ""] });
                     }}
                   />
                 ))}
-                <NativeSelect
-                  size="xs"
-                  label="Over"
-                  value={window}
-                  data={windows.map((each) => ({ value: each.key, label: each.label }))}
-                  onChange={(event) => patch(key, { window: event.currentTarget.value })}
-                />
+                <Choice label="Over" value={window} data={windows.map((each) => ({ value: each.key, label: each.label }))} onPick={(next) => patch(key, { window: next })} />
               </div>
             )}
           </EntryRow>

@@ -1,11 +1,12 @@
 /** What is searched, and from where to where; the rest stays as the scenario has it. */
 
-import { Checkbox, TextInput } from "@mantine/core";
+import { Checkbox } from "@mantine/core";
 import type { Scenario } from "../api/types";
 import type { DraftErrors } from "../submission/problems";
 import type { RangeDraft } from "./draft";
 import { ownText, type Tunable, type TunableNumber } from "./space";
 import classes from "./tuner.module.css";
+import { Entry } from "../ui/Entry";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 
@@ -73,15 +74,7 @@ interface RangeProps {
 function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
   if (!range) return null;
   const end = (key: "from" | "to") => (
-    <TextInput
-      size="xs"
-      className={classes.rangeEnd ?? ""}
-      aria-label={`${label}, ${key}`}
-      inputMode="decimal"
-      value={range[key]}
-      error={wrong}
-      onChange={(event) => onChange({ [key]: event.currentTarget.value })}
-    />
+    <Entry className={classes.rangeEnd} aria-label={`${label}, ${key}`} value={range[key]} error={wrong} onType={(text) => onChange({ [key]: text })} />
   );
   return (
     <div className={classes.range}>

@@ -1,6 +1,6 @@
 /** Trials in the plane of two objectives with their front, or one objective over the trials. */
 
-import { NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
+import { Text, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useRef, useState } from "react";
 import type { Trial, Tuning } from "../api/types";
@@ -13,6 +13,7 @@ import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import classes from "./tuner.module.css";
+import { Choice } from "../ui/Entry";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
@@ -60,12 +61,11 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   };
   const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
   const axis = (which: "x" | "y") => (
-    <NativeSelect
-      size="xs"
+    <Choice
       label={which === "x" ? "Across" : "Up"}
       value={String(which === "x" ? x : y)}
       data={objectives.map(({ label }, index) => ({ value: String(index), label, disabled: index === (which === "x" ? y : x) }))}
-      onChange={(event) => setAxes(which === "x" ? [Number(event.currentTarget.value), y] : [x, Number(event.currentTarget.value)])}
+      onPick={(value) => setAxes(which === "x" ? [Number(value), y] : [x, Number(value)])}
     />
   );
   return (

@@ -1,6 +1,6 @@
 /** The search as a plot, and beside it the weights of the point somebody looks at. */
 
-import { Button, NativeSelect, Text } from "@mantine/core";
+import { Button, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Trial, Tuning } from "../api/types";
@@ -14,6 +14,7 @@ import results from "./results.module.css";
 import type { Load } from "./useLoad";
 import { trialsQuery } from "./queries";
 import { WeightsOf } from "./WeightsOf";
+import { Choice } from "../ui/Entry";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -42,13 +43,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
       {picked && (
         <Card aria-label="Selected point" data-trial={picked.number}>
           <div className={results.picked}>
-            <NativeSelect
-              size="xs"
-              label="Weights of trial"
-              value={String(picked.number)}
-              data={options(points, tuning.front, picked)}
-              onChange={(event) => setSelectedNumber(Number(event.currentTarget.value))}
-            />
+            <Choice label="Weights of trial" value={String(picked.number)} data={options(points, tuning.front, picked)} onPick={(value) => setSelectedNumber(Number(value))} />
             <Values {...{ tuning, objectives, limits }} trial={picked} />
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
             {picked.number !== tuning.paper?.number && (

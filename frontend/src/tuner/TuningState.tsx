@@ -1,6 +1,6 @@
 /** How far a tuning is, what it is about, and how to continue it. */
 
-import { Button, Text, TextInput } from "@mantine/core";
+import { Button, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../api/http";
@@ -17,6 +17,7 @@ import { ofLimit, ofObjective } from "./figures";
 import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
 import results from "./results.module.css";
+import { Entry } from "../ui/Entry";
 import ui from "../ui/ui.module.css";
 
 interface Props {
@@ -83,18 +84,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
         if (!wrong) resume.mutate(requested);
       }}
     >
-      <TextInput
-        size="xs"
-        className={classes.short ?? ""}
-        aria-label="Trials in all"
-        inputMode="numeric"
-        value={trials}
-        error={wrong}
-        rightSection={<span className={ui.dim}>trials</span>}
-        rightSectionWidth={42}
-        rightSectionPointerEvents="none"
-        onChange={(event) => setTrials(event.currentTarget.value)}
-      />
+      <Entry className={classes.short} aria-label="Trials in all" inputMode="numeric" value={trials} unit="trials" error={wrong} onType={setTrials} />
       <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
         {tuning.state === "done" ? "Continue search" : "Resume"}
       </Button>

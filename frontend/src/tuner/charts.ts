@@ -35,12 +35,15 @@ interface Named {
   readonly name: string;
 }
 
-export interface FrontInput extends Look {
+interface Input extends Look {
   readonly trials: readonly Trial[];
+  readonly picked: number | null;
+}
+
+export interface FrontInput extends Input {
   readonly front: readonly Trial[];
   /** The paper's weights, the scenario's, the balanced ones. */
   readonly named: readonly Named[];
-  readonly picked: number | null;
   /** Which objectives, by place. */
   readonly x: number;
   readonly y: number;
@@ -52,48 +55,64 @@ function textOf(trial: Trial, objectives: readonly Shown[], name?: string): stri
   return [name ?? `Trial ${trial.number}`, ...values, ...(trial.feasible ? [] : ["over a limit"])].join("<br>");
 }
 
-export function frontFigure({ trials, front, named, picked, x, y, objectives, palette, colour }: FrontInput): SearchFigure {
-  const [shownX, shownY] = [objectives[x], objectives[y]];
-  if (!shownX || !shownY) return { data: [], layout: chartLayout(palette, { xaxis: {}, yaxis: {} }), beyond: 0 };
+/** Trials as points by two of their values: all that ran, a ring around the selected one, and what makes points of others. */
+function pointsBy({ trials, picked, palette }: Input, objectives: readonly Shown[], x: (trial: Trial) => number, y: (trial: Trial) => number) {
   const points = (name: string, some: readonly Trial[], marker: object, names: readonly string[] = []): PointTrace => ({
     type: "scatter",
     mode: "markers",
     name,
-    x: some.map((trial) => valueOf(trial, x, shownX)),
-    y: some.map((trial) => valueOf(trial, y, shownY)),
+    x: some.map(x),
+    y: some.map(y),
     customdata: some.map(({ number }) => number),
-    marker: { ...marker },
+    marker: { color: palette.text, ...marker },
     text: some.map((trial, index) => textOf(trial, objectives, names[index])),
     hovertemplate: "%{text}<extra></extra>",
   });
   const driven = trials.filter(({ values }) => values !== null);
-  const sorted = [...front].sort((a, b) => valueOf(a, x, shownX) - valueOf(b, x, shownX));
-  // With three objectives the front is a surface: its points in this plane are not joined.
-  const line: LineTrace = {
-    type: "scatter", mode: "lines", name: "Front", opacity: 0.7, hoverinfo: "skip",
-    x: sorted.map((trial) => valueOf(trial, x, shownX)), y: sorted.map((trial) => valueOf(trial, y, shownY)),
-    line: { color: colour, width: 1.5, shape: "hv" },
-  };
-  const ring = driven.filter(({ number }) => number === picked);
-  const must = [...front, ...named.map(({ trial }) => trial), ...ring];
-  const along = (some: readonly Trial[], objective: number, shown: Shown) => some.map((trial) => valueOf(trial, objective, shown)).filter(Number.isFinite);
-  const [rangeX, rangeY] = [rangeOf(along(must, x, shownX), along(driven, x, shownX)), rangeOf(along(must, y, shownY), along(driven, y, shownY))];
+  const ringed = driven.filter(({ number }) => number === picked);
   return {
-    beyond: driven.filter((trial) => valueOf(trial, x, shownX) > rangeX[1] || valueOf(trial, y, shownY) > rangeY[1]).length,
+    points,
+    driven,
+    ringed,
+    all: [
+      points("Over a limit", driven.filter(({ feasible }) => !feasible), { size: 6, symbol: "x-thin-open", opacity: 0.5 }),
+      points("Trials", driven.filter(({ feasible }) => feasible), { size: 5, opacity: 0.35 }),
+    ],
+    ring: ringed.length > 0 ? [points("Picked", ringed, { size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : [],
+  };
+}
+
+/** A staircase. */
+const steps = (name: string, x: readonly number[], y: readonly number[], color: string, width: number): LineTrace => ({
+  type: "scatter", mode: "lines", name, opacity: 1, hoverinfo: "skip", x, y, line: { color, width, shape: "hv" },
+});
+
+export function frontFigure(input: FrontInput): SearchFigure {
+  const { front, named, x, y, objectives, palette, colour } = input;
+  const [shownX, shownY] = [objectives[x], objectives[y]];
+  if (!shownX || !shownY) return { data: [], layout: chartLayout(palette, { xaxis: {}, yaxis: {} }), beyond: 0 };
+  const [across, up] = [(trial: Trial) => valueOf(trial, x, shownX), (trial: Trial) => valueOf(trial, y, shownY)];
+  const { points, driven, ringed, all, ring } = pointsBy(input, objectives, across, up);
+  const sorted = [...front].sort((a, b) => across(a) - across(b));
+  const must = [...front, ...named.map(({ trial }) => trial), ...ringed];
+  const range = (along: typeof up) => rangeOf(must.map(along).filter(Number.isFinite), driven.map(along).filter(Number.isFinite));
+  const [rangeX, rangeY] = [range(across), range(up)];
+  return {
+    beyond: driven.filter((trial) => across(trial) > rangeX[1] || up(trial) > rangeY[1]).length,
     data: [
-      points("Over a limit", driven.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
-      points("Trials", driven.filter(({ feasible }) => feasible), { color: palette.text, size: 5, opacity: 0.35 }),
-      ...(objectives.length === 2 ? [line] : []),
+      ...all,
+      // With three objectives the front is a surface: its points in this plane are not joined.
+      ...(objectives.length === 2 ? [steps("Front", sorted.map(across), sorted.map(up), colour, 1.5)] : []),
       points("Front", sorted, { color: colour, size: 9, symbol: "circle", line: { width: 0.75, color: palette.text } }),
-      points("Named", named.map(({ trial }) => trial), { color: palette.text, size: 11, symbol: named.map(({ name }) => symbolOf(name)) }, named.map(({ name }) => name)),
-      ...(ring.length > 0 ? [points("Picked", ring, { color: palette.text, size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : []),
+      points("Named", named.map(({ trial }) => trial), { size: 11, symbol: named.map(({ name }) => symbolOf(name)) }, named.map(({ name }) => name)),
+      ...ring,
     ],
     layout: chartLayout(palette, {
       xaxis: { title: { text: axisTitle(shownX) }, range: rangeX },
       yaxis: { title: { text: axisTitle(shownY) }, range: rangeY },
       uirevision: `${x} ${y}`, // somebody's zoom stays while trials arrive
       annotations: named.map(({ trial, name }) => ({
-        text: name, x: valueOf(trial, x, shownX), y: valueOf(trial, y, shownY), xanchor: "left", yanchor: "bottom", xshift: 6, yshift: 3,
+        text: name, x: across(trial), y: up(trial), xanchor: "left", yanchor: "bottom", xshift: 6, yshift: 3,
         showarrow: false, font: { size: 11, color: palette.text },
       })),
     }),
@@ -107,10 +126,8 @@ export interface SearchFigure extends ChartFigure {
   readonly beyond: number;
 }
 
-export interface HistoryInput extends Look {
-  readonly trials: readonly Trial[];
+export interface HistoryInput extends Input {
   readonly paper: Trial | null;
-  readonly picked: number | null;
   readonly shown: Shown;
 }
 
@@ -128,37 +145,18 @@ function bestSoFar(driven: readonly Trial[], shown: Shown): readonly { readonly 
 }
 
 /** One objective: every trial, and the best so far as a line. */
-export function historyFigure({ trials, paper, picked, shown, palette, colour }: HistoryInput): SearchFigure {
-  const driven = trials.filter(({ values }) => values !== null);
-  const points = (name: string, some: readonly Trial[], marker: object): PointTrace => ({
-    type: "scatter",
-    mode: "markers",
-    name,
-    x: some.map(({ number }) => number),
-    y: some.map((trial) => valueOf(trial, 0, shown)),
-    customdata: some.map(({ number }) => number),
-    marker: { ...marker },
-    text: some.map((trial) => textOf(trial, [shown])),
-    hovertemplate: "%{text}<extra></extra>",
-  });
+export function historyFigure(input: HistoryInput): SearchFigure {
+  const { paper, shown, palette, colour } = input;
+  const up = (trial: Trial) => valueOf(trial, 0, shown);
+  const { driven, all, ring } = pointsBy(input, [shown], ({ number }) => number, up);
   const best = bestSoFar(driven, shown);
-  const reference = paper ? valueOf(paper, 0, shown) : NaN;
-  const values = driven.map((trial) => valueOf(trial, 0, shown));
+  const reference = paper ? up(paper) : NaN;
+  const values = driven.map(up);
   const must = [...best.map(({ value }) => value), reference].filter(Number.isFinite);
-  const line: LineTrace = {
-    type: "scatter", mode: "lines", name: "Best so far", opacity: 1, hoverinfo: "skip",
-    x: best.map(({ number }) => number), y: best.map(({ value }) => value), line: { color: colour, width: 2.5, shape: "hv" },
-  };
-  const ring = driven.filter(({ number }) => number === picked);
   const range = must.length > 0 ? rangeOf(must, values) : null;
   return {
     beyond: range ? values.filter((value) => value > range[1]).length : 0,
-    data: [
-      points("Over a limit", driven.filter(({ feasible }) => !feasible), { color: palette.text, size: 6, symbol: "x-thin-open", opacity: 0.5 }),
-      points("Trials", driven.filter(({ feasible }) => feasible), { color: palette.text, size: 6, opacity: 0.4 }),
-      line,
-      ...(ring.length > 0 ? [points("Picked", ring, { color: palette.text, size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : []),
-    ],
+    data: [...all, steps("Best so far", best.map(({ number }) => number), best.map(({ value }) => value), colour, 2.5), ...ring],
     layout: chartLayout(palette, {
       xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
       yaxis: { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
@@ -176,12 +174,8 @@ export function historyFigure({ trials, paper, picked, shown, palette, colour }:
 /** Several objectives: how much of the box under the paper's weights the front has taken. */
 export function volumeFigure(history: readonly Generation[], { palette, colour }: Look): ChartFigure {
   const driven = history.flatMap(({ trials, hypervolume }) => (hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }]));
-  const line: LineTrace = {
-    type: "scatter", mode: "lines", name: "Front", opacity: 1, hoverinfo: "skip",
-    x: driven.map(({ trials }) => trials), y: driven.map(({ hypervolume }) => hypervolume), line: { color: colour, width: 2, shape: "hv" },
-  };
   return {
-    data: [line],
+    data: [steps("Front", driven.map(({ trials }) => trials), driven.map(({ hypervolume }) => hypervolume), colour, 2)],
     layout: chartLayout(palette, { xaxis: { title: { text: "Trial" }, rangemode: "tozero" }, yaxis: { title: { text: "Dominated [%]" }, rangemode: "tozero" } }),
   };
 }
