@@ -15,7 +15,7 @@ from scipy.sparse import csc_matrix, triu
 
 from sim_core.car.half_car import discrete
 from sim_core.control.cost import CostTerms
-from sim_core.control.mpc import SLACK_LINEAR, Horizon, MpcDesign, design
+from sim_core.control.mpc_design import SLACK_LINEAR, Horizon, MpcDesign, design
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import drive
@@ -48,14 +48,15 @@ class OsqpStage:
         self.q = np.zeros(len(shape.H))
         self.q[-2:] = SLACK_LINEAR / CM_PER_M
         self.solver = osqp.OSQP()
-        upper = np.concatenate([shape.high, design.row_limits])
+        upper = np.concatenate([shape.high, np.full(len(shape.A), design.travel_limit)])
         self.solver.setup(P=csc_matrix(triu(shape.H)), q=self.q, A=rows, l=self.lower, u=upper, **SETTINGS)
 
     def force(self, parameters: Array) -> tuple[Array, bool]:
         """First force [N] for [state; previous command; preview], and whether OSQP calls it solved."""
         design = self.design
         self.q[:-2] = design.linear @ parameters
-        upper = np.concatenate([design.shape.high, design.row_limits - design.rows_parameters @ parameters])
+        travel = design.travel @ parameters
+        upper = np.concatenate([design.shape.high, design.travel_limit - travel, design.travel_limit + travel])
         self.solver.update(q=self.q, l=self.lower, u=upper)
         result = self.solver.solve()
         return result.x[:2] * NEWTON_PER_KILO, result.info.status_val == osqp.SolverStatus.OSQP_SOLVED

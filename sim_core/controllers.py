@@ -5,7 +5,8 @@ from sim_core.control.controller import Controller, PassiveController
 from sim_core.control.cost import CostTerms
 from sim_core.control.hooks import HookController, hook_gain
 from sim_core.control.lqr import LqrController, feedforward, regulator
-from sim_core.control.mpc import Horizon, MpcController, MpcDesign, design
+from sim_core.control.mpc import MpcController
+from sim_core.control.mpc_design import Horizon, MpcDesign, design
 from sim_core.drive.preview import preview, preview_windows
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.sensed_road import expected_errors

@@ -21,18 +21,16 @@ from sim_core.scenario import Actuator, Vehicle
 
 _LONGEST_ANGLE = 0.1  # of the fastest pole in one step of Runge-Kutta [rad]
 _SIGNALS = len(RECORDED)
-_NO_FEEDBACK = LinearLaw(gain=np.zeros((FORCES, LAW_INPUTS)))
+_NO_FEEDBACK = np.zeros((FORCES, LAW_INPUTS))
 
 
 class _Car(ctypes.Structure):
     """`struct car` of nonlinear_car.c; pairs are front and rear, `per_…` are inverses."""
 
     _fields_ = [
-        *((name, ctypes.c_double) for name in ("per_body_mass", "per_pitch_inertia", "brake_moment", "corner")),
-        *(
-            (name, ctypes.c_double * 2)
-            for name in ("arm", "per_wheel_mass", "spring", "rebound", "compression", "clearance", "stop", "tyre")
-        ),
+        *((name, ctypes.c_double) for name in ("brake_moment", "corner")),
+        *((name, ctypes.c_double * 2) for name in ("front_share", "rear_share", "arm", "per_wheel_mass", "spring")),
+        *((name, ctypes.c_double * 2) for name in ("rebound", "compression", "clearance", "stop", "tyre")),
         *((name, ctypes.c_double * 2) for name in ("lift_off", "link")),
     ]
 
@@ -68,28 +66,32 @@ class NonlinearCar(DrivenCar):
         self._before = before
         self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
         self._addresses = address(self._inputs), address(self._disturbance), address(self._table)
+        self._row = self._disturbance.strides[0]
+        self._single, self._command = np.zeros((2, self.size + FORCES)), np.zeros(FORCES)
+        self._single_step = address(_NO_FEEDBACK), inf, False, address(self._command), address(self._single)
 
     def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
         """As DrivenCar says."""
         loop = np.empty((len(feed) + 1, self.size + FORCES))
         loop[0] = start
-        self._run(law, np.ascontiguousarray(law.gain, dtype=np.float64), first, np.ascontiguousarray(feed), loop)
+        gain = np.ascontiguousarray(law.gain, dtype=np.float64)
+        feed = np.ascontiguousarray(feed)
+        self._run(first, len(feed), address(gain), law.force_limit, law.dissipative, address(feed), address(loop))
         return loop
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As DrivenCar says."""
-        loop = np.zeros((2, self.size + FORCES))
-        loop[0, : self.size] = state
-        self._run(_NO_FEEDBACK, _NO_FEEDBACK.gain, step, np.ascontiguousarray(command), loop)
-        return loop[1, : self.size]
+        self._single[0, : self.size] = state
+        self._command[:] = command
+        self._run(step, 1, *self._single_step)
+        return self._single[1, : self.size].copy()
 
-    def _run(self, law: LinearLaw, gain: FloatArray, first: int, feed: FloatArray, loop: FloatArray) -> None:
-        """Fill `loop` (steps + 1, size + 2) from its first row on, with gain (2, 10) and feed (steps, 2) contiguous."""
+    def _run(self, first: int, steps: int, gain: int, limit: float, dissipative: bool, feed: int, loop: int) -> None:
+        """Fill the loop (steps + 1, size + 2) from its first row on, with the arrays at these addresses."""
         inputs, disturbance, table = self._addresses
         _drive(
-            *(self._car, self._estimator, inputs + 8 * STATES * first, self._states, len(loop) - 1, *self._sizes),
-            *(address(gain), law.force_limit, law.dissipative, address(feed)),
-            *(disturbance + 8 * self._disturbance.shape[1] * first, address(loop), table),
+            *(self._car, self._estimator, inputs + 8 * STATES * first, self._states, steps, *self._sizes),
+            *(gain, limit, dissipative, feed, disturbance + self._row * first, loop, table),
             *(first - self._before, self._table.shape[2]),
         )
 
@@ -122,10 +124,10 @@ def _car(vehicle: Vehicle, actuator: Actuator) -> _Car:
     clearance = inf if vehicle.bump_stop_clearance is None else vehicle.bump_stop_clearance
     lift_off = [-load for load in vehicle.static_loads] if vehicle.tyre_lift_off else [-inf, -inf]
     return _Car(
-        per_body_mass=1 / vehicle.body_mass,
-        per_pitch_inertia=1 / vehicle.pitch_inertia,
         brake_moment=vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia,
         corner=_corner(actuator),
+        front_share=pair(1 / vehicle.body_mass, -vehicle.cg_to_front / vehicle.pitch_inertia),
+        rear_share=pair(1 / vehicle.body_mass, vehicle.cg_to_rear / vehicle.pitch_inertia),
         arm=pair(-vehicle.cg_to_front, vehicle.cg_to_rear),
         per_wheel_mass=pair(1 / vehicle.front_wheel_mass, 1 / vehicle.rear_wheel_mass),
         spring=pair(vehicle.front_spring, vehicle.rear_spring),

@@ -8,7 +8,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-ADDRESS, INT, DOUBLE = ctypes.c_void_p, ctypes.c_int, ctypes.c_double
+ADDRESS, INT, SIZE, DOUBLE = ctypes.c_void_p, ctypes.c_int, ctypes.c_ssize_t, ctypes.c_double
 _BYTE, _KINDS = ctypes.c_char.from_buffer, "di"  # NumPy's letters for float64 and int
 _FILE = Path(__file__).with_name("libridelab.so.1")  # no Python module, so not called like one
 _NOT_BUILT = (

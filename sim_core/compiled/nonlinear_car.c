@@ -3,99 +3,99 @@
    model and its source: sim_core/car/nonlinear.py. */
 
 #include <stddef.h>
+#include <string.h>
 
-enum { D = 0, TYRE = 2, BODY = 4, PITCH = 5, WHEEL = 6, FORCE = 8, STATE = 10 };
-enum { ROAD = 0, BRAKING = 2, DISTURBANCES = 3 };
+enum { STATE = 8, INPUTS = 10, ROAD = 0, BRAKING = 2, DISTURBANCES = 3 };
+
+/* Front and rear in one register; in memory as two numbers of an array. */
+typedef double pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double))));
+typedef long long choice __attribute__((vector_size(2 * sizeof(long long))));
 
 struct car {
-    double per_body_mass, per_pitch_inertia, brake_moment, corner;
-    double arm[2], per_wheel_mass[2], spring[2], rebound[2], compression[2];
-    double clearance[2], stop[2], tyre[2], lift_off[2], link[2];
+    double brake_moment, corner;
+    pair front_share, rear_share; /* of a force of the suspension in the body's two accelerations */
+    pair arm, per_wheel_mass, spring, rebound, compression, clearance, stop, tyre, lift_off, link;
 };
 
-static double travel_force(const struct car *car, int axle, double deflection, double speed)
+/* Of the half-car, then a lagging actuator's forces; `body` is the body's vertical and pitch velocity. */
+struct state {
+    pair travel, tyre, body, wheel, force;
+};
+
+static pair choose(choice which, pair yes, pair no)
 {
-    double force = car->spring[axle] * deflection;
-    force += (speed > 0 ? car->rebound[axle] : car->compression[axle]) * speed;
-    if (deflection > car->clearance[axle])
-        force += car->stop[axle] * (deflection - car->clearance[axle]);
-    else if (deflection < -car->clearance[axle])
-        force += car->stop[axle] * (deflection + car->clearance[axle]);
-    return force;
+    return (pair)((which & (choice)yes) | (~which & (choice)no));
 }
 
-static double tyre_load(const struct car *car, int axle, double deflection)
+/* The suspension's force but the damper's. */
+static pair spring_force(const struct car *car, pair travel)
 {
-    double load = -car->tyre[axle] * deflection;
-    return load < car->lift_off[axle] ? car->lift_off[axle] : load;
+    pair stopped = choose(travel > car->clearance, car->clearance, travel);
+    stopped = choose(travel < -car->clearance, -car->clearance, stopped);
+    return car->spring * travel + car->stop * (travel - stopped);
 }
 
-static double travel_speed(const struct car *car, int axle, const double *x)
+static pair tyre_load(const struct car *car, pair tyre)
 {
-    return x[BODY] + car->arm[axle] * x[PITCH] - x[WHEEL + axle];
+    pair load = -car->tyre * tyre;
+    return choose(load < car->lift_off, car->lift_off, load);
 }
 
-static void derivative(const struct car *car, const double *x, const double *command, const double *w, double *dx)
+static pair travel_speed(const struct car *car, struct state x)
 {
-    double body = 0, pitch = 0;
-    for (int axle = 0; axle < 2; axle++) {
-        double speed = travel_speed(car, axle, x);
-        double force = travel_force(car, axle, x[D + axle], speed) - x[FORCE + axle] - car->link[axle] * w[BRAKING];
-        dx[D + axle] = speed;
-        dx[TYRE + axle] = x[WHEEL + axle] - w[ROAD + axle];
-        dx[WHEEL + axle] = (tyre_load(car, axle, x[TYRE + axle]) + force) * car->per_wheel_mass[axle];
-        dx[FORCE + axle] = car->corner * (command[axle] - x[FORCE + axle]);
-        body -= force;
-        pitch -= car->arm[axle] * force;
-    }
-    dx[BODY] = body * car->per_body_mass;
-    dx[PITCH] = pitch * car->per_pitch_inertia + car->brake_moment * w[BRAKING];
+    return (x.body[0] - x.wheel) + car->arm * x.body[1];
 }
 
-/* One step h of Ralston's third-order method; k[0] is the derivative at its beginning. */
-static void advance(const struct car *car, double h, const double *command, const double *w, double k[3][STATE],
-                    double *x)
+/* What does not wait for the speed of travel goes first: the operations that follow it are what a step takes. */
+static struct state derivative(const struct car *car, struct state x, pair command, const double *w)
 {
-    double between[STATE];
-    const double share[2] = {h / 2, 3 * h / 4};
-    for (int stage = 0; stage < 2; stage++) {
-        for (int i = 0; i < STATE; i++)
-            between[i] = x[i] + share[stage] * k[stage][i];
-        derivative(car, between, command, w, k[stage + 1]);
-    }
-    for (int i = 0; i < STATE; i++)
-        x[i] += h / 9 * (2 * k[0][i] + 3 * k[1][i] + 4 * k[2][i]);
+    pair speed = travel_speed(car, x), road = {w[ROAD], w[ROAD + 1]};
+    pair force = spring_force(car, x.travel) - x.force - car->link * w[BRAKING];
+    force += choose(speed > 0, car->rebound * speed, car->compression * speed);
+    pair brake = {0, car->brake_moment * w[BRAKING]};
+    pair body = brake - force[0] * car->front_share - force[1] * car->rear_share;
+    return (struct state){speed, x.wheel - road, body, (tyre_load(car, x.tyre) + force) * car->per_wheel_mass,
+                          car->corner * (command - x.force)};
 }
 
-static void sample(const struct car *car, const double *x, const double *dx, double *table, size_t signal)
+static struct state moved(struct state x, double time, struct state rate)
 {
-    table[2 * signal] = dx[BODY];
-    table[3 * signal] = dx[PITCH];
-    for (int axle = 0; axle < 2; axle++) {
-        table[axle * signal] = dx[D + axle];
-        table[(4 + axle) * signal] = tyre_load(car, axle, x[TYRE + axle]);
-        table[(6 + axle) * signal] = x[D + axle];
-        table[(8 + axle) * signal] = x[FORCE + axle];
-    }
+    return (struct state){x.travel + time * rate.travel, x.tyre + time * rate.tyre, x.body + time * rate.body,
+                          x.wheel + time * rate.wheel, x.force + time * rate.force};
+}
+
+/* One step h of Ralston's third-order method; `first` is the derivative at its beginning. */
+static struct state advance(const struct car *car, double h, pair command, const double *w, struct state first,
+                            struct state x)
+{
+    struct state second = derivative(car, moved(x, h / 2, first), command, w);
+    struct state third = derivative(car, moved(x, 3 * h / 4, second), command, w);
+    return moved(moved(moved(x, 2 * h / 9, first), h / 3, second), 4 * h / 9, third);
+}
+
+static void sample(const struct car *car, struct state x, struct state rate, double *table, size_t signal)
+{
+    const pair signals[] = {rate.travel, rate.body, tyre_load(car, x.tyre), x.travel, x.force};
+    for (int i = 0; i < 5; i++)
+        for (int axle = 0; axle < 2; axle++, table += signal)
+            *table = signals[i][axle];
 }
 
 /* One control step from x, its samples in a column of the table unless that is NULL. */
-static void hold(const struct car *car, int fine, int substeps, double h, const double *command, const double *w,
-                 double *x, double *column, size_t columns)
+static struct state hold(const struct car *car, int fine, int substeps, double h, pair command, const double *w,
+                         struct state x, double *column, size_t columns)
 {
-    double k[3][STATE];
     size_t signal = columns * (size_t)(fine + 1);
     for (int j = 0; j < fine; j++, w += DISTURBANCES)
         for (int step = 0; step < substeps; step++) {
-            derivative(car, x, command, w, k[0]);
+            struct state rate = derivative(car, x, command, w);
             if (column && step == 0)
-                sample(car, x, k[0], column + (size_t)j * columns, signal);
-            advance(car, h, command, w, k, x);
+                sample(car, x, rate, column + (size_t)j * columns, signal);
+            x = advance(car, h, command, w, rate, x);
         }
-    if (column) {
-        derivative(car, x, command, w - DISTURBANCES, k[0]);
-        sample(car, x, k[0], column + (size_t)fine * columns, signal);
-    }
+    if (column)
+        sample(car, x, derivative(car, x, command, w - DISTURBANCES), column + (size_t)fine * columns, signal);
+    return x;
 }
 
 struct estimator {
@@ -103,12 +103,10 @@ struct estimator {
 };
 
 /* The estimated state at the end of a control step from the one at its beginning. */
-static void estimate(const struct estimator *estimator, const struct car *car, const double *x, const double *command,
+static void estimate(const struct estimator *estimator, const struct car *car, struct state x, pair command,
                      const double *w, const double *input, const double *before, double *next)
 {
-    double dx[STATE];
-    derivative(car, x, command, w, dx);
-    const double y[4] = {x[D], x[D + 1], dx[BODY], x[PITCH]};
+    const double y[4] = {x.travel[0], x.travel[1], derivative(car, x, command, w).body[0], x.body[1]};
     for (int i = 0; i < 8; i++) {
         next[i] = input[i];
         for (int j = 0; j < 8; j++)
@@ -136,24 +134,25 @@ void ridelab_drive(const struct car *car, const struct estimator *estimator, con
                    const double *feed, const double *disturbance, double *loop, double *table, int column, int columns)
 {
     int estimated = estimator ? 8 : 0, size = estimated + states, width = size + 2;
-    for (int step = 0; step < steps; step++, column++) {
-        double *now = loop + (size_t)step * width, *next = now + width, *command = next + size, x[STATE];
+    for (int step = 0; step < steps; step++, column++, disturbance += DISTURBANCES * fine) {
+        double *now = loop + (size_t)step * width, *next = now + width;
+        struct state x;
+        memcpy(&x, now, STATE * sizeof(double));
+        pair speed = travel_speed(car, x), command = {feed[2 * step], feed[2 * step + 1]};
         for (int axle = 0; axle < 2; axle++) {
-            command[axle] = feed[2 * step + axle];
-            for (int i = 0; i < STATE; i++)
-                command[axle] += gain[STATE * axle + i] * now[i < FORCE ? i : size + i - FORCE];
-            if (dissipative && command[axle] * travel_speed(car, axle, now) > 0)
-                command[axle] = 0;
-            command[axle] = command[axle] > limit ? limit : command[axle] < -limit ? -limit : command[axle];
+            double force = command[axle];
+            for (int i = 0; i < INPUTS; i++)
+                force += gain[INPUTS * axle + i] * now[i < STATE ? i : size + i - STATE];
+            if (dissipative && force * speed[axle] > 0)
+                force = 0;
+            command[axle] = force > limit ? limit : force < -limit ? -limit : force;
         }
-        for (int i = 0; i < STATE; i++)
-            x[i] = i < states ? now[estimated + i] : command[i - FORCE];
-        hold(car, fine, substeps, h, command, disturbance + (size_t)step * DISTURBANCES * fine, x,
-             column < 0 ? NULL : table + column, (size_t)columns);
-        for (int i = 0; i < states; i++)
-            next[estimated + i] = x[i];
+        x.force = command;
+        memcpy(&x, now + estimated, (size_t)states * sizeof(double));
+        x = hold(car, fine, substeps, h, command, disturbance, x, column < 0 ? NULL : table + column, (size_t)columns);
+        memcpy(next + estimated, &x, (size_t)states * sizeof(double));
+        memcpy(next + size, &command, sizeof command);
         if (estimator)
-            estimate(estimator, car, x, command, disturbance + (size_t)(step + 1) * DISTURBANCES * fine - DISTURBANCES,
-                     input + 8 * step, now, next);
+            estimate(estimator, car, x, command, disturbance + DISTURBANCES * (fine - 1), input + 8 * step, now, next);
     }
 }

@@ -1,189 +1,64 @@
-"""Model predictive suspension control (Eq. 8-15 with the errata of docs/errata.md).
-
-Everything that does not depend on the state is reckoned once per design and kept: the QP's matrices, and the law
-that solves it wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).
-"""
+"""Model predictive suspension control: the law where it holds, else a QP (mpc_design.py has what both are made of)."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.caching import cached
 from sim_core.car.driven_car import LAW_INPUTS, LinearLaw
-from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
+from sim_core.car.half_car import FORCES, STATES
+from sim_core.compiled.library import ADDRESS, DOUBLE, INT, SIZE, address, function
 from sim_core.control.controller import WITHIN, Controller
-from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.lqr import regulator, solve
-from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpShape, QpSolver
+from sim_core.control.cost import KILO
+from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign
+from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem, QpSolver
 from sim_core.drive.preview import Forecast, flattened
 from sim_core.errors import TooExpensiveError
-from sim_core.scenario import Mpc, Vehicle
+from sim_core.scenario import Mpc
 
-CENTI = 100.0  # the QP reckons deflections and slacks in cm
+_qp_at = function("qp_at", INT, INT, INT, INT, SIZE, DOUBLE, *[ADDRESS] * 6, result=DOUBLE)
 _BOUND_MARGIN = 0.99  # of a limit; the bound is in single precision, whose rounding is 1e-6 of the terms added
 _MIN_BOUND_STEPS = 128  # so few cross the bump or follow a limit: most are near one, and the bound rules few out
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
-SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class MpcDesign:
-    """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
+class StageQp:
+    """One stage's QPs in one run, in arrays of its own.
 
-    The linear term is f = linear·[state; previous command in N; preview (3 Np)] and the row limits are
-    b = row_limits - rows_parameters·[the same]. `law` and `feed` (2, 3 Np) give the first force in N; `checks` are each
-    force and deflection of the horizon on [the same], each over its bound. In single precision, `bound` (2 rows, 14)
-    are the checks of either sign on [state; previous command; mean deceleration of the preview], then their norms on
-    the rest: with `Forecast.spread` they bound each check (Cauchy-Schwarz).
+    Args:
+        design: Of the stage.
+        windows: Preview at each control step (3, steps, Np); each window's numbers lie side by side.
     """
 
-    shape: QpShape
-    linear: FloatArray
-    rows_parameters: FloatArray
-    row_limits: FloatArray
-    law: LinearLaw
-    feed: FloatArray
-    checks: FloatArray
-    bounds: FloatArray
-    bound: NDArray[np.float32]
+    def __init__(self, design: MpcDesign, windows: FloatArray) -> None:
+        self.problem = QpProblem(design.shape)
+        self.problem.f[-2:] = SLACK_LINEAR / CENTI
+        rows, inputs = design.affine.shape
+        self._parameters, self._values, self._windows = np.empty(inputs), np.empty(rows), windows
+        self._arrays = design.affine.T, self._parameters, self._values, self.problem.f, self.problem.b  # C reads them
+        kinds, self._to_next, _ = windows.strides
+        sizes = len(design.checks), len(design.linear), len(design.travel), windows.shape[2], kinds // windows.itemsize
+        self._set = partial(_qp_at, *sizes, design.travel_limit, *map(address, self._arrays))
+        self._first_window = windows.ctypes.data
+        self._solvers: dict[str, QpSolver] = {}
 
+    def forces(self, step: int, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, float]:
+        """The law's first forces (2,) over their limit, and the largest of the design's checks: above 1 a limit binds.
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Prediction:
-    """The horizon as a linear map of parameters [state (8); previous command; preview (3 Np)] and moves (2 Nc) in kN.
+        The problem is the QP of that control step from now on.
+        """
+        self._parameters[:STATES] = state
+        self._parameters[STATES:LAW_INPUTS] = previous
+        largest: float = self._set(self._first_window + step * self._to_next)
+        return self._values[:FORCES], largest
 
-    Attributes:
-        x_parameters: State at the start of every interval (8 · Np, …), one of its numbers after another.
-        z_moves: [State; force; disturbance] of every interval (13 · Np, …), likewise.
-        end_parameters: The last state (8, …).
-        end_moves: The same.
-        travel_parameters: Deflections at the end of every interval, front ones first (2 Np, …) [m].
-        travel_moves: The same.
-        rows: Of the QP, one slack per axle on |deflection| <= limit + slack: on moves and slacks (4 Np, 2 Nc + 2) [cm].
-    """
-
-    x_parameters: FloatArray
-    z_moves: FloatArray
-    end_parameters: FloatArray
-    end_moves: FloatArray
-    travel_parameters: FloatArray
-    travel_moves: FloatArray
-    rows: FloatArray
-
-
-@cached
-def predict(vehicle: Vehicle, sample_time: float, horizon: int, moves: int) -> Prediction:
-    """Roll the discrete model over the horizon; after the last move the force is held."""
-    model = discrete(vehicle, sample_time)
-    A, B, E = model.A, model.B * KILO, model.E
-    parameters, free = LAW_INPUTS + DISTURBANCES * horizon, FORCES * moves
-    n = STATES + FORCES + DISTURBANCES
-    before, z_moves = np.empty((STATES, horizon, parameters)), np.zeros((n, horizon, free))
-    x_parameters, x_moves = np.eye(STATES, parameters), np.zeros((STATES, free))
-    travel_parameters, travel_moves = np.empty((2, horizon, parameters)), np.empty((2, horizon, free))
-    for i in range(horizon):
-        move = FORCES * min(i, moves - 1)
-        columns = LAW_INPUTS + horizon * np.arange(DISTURBANCES) + i
-        before[:, i], z_moves[:STATES, i] = x_parameters, x_moves
-        z_moves[STATES : STATES + FORCES, i, move : move + FORCES] = np.eye(FORCES)
-        x_parameters, x_moves = A @ x_parameters, A @ x_moves
-        x_parameters[:, columns] += E
-        x_moves[:, move : move + FORCES] += B
-        travel_parameters[:, i], travel_moves[:, i] = x_parameters[:2], x_moves[:2]
-    on_moves = CENTI * travel_moves.reshape(-1, free)
-    slack = -np.kron(np.eye(2), np.ones((horizon, 1)))
-    return Prediction(
-        x_parameters=before.reshape(-1, parameters),
-        z_moves=z_moves.reshape(-1, free),
-        end_parameters=x_parameters,
-        end_moves=x_moves,
-        travel_parameters=travel_parameters.reshape(-1, parameters),
-        travel_moves=travel_moves.reshape(-1, free),
-        rows=np.block([[on_moves, slack], [-on_moves, slack]]),
-    )
-
-
-def _move_penalty(moves: int, weight: float) -> tuple[FloatArray, FloatArray]:
-    """Penalty on force changes in kN: y'D'D y·weight (2 Nc, 2 Nc), its coupling to the previous force (2 Nc, 2)."""
-    D = np.eye(FORCES * moves) - np.eye(FORCES * moves, k=-FORCES)
-    first = np.eye(FORCES * moves, FORCES)
-    scaled = weight * KILO**2
-    return scaled * D.T @ D, -scaled * D.T @ first
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Horizon:
-    """What an MPC design depends on beside its cost."""
-
-    prediction: int
-    control: int
-    force_limit: float
-    force_change_weight: float
-
-
-@cached
-def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
-    """Condense one stage's problem: interval costs, terminal cost (the stage's Riccati solution), limits.
-
-    Raises:
-        RidelabError: No stabilising terminal controller exists for these weights.
-    """
-    S, P = stage_cost(terms), regulator(terms).P
-    p = predict(terms.vehicle, terms.sample_time, horizon.prediction, horizon.control)
-    free = p.z_moves.shape[1]
-
-    weighted = (S @ p.z_moves.reshape(len(S), -1)).reshape(-1, free)
-    end = P @ p.end_moves
-    change, change_previous = _move_penalty(horizon.control, horizon.force_change_weight)
-    H = p.z_moves.T @ weighted + p.end_moves.T @ end + change
-    H = (H + H.T) / 2
-    linear = weighted[: len(p.x_parameters)].T @ p.x_parameters + end.T @ p.end_parameters
-    linear[:, STATES:LAW_INPUTS] += change_previous / KILO
-    linear[:, LAW_INPUTS:] += weighted[
-        -DISTURBANCES * horizon.prediction :
-    ].T  # the preview is the last of z as it stands
-    optimum = -solve(H, linear)
-
-    checks = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
-    bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
-    checks /= bounds[:, None]
-    return MpcDesign(
-        shape=_shape(H, p.rows, horizon.force_limit),
-        linear=2 * linear,
-        rows_parameters=np.vstack([p.travel_parameters, -p.travel_parameters]) * CENTI,
-        row_limits=np.full(4 * horizon.prediction, terms.deflection_limit * CENTI),
-        law=LinearLaw(gain=optimum[:FORCES, :LAW_INPUTS] * KILO),
-        feed=optimum[:FORCES, LAW_INPUTS:] * KILO,
-        checks=checks,
-        bounds=bounds,
-        bound=_bound(checks),
-    )
-
-
-def _bound(checks: FloatArray) -> NDArray[np.float32]:
-    """`MpcDesign.bound` of a design with these checks."""
-    by_disturbance = checks[:, LAW_INPUTS:].reshape(len(checks), DISTURBANCES, -1)
-    gain = np.hstack([checks[:, :LAW_INPUTS], by_disturbance[:, 2].sum(axis=1)[:, None]])
-    norms = np.linalg.norm(by_disturbance, axis=2)
-    return np.vstack([np.hstack([gain, norms]), np.hstack([-gain, norms])]).astype(np.float32)
-
-
-def _shape(H: FloatArray, rows: FloatArray, force_limit: float) -> QpShape:
-    """The QP's constant matrices: H on the moves, and the slacks' price beside it."""
-    free, axles = len(H), 2
-    full = np.zeros((free + axles, free + axles))
-    full[:free, :free] = 2 * H
-    full[free:, free:] = 2 * SLACK_QUADRATIC / CENTI**2 * np.eye(axles)
-    force = np.full(free, force_limit / KILO)
-    return QpShape(
-        H=full,
-        A=rows,
-        low=np.concatenate([-force, np.zeros(axles)]),
-        high=np.concatenate([force, np.full(axles, 1e4)]),  # 100 m: no limit, but a finite one
-    )
+    def solve(self, name: str) -> FloatArray | None:
+        """A solver's answer to the problem: its minimiser, if that holds up."""
+        solver = self._solvers.get(name)
+        if solver is None:
+            solver = self._solvers[name] = SOLVERS[name](self.problem)
+        return solver.solve()
 
 
 class MpcController(Controller):
@@ -196,7 +71,7 @@ class MpcController(Controller):
         self._sums = np.vstack([preview.braking, preview.spread])
         self._limit = mpc.force_limit
         self._order = (mpc.solver, *(name for name in SOLVERS if name != mpc.solver))
-        self._solvers: dict[tuple[str, str], QpSolver] = {}
+        self._qps: dict[str, StageQp] = {}
         faster = () if mpc.solver == "daqp" else ("mpc.solver",)
         self._costly_fields = (*faster, *_COSTLY_FIELDS)
 
@@ -232,29 +107,25 @@ class MpcController(Controller):
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.
         """
-        design = self._designs[stage]
-        parameters = np.concatenate([state, previous, self._windows[:, step].reshape(-1)])
-        checks = design.checks @ parameters
-        if np.abs(checks).max() <= WITHIN:
-            return checks[:FORCES] * self._limit, False
-        if sum(solver.spent for solver in self._solvers.values()) > MAX_EFFORT:
+        qp = self._qps.get(stage)
+        if qp is None:
+            qp = self._qps[stage] = StageQp(self._designs[stage], self._windows)
+        forces, largest = qp.forces(step, state, previous)
+        if largest <= WITHIN:
+            return forces * self._limit, False
+        if sum([each.problem.spent for each in self._qps.values()]) > MAX_EFFORT:
             raise TooExpensiveError("The run's QPs take too many iterations", fields=self._costly_fields)
-        f = np.zeros(len(design.shape.H))
-        f[:-2] = design.linear @ parameters
-        f[-2:] = SLACK_LINEAR / CENTI
-        b = design.row_limits - design.rows_parameters @ parameters
         self.report.solves += 1
-        force = previous
         for attempt, name in enumerate(self._order):
-            solver = self._solvers.get((stage, name))
-            if solver is None:
-                solver = self._solvers[stage, name] = SOLVERS[name](design.shape)
-            y = solver.solve(f, b)
+            y = qp.solve(name)
             if y is not None:
                 self.report.fallbacks += attempt
-                self.report.max_slack = max(self.report.max_slack, float(y[-2:].max()) / CENTI)
-                force = y[:FORCES] * KILO
-                break
-        else:
-            self.report.failures += 1
-        return np.minimum(np.maximum(force, -self._limit), self._limit), True
+                self.report.max_slack = max(self.report.max_slack, y.item(-2) / CENTI, y.item(-1) / CENTI)
+                return self._within_limit(y.item(0) * KILO, y.item(1) * KILO), True
+        self.report.failures += 1
+        return self._within_limit(*previous), True
+
+    def _within_limit(self, front: float, rear: float) -> FloatArray:
+        """The command (2,) for these forces [N]: a few numbers, for which NumPy's own functions take longer."""
+        limit = self._limit
+        return np.array([min(max(front, -limit), limit), min(max(rear, -limit), limit)])

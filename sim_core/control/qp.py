@@ -6,6 +6,7 @@ small. OSQP raises nothing by default and may return a huge y for an infeasible 
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Literal
 
 import daqp
@@ -17,7 +18,7 @@ from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 if TYPE_CHECKING:
     import osqp
 
-_residual = function("residual", INT, INT, *[ADDRESS] * 9, result=DOUBLE)
+_residual = function("residual", INT, INT, *[ADDRESS] * 8, result=DOUBLE)
 SolverName = Literal["daqp", "osqp"]
 TOLERANCE = 1e-6  # of the residuals
 MAX_EFFORT = 20.0  # of all QPs of one run, by `QpSolver.effort` [s]
@@ -42,35 +43,50 @@ class QpShape:
     high: FloatArray
 
 
-def residual(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray) -> float:
-    """Largest violation of the KKT conditions at y: of limits in kN and cm, of the others relative.
+class QpProblem:
+    """QPs of one shape, one after another, as one run has them: `f` (n,) and `b` (m,) are written before each.
 
-    NaN or infinity for an answer that is not finite.
-
-    For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
-    those of the box, then of A y <= b; positive at an upper limit, negative at a lower one. Each row of the gradient is
-    judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force. By the C of
-    compiled/optimality.c.
-
-    Raises:
-        ValueError: The arrays' lengths differ, or one is not contiguous.
-    """
-    n, rows = len(y), len(shape.A)
-    if not len(f) == len(shape.low) == len(shape.high) == n or len(b) != rows or len(multipliers) != n + rows:
-        raise ValueError("A QP and its answer have one length")
-    arrays = shape.H, shape.A, shape.low, shape.high, f, b, y, multipliers, np.empty(n)
-    return float(_residual(n, rows, *map(address, arrays)))
-
-
-class QpSolver(ABC):
-    """A solver set up once for a shape and used by one run.
-
-    `spent` is what its QPs took so far, by `effort`.
+    `upper` (n + m,) is [high; b], of which `b` is a part, and `lower` is [low; none]. `spent` is what its solvers took
+    so far, by `QpSolver.effort` [s].
     """
 
     def __init__(self, shape: QpShape) -> None:
-        self._shape = shape
+        self.shape = shape
         self.spent = 0.0
+        n, rows = len(shape.H), len(shape.A)
+        self.f = np.zeros(n)
+        self.upper = np.concatenate([shape.high, np.zeros(rows)])
+        self.lower = np.concatenate([shape.low, np.full(rows, -_NO_LIMIT)])
+        self.b = self.upper[n:]
+        columns = np.ascontiguousarray(shape.A.T)
+        self._y, self._multipliers = np.empty(n), np.empty(n + rows)
+        work = np.empty(n + rows)
+        self._arrays = shape.H, columns, self.lower, self.upper, self.f, work, self._y, self._multipliers
+        self._call = partial(_residual, n, rows, *map(address, self._arrays))  # which C reads
+
+    def residual(self, y: FloatArray, multipliers: FloatArray) -> float:
+        """Largest violation of the KKT conditions at y: of limits in kN and cm, of the others relative.
+
+        NaN or infinity for an answer that is not finite.
+
+        For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
+        those of the box, then of A y <= b; positive at an upper limit, negative at a lower one. Each row of the
+        gradient is judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force.
+        By the C of compiled/optimality.c.
+
+        Raises:
+            ValueError: The arrays' lengths are not the problem's.
+        """
+        self._y[:], self._multipliers[:] = y, multipliers
+        violation: float = self._call()
+        return violation
+
+
+class QpSolver(ABC):
+    """A solver set up once for a problem's shape and used by one run."""
+
+    def __init__(self, problem: QpProblem) -> None:
+        self._problem = problem
 
     @staticmethod
     @abstractmethod
@@ -78,75 +94,73 @@ class QpSolver(ABC):
         """About the time of one QP with so many unknowns and rows of A [s]; the same on every machine."""
 
     def _spend(self, iterations: int) -> None:
-        self.spent += self.effort(iterations, len(self._shape.H), len(self._shape.A))
+        self._problem.spent += self.effort(iterations, len(self._problem.f), len(self._problem.b))
 
-    def solve(self, f: FloatArray, b: FloatArray) -> FloatArray | None:
+    def solve(self) -> FloatArray | None:
         """The minimiser (n,), or None if the solver gave no answer that holds up."""
-        answer = self._attempt(f, b)
-        if answer is None or not residual(self._shape, f, b, *answer) <= TOLERANCE:
+        answer = self._attempt()
+        if answer is None or not self._problem.residual(*answer) <= TOLERANCE:
             return None
         return answer[0]
 
     @abstractmethod
-    def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
+    def _attempt(self) -> tuple[FloatArray, FloatArray] | None:
         """The solver's y and multipliers if it says solved."""
 
 
 class DaqpSolver(QpSolver):
     """Dual active set (Arnström, Bemporad, Axehill 2022), made for embedded MPC."""
 
-    def __init__(self, shape: QpShape) -> None:
-        super().__init__(shape)
-        self._model: daqp.Model | None = None
-        self._lower = np.concatenate([shape.low, np.full(len(shape.A), -_NO_LIMIT)])
+    _model: daqp.Model | None = None
 
     @staticmethod
     def effort(iterations: float, free: int, rows: int) -> float:
         """Each iteration changes one limit in a factor of the binding ones."""
         return 6e-5 + 3e-8 * iterations * free
 
-    def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
-        upper = np.concatenate([self._shape.high, b])
+    def _attempt(self) -> tuple[FloatArray, FloatArray] | None:
+        problem, shape = self._problem, self._problem.shape
         if self._model is None:
             self._model = daqp.Model()
             self._model.settings = {"primal_tol": 1e-9}
-            flag, _ = self._model.setup(self._shape.H, f, self._shape.A, upper, self._lower)
+            flag, _ = self._model.setup(shape.H, problem.f, shape.A, problem.upper, problem.lower)
         else:
-            flag = self._model.update(f=f, bupper=upper, blower=self._lower)
+            flag = self._model.update(f=problem.f, bupper=problem.upper)
         if flag < 0:
             self._model = None
             return None
         y, _, flag, info = self._model.solve()
         self._spend(info["iterations"])
-        return (np.asarray(y), np.asarray(info["lam"])) if flag > 0 else None
+        return (y, info["lam"]) if flag > 0 else None
 
 
 class OsqpSolver(QpSolver):
     """Operator splitting (Stellato et al. 2020), in whitened variables v = L'y with H = L L' and unit rows."""
 
-    def __init__(self, shape: QpShape) -> None:
+    def __init__(self, problem: QpProblem) -> None:
         from scipy.sparse import csc_matrix, triu
 
-        super().__init__(shape)
+        super().__init__(problem)
         self._model: osqp.OSQP | None = None
+        shape = problem.shape
         n = len(shape.H)
         self._whiten = np.linalg.inv(np.linalg.cholesky(shape.H)).T  # y = whiten v
         rows = np.vstack([self._whiten, shape.A @ self._whiten])
         self._norm = np.linalg.norm(rows, axis=1)
         self._rows = csc_matrix(rows / self._norm[:, None])
         self._eye = csc_matrix(triu(np.eye(n)))
-        self._lower = np.concatenate([shape.low / self._norm[:n], np.full(len(shape.A), -_NO_LIMIT)])
+        self._lower = np.concatenate([shape.low / self._norm[:n], problem.lower[n:]])
 
     @staticmethod
     def effort(iterations: float, free: int, rows: int) -> float:
         """Each iteration solves with a factor of the whole dense problem; polishing factors it anew."""
         return 6e-5 + 3e-9 * free**3 + 7.5e-10 * iterations * (free + 6) * (free + rows + 57)
 
-    def _attempt(self, f: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray] | None:
+    def _attempt(self) -> tuple[FloatArray, FloatArray] | None:
         import osqp  # a tenth of a second, and rarely asked for
 
-        upper = np.concatenate([self._shape.high, b]) / self._norm
-        q = self._whiten.T @ f
+        upper = self._problem.upper / self._norm
+        q = self._whiten.T @ self._problem.f
         if self._model is None:
             self._model = osqp.OSQP()
             self._model.setup(P=self._eye, q=q, A=self._rows, l=self._lower, u=upper, **_OSQP_SETTINGS)

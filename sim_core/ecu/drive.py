@@ -6,7 +6,7 @@ from sim_core.car.half_car import DISTURBANCES, discrete
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import SolverReport
 from sim_core.control.estimator import make_estimator
-from sim_core.control.mpc import CENTI
+from sim_core.control.mpc_design import CENTI
 from sim_core.controllers import mpc_designs
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import RoadInput

@@ -5,27 +5,32 @@ import pytest
 
 from sim_core.arrays import FloatArray
 from sim_core.control import mpc as mpc_module
-from sim_core.control import qp
-from sim_core.control.qp import SOLVERS, TOLERANCE, QpShape, QpSolver, residual
+from sim_core.control.qp import SOLVERS, TOLERANCE, QpProblem, QpShape, QpSolver
 from sim_core.scenario import Bump, Mpc, Road, Scenario
 from sim_core.simulate import simulate
 
 
-def _random_shape(rng: np.random.Generator) -> tuple[QpShape, FloatArray, FloatArray]:
+def _problem(shape: QpShape, f: FloatArray, b: FloatArray) -> QpProblem:
+    problem = QpProblem(shape)
+    problem.f[:], problem.b[:] = f, b
+    return problem
+
+
+def _random_problem(rng: np.random.Generator) -> QpProblem:
     n, m = 6, 9
     root = rng.normal(size=(n, n))
     shape = QpShape(
         H=root @ root.T + 0.1 * np.eye(n), A=rng.normal(size=(m, n)), low=np.full(n, -1.0), high=np.full(n, 1.0)
     )
-    return shape, rng.normal(size=n) * 5, rng.uniform(0.1, 1, size=m)  # y = 0 is feasible
+    return _problem(shape, rng.normal(size=n) * 5, rng.uniform(0.1, 1, size=m))  # y = 0 is feasible
 
 
 @pytest.mark.parametrize("name", SOLVERS)
 def test_solvers_agree_and_their_multipliers_prove_it(name: str) -> None:
     rng = np.random.default_rng(4)
     for _ in range(30):
-        shape, f, b = _random_shape(rng)
-        answers = {key: solver(shape).solve(f, b) for key, solver in SOLVERS.items()}
+        problem = _random_problem(rng)
+        answers = {key: solver(problem).solve() for key, solver in SOLVERS.items()}
         assert answers[name] is not None
         for other in answers.values():
             assert other == pytest.approx(answers[name], abs=1e-7)
@@ -33,28 +38,30 @@ def test_solvers_agree_and_their_multipliers_prove_it(name: str) -> None:
 
 def test_residual_sees_every_kind_of_wrong_answer() -> None:
     shape = QpShape(H=np.eye(2), A=np.array([[1.0, 1.0]]), low=np.full(2, -1.0), high=np.full(2, 1.0))
-    f, b = np.array([-3.0, 0.0]), np.array([10.0])
+    f = np.array([-3.0, 0.0])
+    problem, tight = _problem(shape, f, np.array([10.0])), _problem(shape, f, np.array([0.5]))
     right, force = np.array([1.0, 0.0]), np.array([2.0, 0.0, 0.0])
-    assert residual(shape, f, b, right, force) <= TOLERANCE
-    assert residual(shape, f, b, right, np.zeros(3)) > TOLERANCE  # not stationary
-    assert residual(shape, f, b, np.array([3.0, 0.0]), np.zeros(3)) > TOLERANCE  # outside the box
-    assert residual(shape, f, np.array([0.5]), right, force) > TOLERANCE  # breaks the row
-    assert residual(shape, f, b, np.array([0.0, 0.0]), np.array([3.0, 0.0, 0.0])) > TOLERANCE  # gap
-    assert not residual(shape, f, b, np.array([np.nan, 0.0]), force) <= TOLERANCE
+    assert problem.residual(right, force) <= TOLERANCE
+    assert problem.residual(right, np.zeros(3)) > TOLERANCE  # not stationary
+    assert problem.residual(np.array([3.0, 0.0]), np.zeros(3)) > TOLERANCE  # outside the box
+    assert tight.residual(right, force) > TOLERANCE  # breaks the row
+    assert problem.residual(np.array([0.0, 0.0]), np.array([3.0, 0.0, 0.0])) > TOLERANCE  # gap
+    assert not problem.residual(np.array([np.nan, 0.0]), force) <= TOLERANCE
 
 
 def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     """In every QP of a run at its limits, although a slack's price is a thousand in the same gradient."""
     residuals = []
+    residual = QpProblem.residual
 
-    def spied(shape: QpShape, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray) -> float:
+    def spied(problem: QpProblem, y: FloatArray, multipliers: FloatArray) -> float:
         for force in (0, 1):
             off = y.copy()
             off[force] += 1e-4  # kN
-            residuals.append(residual(shape, f, b, off, multipliers))
-        return residual(shape, f, b, y, multipliers)
+            residuals.append(residual(problem, off, multipliers))
+        return residual(problem, y, multipliers)
 
-    monkeypatch.setattr(qp, "residual", spied)
+    monkeypatch.setattr(QpProblem, "residual", spied)
     simulate(HARD, "lv")
     assert len(residuals) > 20
     assert min(residuals) > TOLERANCE
@@ -65,7 +72,7 @@ class _Refusing(QpSolver):
     def effort(iterations: float, free: int, rows: int) -> float:
         return 0.0
 
-    def _attempt(self, f: FloatArray, b: FloatArray) -> None:
+    def _attempt(self) -> None:
         return None
 
 
