@@ -69,3 +69,72 @@ def test_the_number_of_roads_is_chosen_in_the_lab(dashboard: Dashboard) -> None:
     dashboard.page.get_by_label("Roads").select_option("1")
     expect(note).to_have_count(0)
     expect(bands).to_have_count(0)
+
+
+def test_changes_against_a_pin_and_the_state_before_are_paired_by_road(dashboard: Dashboard, server: Server) -> None:
+    page, strategies = dashboard.page, ["lv", "lqr", "passive"]
+    dashboard.open()
+    comparison = page.get_by_role("region", name="Comparison")
+    against = comparison.get_by_label("Change against")
+    comparison.get_by_role("button", name="Pin").click()
+    address = dashboard.address()
+    dashboard.type_into("Height", "10.5")
+    expect(page).not_to_have_url(address)
+    against.select_option("Before the last edit")
+    # A twentieth of LQR's peak is within one road's luck, and so is no better or worse.
+    expect(dashboard.row("lqr").locator(PEAK)).to_contain_text(re.compile(r"\+4.\d.%, within one road’s luck"))
+    expect(dashboard.row("lqr").locator('[data-verdict="worse"]')).to_have_count(0)
+    expect(page.get_by_test_id("changes-note")).to_contain_text("choose several roads")
+    address = dashboard.address()
+    page.get_by_label("Roads").select_option("5")
+    expect(page).not_to_have_url(address)
+    dashboard.expect_curves()
+    # What it was before and the pin were of one road: both are driven over as many.
+    paper = server.post("/runs", {"scenario": {}, "strategies": strategies, "roads": 5})["id"]
+    changes = server.get(f"/runs/{dashboard.run_id}/changes?against={paper}")["changes"]
+    expected = {name: changes[name]["bump"]["body_acceleration"]["peak"] for name in strategies}
+    assert expected["lqr"]["low"] > 0, "resolved by pairs; of independent means the interval would be 7 % wide"
+
+    def expect_paired() -> None:
+        for name, change in expected.items():
+            half, size = change["high"] - change["mean"], abs(change["mean"])
+            decimals = 1 if half < 0.95 else 0
+            text = f"{size:.{decimals}f}\u2009±\u2009{half:.{decimals}f}\u2009%"
+            expect(dashboard.row(name).locator(PEAK)).to_contain_text(text)
+        expect(dashboard.row("lqr").locator(PEAK).locator('[data-verdict="worse"]')).to_be_visible()
+
+    expect_paired()
+    against.select_option("Paper’s scenario")
+    expect_paired()
+    assert "against=" in page.url
+    page.reload()
+    dashboard.expect_curves()
+    expect_paired()
+
+
+def test_the_state_before_is_named_after_an_undo_and_can_be_hidden(dashboard: Dashboard) -> None:
+    page = dashboard.page
+    dashboard.open()
+    comparison = page.get_by_role("region", name="Comparison")
+    comparison.get_by_role("button", name="Pin").click()
+    legend = page.locator("[data-layer]")
+    expect(comparison.get_by_role("checkbox", name="Before the last edit")).to_be_disabled()
+    address = dashboard.address()
+    dashboard.type_into("Height", "12")
+    expect(page).not_to_have_url(address)
+    expect(legend).to_have_text([re.compile("before the last edit"), re.compile("Paper’s scenario")])
+    page.get_by_role("button", name="Undo").click()
+    expect(page).to_have_url(address)
+    expect(legend).to_have_text([re.compile("before the undo")])
+    expect(page.get_by_test_id("differences")).to_contain_text("12 → 10")
+    curves = page.locator('[data-figure="body_acceleration"] .scatterlayer .trace')
+    expect(curves).to_have_count(6)
+    before = comparison.get_by_role("checkbox", name="Before the undo")
+    before.uncheck()
+    expect(curves).to_have_count(3)
+    expect(legend).to_have_count(0)
+    expect(comparison.get_by_label("Change against")).not_to_contain_text("Before")
+    dashboard.expect_accessible()
+    page.reload()
+    dashboard.expect_curves()
+    expect(comparison.get_by_role("checkbox", name="Before the last edit")).not_to_be_checked()

@@ -66,6 +66,14 @@ def test_changes_have_a_sign_unless_they_are_nothing(change: float, shown: str) 
     assert numbers.percent(change) == shown
 
 
+@pytest.mark.parametrize(
+    ("change", "half", "shown"),
+    [(-43.7, 2.0, "−44 ± 2\u2009%"), (0.1, 0.04, "+0.1\u2009%"), (0.0, 0.0, "0.0\u2009%"), (-0.2, 3.0, "0 ± 3\u2009%")],
+)
+def test_an_interval_stands_where_it_is_not_nothing(change: float, half: float, shown: str) -> None:
+    assert numbers.percent(change, half) == shown
+
+
 def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
     changed = {"road.bump.height": 0.12, "mpc.stage_weights.cruise": [5, 1, 1], "actuator.bandwidth": 12}
     scenario = dotted.with_changes(Scenario().model_dump(mode="json"), changed)

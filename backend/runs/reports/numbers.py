@@ -51,13 +51,15 @@ def with_unit(text: str, unit: str) -> str:
 
 
 def percent(change: float, half: float = 0.0) -> str:
-    """`−43.7 %`: a sign unless it is 0, one decimal up to 100 %, none beyond; with half an interval `−44 ± 2 %`."""
+    """`−43.7 %`: a sign unless it is 0, one decimal up to 100 %, none beyond; `−44 ± 2 %` with half an interval."""
     if not isfinite(change):
         return NO_VALUE
-    size, sign = abs(change), "" if change == 0 else "−" if change < 0 else "+"
-    if half:
-        decimals = 1 if size < 99.95 and half < 0.95 else 0
-        return f"{sign}{size:.{decimals}f} ± {half:.{decimals}f}{_THIN}%"
+    size, sign = abs(change), "−" if change < 0 else "+"
+    decimals = 1 if size < 99.95 and half < 0.95 else 0
+    uncertainty = f"{half:.{decimals}f}"
+    if float(uncertainty) > 0:
+        text = f"{size:.{decimals}f}"
+        return f"{sign if float(text) else ''}{text} ± {uncertainty}{_THIN}%"
     if size < SAME:
         return f"0.0{_THIN}%"
     digits = f"{size:.1f}" if size < 99.95 else f"{size:.0f}" if size < 9999.5 else ">9999"

@@ -4,13 +4,11 @@ import { Checkbox, NativeSelect } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { StrategyId } from "../api/types";
 import { changedFields, changesText } from "../editor/diff";
-import { againstVariant, type Against } from "../state/compare";
+import { againstVariant, whyNotCompared, type Against } from "../state/compare";
 import { useLabContext } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import type { Scene } from "../state/scene";
 import classes from "./compare.module.css";
-import { roadsOf } from "../state/shown";
-import { count } from "../units/format";
 import { PinButton } from "./PinButton";
 import { PinList } from "./PinList";
 import { SpeedSelect } from "./SpeedSelect";
@@ -30,8 +28,10 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
         onChange={({ currentTarget: { checked } }) => router.setView({ differences: checked })}
       />
       <PinButton />
-      <Differences scene={scene} />
-      <PinList />
+      <div className={classes.results}>
+        <PinList />
+        <Differences scene={scene} />
+      </div>
     </div>
   );
 }
@@ -39,10 +39,10 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
 function AgainstSelect({ scene: { strategies, pins, before, against, baseline } }: { readonly scene: Scene }) {
   const { lab, router } = useLabContext();
   const variants = [
-    ...(before ? [{ value: "before" satisfies Against, label: "Before the last edit" }] : []),
+    ...(before ? [{ value: "before" satisfies Against, label: `B${before.name.slice(1)}` }] : []),
     ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
   ];
-  const selected = against === null ? `${STRATEGY}${baseline}` : against.shown === before ? "before" : againstVariant(against);
+  const selected = against === null ? `${STRATEGY}${baseline}` : against === before ? "before" : againstVariant(against);
   return (
     <label className={classes.choice}>
       Change against
@@ -77,13 +77,13 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
 /** Of the variant that changes are against, or of the state before the last edit. */
 function Differences({ scene: { shown, before, against } }: { readonly scene: Scene }) {
   const form = useQuery(schemaQuery).data;
-  const other = against?.shown ?? before;
-  const changes = form && other ? changedFields(form, other.scenario, shown.scenario) : [];
-  const isUnlike = against !== null && other !== null && roadsOf(other) !== roadsOf(shown);
+  const other = against ?? before;
+  const changes = form && other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
+  const unlike = against && whyNotCompared(shown, against.shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
     <p className={classes.differences} title={all} data-testid="differences">
-      {other === null ? "\u00a0" : `${other === before ? "Last edit, thin curves before it" : `Against ${against?.name ?? ""}`}: ${changesText(changes) || "the same scenario"}${isUnlike ? `; over ${count(roadsOf(other), "road")}, so no change is shown` : ""}`}
+      {other === null ? "\u00a0" : `${other === before ? "Changed" : `Against ${other.name}`}: ${changesText(changes) || "the same scenario"}${unlike === null ? "" : `; that is ${unlike}, so no change is shown`}`}
     </p>
   );
 }

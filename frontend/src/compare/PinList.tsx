@@ -1,25 +1,54 @@
-/** The pinned variants by name, each with its line in the plots and what can be done with it. */
+/** The state before the last edit and the pinned variants, each with its line in the plots and what can be done with it. */
 
-import { Menu, TextInput } from "@mantine/core";
+import { Checkbox, Menu, TextInput } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconChevronDown } from "../icons";
 import { useOpenInLab } from "../shell/useOpenInLab";
 import { useReadOnly } from "../state/context";
 import { LONGEST_NAME } from "../state/pins";
-import { pinDash } from "../plots/layers";
+import { BEFORE_WIDTH, PIN_WIDTH, pinDash } from "../plots/layers";
+import { useStore } from "../state/store";
+import { LineKey } from "../ui/LineKey";
 import classes from "./compare.module.css";
+import { BEFORE_EDIT, beforeShown, showBefore, useBefore } from "./useBefore";
 import { ownPins, pinnedKey, usePins, type PinnedRun } from "./usePins";
 
 export function PinList() {
   const pins = usePins();
   const readOnly = useReadOnly();
-  if (pins.length === 0) return null;
+  if (readOnly && pins.length === 0) return null;
   return (
-    <ul className={classes.pins} aria-label="Pinned results">
+    <ul className={classes.pins} aria-label={pins.length > 0 ? "Pinned results" : "Other results"}>
+      {!readOnly && (
+        <li>
+          <BeforeSwitch />
+        </li>
+      )}
       {pins.map((pin, index) => (
         <li key={pin.run}>{readOnly ? <span className={classes.pin}><PinName pin={pin} index={index} /></span> : <PinMenu pin={pin} index={index} />}</li>
       ))}
     </ul>
+  );
+}
+
+/** There before the first edit too, so that the table below never moves. */
+function BeforeSwitch() {
+  const before = useBefore();
+  const isShown = useStore(beforeShown);
+  const name = before?.name ?? BEFORE_EDIT;
+  return (
+    <Checkbox
+      size="xs"
+      classNames={{ root: classes.pin ?? "", label: classes.before ?? "" }}
+      label={
+        <>
+          <LineKey width={BEFORE_WIDTH} /> {`B${name.slice(1)}`}
+        </>
+      }
+      disabled={before === null}
+      checked={isShown}
+      onChange={({ currentTarget: { checked } }) => showBefore(checked)}
+    />
   );
 }
 
@@ -31,9 +60,7 @@ interface Props {
 function PinName({ pin, index }: Props) {
   return (
     <>
-      <svg width="24" height="10" viewBox="0 0 24 10" aria-hidden>
-        <line x1="1" x2="23" y1="5" y2="5" stroke="currentColor" strokeWidth="1.5" strokeDasharray={pinDash(index)} />
-      </svg>
+      <LineKey width={PIN_WIDTH} dash={pinDash(index)} />
       <span className={classes.pinName}>{pin.name}</span>
       {pin.missing !== null && <span className={classes.missing}>({pin.missing})</span>}
     </>

@@ -39,7 +39,8 @@ export function missingText(error: Error | null): string {
   return isNotFound(error) ? "no longer stored on the server" : error instanceof Unreachable ? "the server does not answer" : `could not be loaded: ${error.message}`;
 }
 
-async function load(id: string, roads: number | null, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
+/** The pinned run with its time histories. */
+export async function loadPinned(id: string, roads: number | null, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
   const run = await pinnedRun(id, roads, queries, signal);
   return fromRun(run, await historiesOf(run, queries, api.series, signal), 0, true);
 }
@@ -54,7 +55,7 @@ export function usePins(): readonly PinnedRun[] {
   return useQueries({
     queries: pins.map(({ run }) => ({
       queryKey: [...pinnedKey(run), roads],
-      queryFn: ({ signal }: { readonly signal: AbortSignal }) => load(run, roads, queries, signal),
+      queryFn: ({ signal }: { readonly signal: AbortSignal }) => loadPinned(run, roads, queries, signal),
       staleTime: Infinity,
       structuralSharing: false,
     })),

@@ -7,6 +7,7 @@ import { useState } from "react";
 import { address } from "../api/http";
 import { useCompared } from "../compare/useCompared";
 import { useCommands } from "../state/commands";
+import { whyNotCompared } from "../state/compare";
 import { useLabContext, useLab, useView } from "../state/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { axisKey, makeScene } from "../state/scene";
@@ -56,8 +57,10 @@ export function ExportMenu() {
   };
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;
-    const { baseline } = makeScene(shown, strategies, selected, view);
-    download(address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), baseline } }), `ridelab-${runId}.html`);
+    const { baseline, against } = makeScene(shown, strategies, selected, view, compared);
+    const run = against && whyNotCompared(shown, against.shown) === null ? against.shown.runId : null;
+    const refersTo = { baseline: run === null ? baseline : null, against: run };
+    download(address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }), `ridelab-${runId}.html`);
   };
   const copyAs = (write: (request: CopyRequest) => string) => {
     if (!form) return;

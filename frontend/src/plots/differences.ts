@@ -69,5 +69,5 @@ export function drawnOf(scene: Pick<Scene, "differences" | "against" | "baseline
 }
 
 /** What is taken away, in words. */
-export const subtrahend = ({ against, baseline, strategies }: Scene): string =>
-  against?.name ?? strategies.find(({ id }) => id === baseline)?.label ?? "";
+export const subtrahend = ({ against, baseline, catalogue }: Scene): string =>
+  against?.name ?? catalogue.find(({ id }) => id === baseline)?.label ?? "";

@@ -17,10 +17,10 @@ const means = { lv: { speed: numbers(2) } };
 for (const id of ["ten", "before"]) client.setQueryData(seriesQuery(id, ["lv"], OVERVIEW_POINTS, ["speed"]).queryKey, means);
 
 it("beside means stand means, beside one road's curves one road's", () => {
-  const scene = { before: result("before", 10), pins: [{ name: "one", shown: result("one", 1) }, { name: "gone", shown: result("gone", 10) }] };
+  const scene = { before: { name: "before", shown: result("before", 10) }, pins: [{ name: "one", shown: result("one", 1) }, { name: "gone", shown: result("gone", 10) }] };
   const beside = (shown: Shown) => {
     const { before, pins } = layeredFrom(client, { shown, ...scene });
-    return [before, ...pins.map((pin) => pin.shown)].map((each) => each?.series.lv?.speed?.[0]);
+    return [before, ...pins].map((each) => each?.shown.series.lv?.speed?.[0]);
   };
   expect(beside(result("ten", 10))).toEqual([2, 1, 1]);
   expect(beside(result("one", 1))).toEqual([1, 1, 1]);

@@ -73,12 +73,12 @@ type OtherCurves = Pick<Scene, "shown" | "before" | "pins">;
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */
 function withMeans({ shown, before, pins }: OtherCurves, meansOf: (shown: Shown) => SeriesByStrategy | undefined): OtherCurves {
   const averaged = (result: Shown): Shown => ({ ...result, series: (shown.over && meansOf(result)) ?? result.series });
-  return { shown, before: before && averaged(before), pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })) };
+  return { shown, before: before && { ...before, shown: averaged(before.shown) }, pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })) };
 }
 
 export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
   const figures = useQuery(figuresQuery).data;
-  const others = useMemo(() => (shown.over ? [before, ...pins.map((pin) => pin.shown)].filter((each) => each !== null).filter(hasMeans) : []), [shown.over, before, pins]);
+  const others = useMemo(() => (shown.over ? [...(before ? [before] : []), ...pins].map((variant) => variant.shown).filter(hasMeans) : []), [shown.over, before, pins]);
   const means = useQueries({
     queries: others.map((other) => meansQuery(other, figures)),
     combine: useCallback((results: readonly { readonly data: SeriesByStrategy | undefined }[]) => results.map(({ data }) => data), []),

@@ -8,7 +8,7 @@ import type { Scene } from "../state/scene";
 import classes from "./shell.module.css";
 
 export function RoadsNote({ scene }: { readonly scene: Scene }) {
-  const { shown, baseline, against, differences } = scene;
+  const { shown, differences } = scene;
   const { over, scenario, source } = shown;
   const roads = useLab((state) => state.roads);
   const hasMeans = useCurves(scene).roads !== undefined;
@@ -21,7 +21,7 @@ export function RoadsNote({ scene }: { readonly scene: Scene }) {
         `While a value is dragged: ${first} only; then the mean of ${roads} roads.`
       ) : (
         <>
-          Mean of {over.roads} roads ± 95 % interval{against === null && over.baseline === baseline ? "; changes are paired, no arrow where the interval includes zero" : ""}.{" "}
+          Mean of {over.roads} roads ± 95 % interval.{" "}
           {hasMeans ? `Curves: ${differences ? "differences of the means" : "mean and range"}. Car, road and events: ${first}.` : `Curves, car and events: ${first}.`}
         </>
       )}

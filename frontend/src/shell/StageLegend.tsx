@@ -1,9 +1,11 @@
 /** What the shading and the lines behind the curves mean. */
 
 import type { Catalogue, FigureMeta } from "../api/types";
+import { layersOf } from "../plots/layers";
 import { stagedStrategy } from "../plots/shapes";
 import { useCurves } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
+import { LineKey } from "../ui/LineKey";
 import classes from "./legend.module.css";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */
@@ -20,6 +22,7 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
   const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
   const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const hasBand = useCurves(scene).roads !== undefined && !scene.differences;
+  const layers = scene.differences ? [] : layersOf(scene);
   const several = scene.axis === "time" && scene.ids.length > 1;
   return (
     <p className={classes.legend}>
@@ -31,6 +34,11 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
       <span>
         <span className={classes.dashes} style={{ borderTopColor: meta.neutral }} /> limit, static load or target
       </span>
+      {layers.map(({ name, line }, index) => (
+        <span key={index} data-layer={name}>
+          <LineKey {...line} /> {name}
+        </span>
+      ))}
       {hasBand && (
         <span>
           <span className={classes.fill} data-stage="band" /> range: minimum to maximum of {scene.shown.over?.roads} roads

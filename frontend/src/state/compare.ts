@@ -1,6 +1,9 @@
 /** What the shown result is compared with: the state before the last edit, and pinned variants. */
 
-import type { Shown } from "./shown";
+import type { OverRoads } from "../api/types";
+import { getAt } from "../editor/path";
+import { count } from "../units/format";
+import { roadsOf, type Shown } from "./shown";
 
 /** A result with a name, of the strategies that are on. */
 export interface Variant {
@@ -16,12 +19,15 @@ export interface Variant {
 export type Against = "baseline" | "before" | `pin:${string}`;
 
 export interface Compared {
-  readonly before: Shown | null;
+  readonly before: Variant | null;
   readonly pins: readonly Variant[];
+  /** By run what it changes against the variant chosen, over several roads. */
+  readonly paired: Readonly<Record<string, OverRoads["changes"]>>;
 }
 
-export const NOTHING_COMPARED: Compared = { before: null, pins: [] };
+export const NOTHING_COMPARED: Compared = { before: null, pins: [], paired: {} };
 
+const SEED = "/road/seed";
 const PIN = "pin:";
 export const againstPin = (runId: string): Against => `${PIN}${runId}`;
 
@@ -31,7 +37,14 @@ export const againstVariant = ({ run, shown }: Variant): Against => againstPin(r
 export const runOf = (against: Against): string | null => (against.startsWith(PIN) ? against.slice(PIN.length) : null);
 
 /** The variant that changes are against; `null` where that is a strategy. */
-export function againstOf({ before, pins }: Compared, against: Against): Variant | null {
-  if (against === "before") return before && { name: "before the last edit", shown: before };
-  return pins.find((pin) => against === againstVariant(pin)) ?? null;
+export function againstOf({ before, pins }: Pick<Compared, "before" | "pins">, against: Against): Variant | null {
+  return against === "before" ? before : (pins.find((pin) => against === againstVariant(pin)) ?? null);
+}
+
+/** Why a result has no changes against that other one, as what the other one is; `null` where it has. */
+export function whyNotCompared(shown: Shown, other: Shown): string | null {
+  if (roadsOf(shown) !== roadsOf(other)) return `over ${count(roadsOf(other), "road")}`;
+  if (roadsOf(shown) === 1) return null;
+  if (getAt(shown.scenario, SEED) !== getAt(other.scenario, SEED)) return "over roads of other seeds";
+  return shown.coreVersion === other.coreVersion ? null : `computed by core ${other.coreVersion}`;
 }

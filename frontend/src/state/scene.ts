@@ -7,6 +7,8 @@ import type { Shown } from "./shown";
 
 export interface Scene {
   readonly shown: Shown;
+  /** Every strategy there is. */
+  readonly catalogue: readonly Strategy[];
   /** Strategies that are on and have a result, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
   readonly ids: readonly StrategyId[];
@@ -14,8 +16,9 @@ export interface Scene {
   readonly series: SeriesByStrategy;
   readonly baseline: StrategyId | null;
   /** The state before the last edit. */
-  readonly before: Shown | null;
+  readonly before: Variant | null;
   readonly pins: readonly Variant[];
+  readonly paired: Compared["paired"];
   /** What changes are against, where that is not the baseline. */
   readonly against: Variant | null;
   /** Plots show differences to what changes are against. */
@@ -45,7 +48,7 @@ export function makeScene(
 }
 
 /** What is drawn, whatever it is compared with. */
-export type PartShown = Omit<Scene, "baseline" | "before" | "pins" | "against" | "differences">;
+export type PartShown = Omit<Scene, "baseline" | "differences" | "against" | keyof Compared>;
 
 export function partShown(
   shown: Shown,
@@ -58,15 +61,14 @@ export function partShown(
   const whole = wholeRange(shown.series, ids, axis);
   const { summaries, series } = shown;
   const bump = bumpRange(summaries, ids, axis, whole);
-  return { shown, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
+  return { shown, catalogue, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
 }
 
 export function withBaseline(part: PartShown, { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">, compared: Compared): Scene {
   return {
     ...part,
     baseline: baseline in part.summaries ? baseline : (part.ids.at(-1) ?? null),
-    before: compared.before,
-    pins: compared.pins,
+    ...compared,
     against: againstOf(compared, against),
     differences,
   };

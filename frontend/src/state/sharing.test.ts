@@ -27,7 +27,7 @@ describe("a link's view", () => {
   });
 
   const pin = { name: "Soft", shown: { runId: "s" } };
-  const before = { runId: "b" };
+  const before = { name: "before the last edit", shown: { runId: "b" } };
   const scene = (compared: object) => ({ summaries: run.strategies, ids: ["lv"], pins: [pin], before, differences: true, ...compared }) as unknown as Scene;
 
   it("is against the pin or the baseline it was shared with, differences too", () => {
@@ -38,7 +38,7 @@ describe("a link's view", () => {
   });
 
   it("leaves out the state before the last edit, which a reader has not", () => {
-    const view = viewToShare(scene({ against: { name: "before the last edit", shown: before } }), null);
+    const view = viewToShare(scene({ against: before }), null);
     expect(view).not.toHaveProperty("reference");
     expect(read(view).view).toMatchObject({ against: "baseline", differences: false });
   });

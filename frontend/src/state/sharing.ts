@@ -44,7 +44,7 @@ function readZoom(zoom: SharedView["zoom"]): ViewZoom {
 function comparisonToShare({ against, before, differences }: Scene): Pick<SharedView, "reference" | "differences"> {
   if (against === null) return differences ? { differences: true } : {};
   const { runId } = against.shown;
-  return against.shown === before || runId === null ? {} : { reference: runId, ...(differences && { differences: true }) };
+  return against === before || runId === null ? {} : { reference: runId, ...(differences && { differences: true }) };
 }
 
 export function viewToShare(scene: Scene, at: number | null): SharedView {

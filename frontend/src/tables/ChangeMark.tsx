@@ -3,7 +3,9 @@
 import { changeAgainst, formatPercent, type Change } from "./change";
 import classes from "./tables.module.css";
 
-const ARROW = { better: "▼", worse: "▲", same: "", none: "" } as const;
+const ARROW = { better: "▼", worse: "▲", same: "", luck: "", none: "" } as const;
+
+const WORDS = { better: "better", worse: "worse", luck: "within one road’s luck" } as const;
 
 interface Props {
   readonly value: number | null | undefined;
@@ -20,9 +22,9 @@ export function ChangeText({ change }: { readonly change: Change | null }) {
   const { percent, half, verdict } = change;
   if (percent === null) return <span className={classes.change}>–</span>;
   return (
-    <span className={classes.change} data-verdict={verdict}>
+    <span className={classes.change} data-verdict={verdict} title={verdict === "luck" ? WORDS.luck : undefined}>
       <span aria-hidden>{ARROW[verdict]}</span> {formatPercent(percent, half)}
-      {verdict !== "same" && <span className="visually-hidden">, {verdict}</span>}
+      {verdict in WORDS && <span className="visually-hidden">, {WORDS[verdict as keyof typeof WORDS]}</span>}
     </span>
   );
 }

@@ -1,6 +1,7 @@
 /** A strategy's line as the plots draw it: colour and dash. */
 
 import type { Strategy } from "../api/types";
+import { LineKey } from "../ui/LineKey";
 import ui from "../ui/ui.module.css";
 
 const DASHES: Readonly<Record<string, string>> = {
@@ -13,11 +14,7 @@ const DASHES: Readonly<Record<string, string>> = {
 };
 
 export function StrategyKey({ strategy }: { readonly strategy: Pick<Strategy, "colour" | "dash"> }) {
-  return (
-    <svg width="24" height="10" viewBox="0 0 24 10" aria-hidden style={{ flex: "none" }}>
-      <line x1="1" x2="23" y1="5" y2="5" stroke={strategy.colour} strokeWidth="2.5" strokeDasharray={DASHES[strategy.dash] ?? strategy.dash.replaceAll("px", "").replaceAll(",", " ")} />
-    </svg>
-  );
+  return <LineKey colour={strategy.colour} dash={DASHES[strategy.dash] ?? strategy.dash.replaceAll("px", "").replaceAll(",", " ")} />;
 }
 
 export function StrategyName({ strategy }: { readonly strategy: Pick<Strategy, "colour" | "dash" | "label"> }) {

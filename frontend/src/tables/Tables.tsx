@@ -7,6 +7,7 @@ import { useId, useState } from "react";
 import { CompareBar } from "../compare/CompareBar";
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
+import { ChangesNote } from "./ChangesNote";
 import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
 import { NarrowTable } from "./NarrowTable";
 import { RunTable } from "./RunTable";
@@ -45,6 +46,7 @@ export function Tables({ scene, catalogue, figures }: Props) {
           <RunTable scene={scene} catalogue={catalogue} />
         </div>
       )}
+      <ChangesNote scene={scene} />
       <Button
         className={classes.moreButton ?? ""}
         size="compact-xs"

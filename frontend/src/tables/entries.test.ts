@@ -1,20 +1,21 @@
 import { describe, expect, it } from "vitest";
 import type { Strategy, Summary } from "../api/types";
 import { DEFAULT_VIEW } from "../state/address";
-import { againstPin, type Against, type Compared } from "../state/compare";
+import { againstPin, NOTHING_COMPARED, type Against, type Compared } from "../state/compare";
 import { makeScene } from "../state/scene";
 import type { Shown } from "../state/shown";
 import { changeOf, entryGroups } from "./entries";
 
 const PEAK = { window: "bump", signal: "body_acceleration", statistic: "peak" } as const;
-const STRATEGIES = ["lv", "passive"].map((id) => ({ id, label: id }) as Strategy);
+const STRATEGIES = [["lv", 15], ["passive", 7]].map(([id, peak]) => ({ id, label: id, one_road_resolution: { rms: 7, peak } }) as unknown as Strategy);
 
 const summary = (peak: number) => ({ metrics: { bump: { body_acceleration: { rms: 1, peak } } }, stages: [] }) as unknown as Summary;
 const shown = (runId: string, lv: number, passive: number, more: Partial<Shown> = {}) =>
   ({ runId, source: "exact", summaries: { lv: summary(lv), passive: summary(passive) }, series: {}, over: null, ...more }) as unknown as Shown;
 
 const NOW = shown("now", 1, 8);
-const compared: Compared = { before: shown("old", 2, 8), pins: [{ name: "Soft", shown: shown("soft", 3, 6) }] };
+const before = { name: "before the last edit", shown: shown("old", 2, 8) };
+const compared: Compared = { ...NOTHING_COMPARED, before, pins: [{ name: "Soft", shown: shown("soft", 3, 6) }] };
 
 function changes(against: Against, choice = compared) {
   const scene = makeScene(NOW, STRATEGIES, ["lv", "passive"], { ...DEFAULT_VIEW, against }, choice);
@@ -36,10 +37,36 @@ describe("the change of each strategy of each variant", () => {
 
   it("does not exist between a mean over roads and one road", () => {
     const over = { roads: 5, baseline: "passive", changes: {}, estimates: {} };
-    expect(changes("before", { ...compared, before: shown("old", 2, 8, { over }) })[0]).toEqual([null, null, null]);
+    expect(changes("before", { ...compared, before: { ...before, shown: shown("old", 2, 8, { over }) } })[0]).toEqual([null, null, null]);
   });
 
   it("falls back to the baseline where what it was against is gone", () => {
-    expect(changes("before", { before: null, pins: [] })).toEqual([[null, -87.5, null]]);
+    expect(changes("before", NOTHING_COMPARED)).toEqual([[null, -87.5, null]]);
+  });
+
+  it("over several roads is paired with the variant's, once it is there", () => {
+    const over = { roads: 5, baseline: "passive", changes: {}, estimates: {} };
+    const roads = { scenario: { road: { seed: 1 } }, coreVersion: "1", over };
+    const now = shown("now", 1, 8, roads);
+    const soft = { name: "Soft", shown: shown("soft", 3, 6, roads) };
+    const peak = { mean: 12, low: 8, high: 16 };
+    const scene = (choice: Partial<Compared>) => makeScene(now, STRATEGIES, ["lv", "passive"], { ...DEFAULT_VIEW, against: againstPin("soft") }, { ...NOTHING_COMPARED, pins: [soft], ...choice });
+    const ofLv = (choice: Partial<Compared>) => entryGroups(scene(choice))[0]?.entries.slice(0, 1).map((entry) => changeOf(scene(choice), entry, PEAK))[0];
+    expect(ofLv({})).toBeNull();
+    expect(ofLv({ paired: { now: { lv: { bump: { body_acceleration: { rms: null, peak } } } } } as unknown as Compared["paired"] })).toEqual({ percent: 12, half: 4, verdict: "worse" });
+    expect(ofLv({ paired: { now: {} } })?.verdict).toBe("none");
+    const otherSeed = { ...soft, shown: { ...soft.shown, scenario: { road: { seed: 2 } } } };
+    expect(ofLv({ pins: [otherSeed] })?.verdict).toBe("none");
+  });
+
+  it("on one road is within luck below what it resolves of the two strategies", () => {
+    const close = shown("now", 1.1, 1.2);
+    const scene = makeScene(close, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, { ...NOTHING_COMPARED, pins: [{ name: "Soft", shown: shown("soft", 1, 1) }] });
+    const verdicts = (against: Against) => {
+      const part = { ...scene, against: against === "baseline" ? null : (scene.pins[0] ?? null) };
+      return entryGroups(part)[0]?.entries.map((entry) => changeOf(part, entry, PEAK)?.verdict);
+    };
+    expect(verdicts("baseline")).toEqual(["luck", undefined]);
+    expect(verdicts(againstPin("soft"))).toEqual(["luck", "worse"]);
   });
 });

@@ -1,10 +1,11 @@
 /** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
 
 import type { Strategy, Summary } from "../api/types";
+import { whyNotCompared, type Variant } from "../state/compare";
 import type { Scene } from "../state/scene";
-import { roadsOf, type Shown } from "../state/shown";
-import { changeAgainst, pairedChange, separateChange, type Change } from "./change";
-import { intervalAt, pairedAt, valueAt, type MetricPath } from "./metric";
+import type { Shown } from "../state/shown";
+import { changeAgainst, pairedChange, type Change } from "./change";
+import { luckOf, pairedAt, valueAt, type MetricPath } from "./metric";
 
 export interface Entry {
   readonly key: string;
@@ -42,19 +43,29 @@ const NONE: Change = { percent: null, half: 0, verdict: "none" };
 
 /**
  * The change of an entry's number: against the same strategy of that variant, or against the baseline of its own
- * variant; `null` for what changes are against.
+ * variant; `null` for what changes are against, and until the change is there.
  */
-export function changeOf({ against, baseline }: Scene, { strategy, shown, summary, isBaseline }: Entry, metric: MetricPath, scale = 1): Change | null {
-  if (isBaseline) return null;
-  const value = valueAt(summary, metric);
-  if (against === null) {
-    const paired = pairedAt(shown, strategy.id, baseline, metric);
-    if (paired) return pairedChange(paired);
-    return changeAgainst(value, baseline === null ? null : valueAt(shown.summaries[baseline], metric), scale);
+export function changeOf(scene: Scene, entry: Entry, metric: MetricPath, scale = 1): Change | null {
+  if (entry.isBaseline) return null;
+  return scene.against === null ? changeToBaseline(scene, entry, metric, scale) : changeToVariant(scene, scene.against, entry, metric, scale);
+}
+
+function changeToBaseline({ catalogue, baseline }: Scene, { strategy, shown, summary }: Entry, metric: MetricPath, scale: number): Change {
+  const { over } = shown;
+  const paired = pairedAt(over !== null && over.baseline === baseline ? over.changes : undefined, strategy.id, metric);
+  if (paired) return pairedChange(paired);
+  const base = baseline === null ? undefined : shown.summaries[baseline];
+  const pair = catalogue.filter(({ id }) => id === strategy.id || id === baseline);
+  return changeAgainst(valueAt(summary, metric), valueAt(base, metric), { scale, luck: over ? 0 : luckOf(pair, metric) });
+}
+
+function changeToVariant({ paired }: Scene, against: Variant, { strategy, shown, summary }: Entry, metric: MetricPath, scale: number): Change | null {
+  if (whyNotCompared(shown, against.shown) !== null) return NONE;
+  const { over, runId } = shown;
+  if (over && !("run" in metric)) {
+    const changes = paired[runId ?? ""];
+    const change = pairedAt(changes, strategy.id, metric);
+    return changes === undefined ? null : change ? pairedChange(change) : NONE;
   }
-  // A mean over roads and one road's number differ by the luck of the road.
-  if (roadsOf(shown) !== roadsOf(against.shown)) return NONE;
-  const [one, other] = [intervalAt(shown, strategy.id, metric), intervalAt(against.shown, strategy.id, metric)];
-  if (one && other) return separateChange(one, other);
-  return changeAgainst(value, valueAt(against.shown.summaries[strategy.id], metric), scale);
+  return changeAgainst(valueAt(summary, metric), valueAt(against.shown.summaries[strategy.id], metric), { scale, luck: luckOf([strategy], metric) });
 }

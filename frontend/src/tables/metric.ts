@@ -1,6 +1,6 @@
 /** Where a number stands in a result, and what several roads say of it. */
 
-import type { Interval, StrategyId, Summary } from "../api/types";
+import type { Interval, OverRoads, Strategy, StrategyId, Summary } from "../api/types";
 import type { Shown } from "../state/shown";
 
 export type MetricPath =
@@ -22,10 +22,17 @@ export function intervalAt({ over }: Shown, strategy: StrategyId, metric: Metric
   return estimates?.metrics[metric.window]?.[metric.signal]?.[metric.statistic];
 }
 
-/** The paired change against that baseline: `null` against zero, undefined where the run has none. */
-export function pairedAt({ over }: Shown, strategy: StrategyId, baseline: StrategyId | null, metric: MetricPath): Interval | null | undefined {
-  const changes = over?.baseline === baseline ? over.changes[strategy] : undefined;
+/** The paired change: `null` against zero, undefined where there is none. */
+export function pairedAt(changes: OverRoads["changes"] | undefined, strategy: StrategyId, metric: MetricPath): Interval | null | undefined {
+  const own = changes?.[strategy];
   if ("run" in metric) return undefined;
-  if ("comfort" in metric) return changes?.comfort[metric.comfort];
-  return changes?.[metric.window][metric.signal]?.[metric.statistic];
+  if ("comfort" in metric) return own?.comfort[metric.comfort];
+  return own?.[metric.window][metric.signal]?.[metric.statistic];
+}
+
+/** Smaller changes [%] between these strategies may be one road's luck; times and speeds are the same on every road. */
+export function luckOf(strategies: readonly Pick<Strategy, "one_road_resolution">[], metric: MetricPath): number {
+  if ("run" in metric) return 0;
+  const statistic = "comfort" in metric ? "rms" : metric.statistic;
+  return Math.max(...strategies.map((strategy) => strategy.one_road_resolution[statistic] ?? 0));
 }
