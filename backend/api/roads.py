@@ -1,11 +1,12 @@
-"""Measured roads: upload as CSV, and read."""
+"""Measured roads: upload as CSV, read, and export."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from fastapi import Path, Query, Request, Response
 
 from backend.api import API, router
 from backend.api.deps import Client, part_of_application
+from backend.http.answers import IMMUTABLE
 from backend.http.routing import CsvRoute
 from backend.models import MAX_POINTS
 from backend.roads.models import CreatedRoad, RoadAnswer
@@ -35,11 +36,22 @@ async def create_road(request: Request, response: Response, service: RoadsServic
     return created
 
 
-@roads.get("/roads/{id}", operation_id="getRoad", response_model=RoadAnswer)
+@roads.get(
+    "/roads/{id}",
+    operation_id="getRoad",
+    response_model=RoadAnswer,
+    responses={200: {"content": {"text/csv": {}}}},
+)
 async def get_road(
     service: RoadsService,
     road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
-    points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="About how many heights")] = 2000,
-) -> RoadAnswer:
+    points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: about how many heights")] = 2000,
+    file_format: Annotated[
+        Literal["json", "csv"], Query(alias="format", description="CSV has every height and can be sent again")
+    ] = "json",
+) -> RoadAnswer | Response:
     """A measured road; it never changes."""
-    return await service.get(road_id, points)
+    if file_format == "json":
+        return await service.get(road_id, points)
+    headers = {"Content-Disposition": f'attachment; filename="ridelab-road-{road_id}.csv"', "Cache-Control": IMMUTABLE}
+    return Response(await service.csv(road_id), headers=headers, media_type="text/csv")

@@ -9,7 +9,7 @@ from backend.compute.workers import Workers
 from backend.errors import InvalidError, NotFoundError, ShortRoadError
 from backend.http.admission import Admission
 from backend.http.limits import ConcurrencyLimit
-from backend.roads import survey
+from backend.roads import export, survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
 from sim_core.car.measuring import FoundBump, bumps_in
@@ -57,9 +57,7 @@ class Roads:
         Raises:
             NotFoundError: There is none.
         """
-        road = (await self._store.read(self._store.roads.load, [road_id])).get(road_id)
-        if road is None:
-            raise NotFoundError("There is no measured road of this id.")
+        road = await self._stored(road_id)
         distance, height, bumps = await self._workers.call(drawn, road, points)
         return RoadAnswer(
             id=road.id,
@@ -69,6 +67,20 @@ class Roads:
             distance=distance,
             height=height,
         )
+
+    async def csv(self, road_id: str) -> bytes:
+        """Every height of the stored road as CSV; sent again, it is the same road.
+
+        Raises:
+            NotFoundError: There is none.
+        """
+        return await self._workers.call(export.as_csv, await self._stored(road_id))
+
+    async def _stored(self, road_id: str) -> MeasuredRoad:
+        road = (await self._store.read(self._store.roads.load, [road_id])).get(road_id)
+        if road is None:
+            raise NotFoundError("There is no measured road of this id.")
+        return road
 
     async def on(self, scenario: Scenario) -> Scenario:
         """The scenario with the heights of the measured road it names.

@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from backend.roads import export
 from sim_core.arrays import FloatArray
 from sim_core.car.measuring import CONTACT, FoundBump, bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
-MAX_BYTES = 4 * 1024 * 1024
 MAX_LENGTH, MIN_LENGTH = 3000.0, 5.0  # of a road [m]
 MAX_LINES = 350_000  # a height every 9 mm on the longest road
 MAX_LINE = 500  # characters
@@ -75,13 +75,24 @@ def read(content: bytes) -> Survey:
     lines = _lines(text)
     number, head = next(lines, (1, ""))
     separator = next((each for each in ("\t", ";", ",") if each in head), ",")
-    scales, order = _columns([name.strip() for name in head.split(separator)], number)
+    exported = export.exported_id(text)
+    scales, order = _columns([name.strip() for name in head.split(separator)], number, alone=exported is not None)
     numbers, table = _table(lines, separator, len(scales))
-    columns = [table[:, index] * scale for index, scale in enumerate(scales)]
-    distance, tracks = columns[order[0]], [columns[index] for index in order[1:]]
+    columns = [table[:, index] * scales[index] for index in order]
+    if len(columns) == 1:
+        columns.insert(0, np.arange(len(table)) * SPACING)
+    distance, *tracks = columns
     _check_distances(distance, numbers)
     _check_heights(tracks, numbers)
-    return _survey(distance, tracks)
+    if exported is None:
+        return _survey(distance, tracks)
+    road = export.unchanged(exported, distance, tracks[0]) if len(tracks) == 1 else None
+    if road:
+        said = ["This is an exported road: its heights are taken as they are"]
+        return Survey(road=road, bumps=bumps_in(road.heights()), warnings=said)
+    survey = _survey(distance, tracks)
+    changed = "This exported road was changed: it is read as a new measurement"
+    return replace(survey, warnings=[changed, *survey.warnings])
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:
@@ -101,8 +112,11 @@ def _lines(text: str) -> Iterator[tuple[int, str]]:
         start = end + 1
 
 
-def _columns(names: Sequence[str], line: int) -> tuple[list[float], list[int]]:
-    """Each column's unit in metres, and the columns of distance and height, or left and right height."""
+def _columns(names: Sequence[str], line: int, *, alone: bool) -> tuple[list[float], list[int]]:
+    """Each column's unit in metres, and the columns of distance and height, or left and right height.
+
+    `alone` allows a height without a distance.
+    """
     titles, scales = [], []
     for name in names:
         title, bracket, unit = name.replace('"', "").replace("(", "[").replace(")", "]").partition("[")
@@ -111,7 +125,7 @@ def _columns(names: Sequence[str], line: int) -> tuple[list[float], list[int]]:
             raise SurveyError(f"{FORM}; units are {', '.join(dict.fromkeys(UNITS))}", line)
         titles.append(title.strip().lower())
         scales.append(UNITS[unit])
-    for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT)):
+    for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT), *([(HEIGHT,)] * alone)):
         matches = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
         if len(titles) == len(wanted) and all(len(each) == 1 for each in matches):
             return scales, [each[0] for each in matches]
@@ -168,7 +182,7 @@ def _check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int]) -> None
 def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
     profile = surveyed(distance, np.mean(tracks, axis=0))
     most = float(np.abs(profile.heights).max())
-    if not most <= 1000:  # nor NaN
+    if not most <= export.HIGHEST:  # nor NaN
         raise SurveyError("Heights differ by kilometres; is the unit right?", 1)
     road, widest = MeasuredRoad.of(profile.heights), float(np.diff(distance).max())
     warnings = ["The mean of left and right track is taken"] if len(tracks) == 2 else []

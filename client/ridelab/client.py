@@ -324,6 +324,10 @@ class Ridelab:
         road: dict[str, Any] = self.get(f"/roads/{_id(road_id)}", {"points": points})
         return road
 
+    def road_content(self, road_id: str) -> Iterator[bytes]:
+        """Every height of a measured road as CSV, piece by piece; `upload_road` makes the same road of it anywhere."""
+        return self._content(f"/roads/{_id(road_id)}", {"format": "csv"})
+
     def vehicles(self) -> dict[str, dict[str, Any]]:
         """Vehicles with sources by id: `label`, `description`, `vehicle` (for a scenario), `sources`, `derived`."""
         return {each["id"]: each for each in self.get("/vehicles")}

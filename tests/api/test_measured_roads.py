@@ -65,6 +65,20 @@ def test_a_road_is_known_by_its_content(client: httpx.Client, sent: dict[str, An
     assert client.get(f"/api/v1/roads/{MISSING}").status_code == 404
 
 
+def test_a_stored_road_is_exported_and_the_same_when_sent_again(client: httpx.Client, sent: dict[str, Any]) -> None:
+    exported = client.get(f"/api/v1/roads/{sent['id']}", params={"format": "csv"})
+    assert exported.headers["content-type"].startswith("text/csv")
+    assert f"ridelab-road-{sent['id']}.csv" in exported.headers["content-disposition"]
+    table = np.loadtxt(exported.text.splitlines()[2:], delimiter=",")
+    np.testing.assert_allclose(table[:, 1], read(FILE.encode()).road.heights(), atol=1e-9)
+    assert (table[0, 0], table[-1, 0]) == (0, sent["length"])
+    with Ridelab(str(client.base_url)) as ridelab:
+        again = ridelab.upload_road(b"".join(ridelab.road_content(sent["id"])))
+    assert (again["id"], again["bumps"]) == (sent["id"], sent["bumps"])
+    missing = client.get(f"/api/v1/roads/{MISSING}", params={"format": "csv"})
+    assert (missing.status_code, missing.headers["content-type"]) == (404, "application/problem+json")
+
+
 def test_runs_live_series_and_links_drive_it(
     service: Service, client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any]
 ) -> None:

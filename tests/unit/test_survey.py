@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from backend.roads.export import LONGEST_FILE, as_csv
 from backend.roads.survey import MAX_LINES, SurveyError, read
+from sim_core.scenario.measured import MeasuredRoad
 
 HEAD = "distance [m],height [mm]\n"
 ROWS = [f"{0.1 * index:.1f},{10 * np.sin(index):.3f}" for index in range(200)]
@@ -57,6 +59,28 @@ def test_what_was_done_is_said() -> None:
     assert hilly.warnings[-1].endswith("beside the straight line; is the unit right?")
 
 
+@pytest.mark.parametrize("scale", [1.0, 500.0])
+@pytest.mark.parametrize("samples", [1_991, 300_001])
+def test_an_exported_road_is_read_as_the_same_road(samples: int, scale: float) -> None:
+    """The longest and highest one too: its file can be sent."""
+    road = MeasuredRoad.of(-scale * (1 + 0.1 * np.random.default_rng(1).standard_normal(samples)))
+    content = as_csv(road)
+    assert len(content) <= LONGEST_FILE
+    again = read(b"\xef\xbb\xbf" + content.replace(b"\n", b"\r\n"))
+    assert again.road == road
+    assert again.warnings == ["This is an exported road: its heights are taken as they are"]
+
+
+def test_an_exported_road_that_was_changed_is_a_new_measurement() -> None:
+    road = read(file()).road
+    content = as_csv(road)
+    for changed in (content.replace(b"\n0.00,", b"\n0.00,9"), content.replace(b"distance [m]", b"distance [ft]")):
+        again = read(changed)
+        assert again.road != road
+        assert again.warnings[0] == "This exported road was changed: it is read as a new measurement"
+        assert "Heights were averaged over 100 mm, as a tyre's contact does" in again.warnings
+
+
 @pytest.mark.parametrize(
     ("content", "line", "said"),
     [
@@ -65,6 +89,7 @@ def test_what_was_done_is_said() -> None:
         (b"distance,height\n0,0\n", 1, "units are m, km, cm, mm"),
         (b"distance [m],height [yd]\n", 1, "units are m, km, cm, mm"),
         (b"distance [m],left [mm]\n", 1, "The header names the columns"),
+        (b"height [mm]\n0\n1\n", 1, "The header names the columns"),
         (b"distance [m],height [mm],height [mm]\n", 1, "The header names the columns"),
         (b"# a\n\ndistance [m],height [mm]\n0,0\n\n1,zwei\n", 6, "A value is not a number"),
         (b"distance [m],height [mm]\n0,0\n1,nan\n9,0\n", 3, "A value is not a finite number"),

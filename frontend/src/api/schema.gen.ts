@@ -1896,6 +1896,7 @@ export interface operations {
     readonly getRoad: {
         readonly parameters: {
             readonly query?: {
+                readonly format?: "json" | "csv";
                 readonly points?: number;
             };
             readonly path: {
@@ -1906,6 +1907,7 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["RoadAnswer"];
+                    readonly "text/csv": unknown;
                 };
             };
         };

@@ -1,0 +1,40 @@
+"""A stored road as CSV, which is read back as the same road. Runs in a worker: no web here."""
+
+import re
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.scenario.measured import ID_PATTERN, SPACING, MeasuredRoad
+
+LONGEST_FILE = 4 * 1024 * 1024  # that can be sent [bytes]
+HIGHEST = 1000.0  # of a stored road [m]
+FIRST_LINE = "# Ridelab road {id}: a height every 10 mm, from x = 0\n"
+_EXPORTED = re.compile(rf"\ufeff?# Ridelab road ({ID_PATTERN.strip('^$')}):")
+
+
+def as_csv(road: MeasuredRoad) -> bytes:
+    """Distance and height [m] behind a comment with the road's id; heights alone where the file could not be sent."""
+    head = FIRST_LINE.format(id=road.id)
+    heights = [f"{height:.6f}\n" for height in road.heights()]
+    distances = [f"{index * SPACING:.2f}," for index in range(road.samples)]
+    if sum(map(len, heights)) + sum(map(len, distances)) < LONGEST_FILE - 200:
+        lines = [head, "distance [m],height [m]\n", *map("".join, zip(distances, heights, strict=True))]
+    else:
+        lines = [head, "height [m]\n", *heights]
+    return "".join(lines).encode()
+
+
+def exported_id(text: str) -> str | None:
+    """The id of the road in a file that `as_csv` has written; None for any other file."""
+    found = _EXPORTED.match(text)
+    return found and found[1]
+
+
+def unchanged(road_id: str, distance: FloatArray, heights: FloatArray) -> MeasuredRoad | None:
+    """The road of that id where these are its distances and heights (samples,) [m]; None where they are not."""
+    places = np.arange(len(heights)) * SPACING
+    if np.abs(distance - places).max() > SPACING / 10 or np.abs(heights).max() > HIGHEST:
+        return None
+    road = MeasuredRoad.of(heights)
+    return road if road.id == road_id else None
