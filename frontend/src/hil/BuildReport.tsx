@@ -7,7 +7,7 @@ import { useState } from "react";
 import { ask } from "../api/http";
 import type { Catalogue, ControllerReport, Scenario } from "../api/types";
 import { formatPercent } from "../tables/change";
-import { headingOf, VIEWS } from "../tables/ComparisonTable";
+import { headingOf, labelOf, VIEWS } from "../tables/ComparisonTable";
 import { formatNumber, formatWhole } from "../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
 import { DataTable, type Column } from "../ui/DataTable";
@@ -149,8 +149,6 @@ const lossColumns = (catalogue: Catalogue) =>
       cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} catalogue={catalogue} />,
     }),
   );
-
-const labelOf = (signal: string, catalogue: Catalogue) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
 

@@ -4,7 +4,7 @@ import { Anchor, Text } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
 import { IconAlertTriangle, IconCheck } from "../icons";
 import type { Catalogue, FigureTemplate, Strategy, Summary } from "../api/types";
-import { headingOf, VIEWS } from "../tables/ComparisonTable";
+import { headingOf, labelOf, VIEWS } from "../tables/ComparisonTable";
 import { ChangeMark } from "../tables/ChangeMark";
 import { formatPercent } from "../tables/change";
 import { StrategyName } from "../tables/StrategyKey";
@@ -67,7 +67,7 @@ function columnsOf(strategies: readonly Strategy[], catalogue: Catalogue, figure
       text: true,
       cell: ({ signal }) => (
         <>
-          {catalogue.signals.find(({ key }) => key === signal)?.label ?? signal} <span className={ui.dim}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
+          {labelOf(signal, catalogue)} <span className={ui.dim}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
         </>
       ),
     },
@@ -114,7 +114,7 @@ function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefin
   const events = catalogue.events.filter(({ key }) => key.startsWith("ecu_") && summary?.events[key] !== undefined && summary.events[key] !== null);
   if (!summary || events.length === 0) return null;
   return (
-    <dl className={ui.facts} aria-label="What the loop met">
+    <dl className={`${ui.facts} ${ui.note}`} aria-label="What the loop met">
       {events.map(({ key, label, unit, description }) => (
         <div key={key} title={description} data-event={key}>
           <dt>{label}</dt>

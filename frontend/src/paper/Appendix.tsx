@@ -3,10 +3,9 @@
 import type { Paper } from "../api/types";
 import { Inline } from "./Inline";
 import classes from "./paper.module.css";
-import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
 import { VERDICTS } from "./verdicts";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable } from "../ui/DataTable";
 
 /** What the other rules are about. */
 const ABOUT: Readonly<Record<string, string>> = {
@@ -38,31 +37,19 @@ export function Rules({ rules }: Pick<Paper, "rules">) {
 
 export function Errata({ errata }: Pick<Paper, "errata">) {
   return (
-    <ScrollTable label="What is printed, what is used here" card className={`${tables.table ?? ""} ${tables.errata ?? ""}`} data-testid="errata">
-      <thead>
-        <tr>
-          {["Place", "Printed", "Here"].map((name) => (
-            <th key={name} scope="col">
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {errata.map(({ place, printed, here }) => (
-          <tr key={`${place} ${printed}`}>
-            <th scope="row" className={tables.rowName}>
-              <Inline text={place} />
-            </th>
-            <td>
-              <Inline text={printed} />
-            </td>
-            <td>
-              <Inline text={here} />
-            </td>
-          </tr>
-        ))}
-      </tbody>
-    </ScrollTable>
+    <DataTable
+      label="What is printed, what is used here"
+      card
+      attributes={{ "data-testid": "errata" }}
+      rows={errata}
+      rowKey={({ place, printed }) => `${place} ${printed}`}
+      columns={(["place", "printed", "here"] as const).map((key) => ({
+        key,
+        head: { place: "Place", printed: "Printed", here: "Here" }[key],
+        text: true,
+        headAttributes: { style: { minWidth: "14rem" } },
+        cell: (erratum: Paper["errata"][number]) => <Inline text={erratum[key]} />,
+      }))}
+    />
   );
 }

@@ -5,51 +5,41 @@ import { formatPercent } from "../tables/change";
 import changes from "../tables/tables.module.css";
 import { metricKey } from "./fair";
 import { spreadOf, typeset } from "./numbers";
-import tables from "./tables.module.css";
-import { WindowHeads } from "./WindowHeads";
 import type { Words } from "./words";
-import { ScrollTable } from "../ui/ScrollTable";
+import ui from "../ui/ui.module.css";
+import { DataTable, type Column } from "../ui/DataTable";
 
 interface Props {
   readonly pairs: Attribution["equal_speed"];
   readonly words: Words;
 }
 
-type Change = Attribution["equal_speed"][number]["cells"][number];
+type Pair = Attribution["equal_speed"][number];
+
+type Change = Pair["cells"][number];
 
 export function EqualSpeed({ pairs, words }: Props) {
   const [first] = pairs;
   if (!first) return null;
   return (
-    <ScrollTable label="At the same speed" card className={tables.table} data-testid="equal-speed">
-      <thead>
-        <WindowHeads before={1} metrics={first.cells} words={words} />
-        <tr>
-          <th scope="col" className={tables.sticky}>
-            At the same speed plan
-          </th>
-          {first.cells.map((cell) => (
-            <th key={metricKey(cell)} scope="col" className={tables.number}>
-              {words.signal(cell.signal)}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {pairs.map(({ label, cells }) => (
-          <tr key={label}>
-            <th scope="row" className={tables.sticky} data-wide>
-              {typeset(label)}
-            </th>
-            {cells.map((cell) => (
-              <td key={metricKey(cell)} className={tables.number}>
-                <Sure cell={cell} />
-              </td>
-            ))}
-          </tr>
-        ))}
-      </tbody>
-    </ScrollTable>
+    <DataTable
+      label="At the same speed"
+      card
+      attributes={{ "data-testid": "equal-speed" }}
+      rows={pairs}
+      rowKey={({ label }) => label}
+      columns={[
+        { key: "pair", head: "At the same speed plan", text: true, cell: ({ label }) => typeset(label) },
+        ...first.cells.map(
+          (metric, index): Column<Pair> => ({
+            key: metricKey(metric),
+            group: words.view(metric),
+            head: words.signal(metric.signal),
+            cell: ({ cells }) => cells[index] && <Sure cell={cells[index]} />,
+          }),
+        ),
+      ]}
+    />
   );
 }
 
@@ -63,7 +53,7 @@ function Sure({ cell: { our_change: change, ci } }: { readonly cell: Change }) {
         <span aria-hidden>{verdict === "better" ? "▼" : verdict === "worse" ? "▲" : "≈"}</span> {formatPercent(change)}
         <span className="visually-hidden">, {verdict === "same" ? "no certain difference" : verdict}</span>
       </span>
-      <span className={tables.spread}>{spreadOf(change, ci)}</span>
+      <span className={ui.under}>{spreadOf(change, ci)}</span>
     </>
   );
 }

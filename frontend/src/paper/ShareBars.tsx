@@ -3,10 +3,10 @@
 import { formatPercent } from "../tables/change";
 import { formatFixed } from "../units/format";
 import classes from "./parts.module.css";
-import tables from "./tables.module.css";
+import ui from "../ui/ui.module.css";
 import { PARTS, scaleOf, segmentsOf, type Share } from "./shares";
 import type { Words } from "./words";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 
 interface Props {
   readonly shares: readonly Share[];
@@ -16,49 +16,39 @@ interface Props {
 export function ShareBars({ shares, words }: Props) {
   const scale = scaleOf(shares);
   return (
-    <ScrollTable label="Shares of LV’s gain" card className={tables.table} data-testid="shares">
-      <thead>
-        <tr>
-          <th scope="col" className={tables.sticky}>
-            Figure
-          </th>
-          <th scope="col" className={tables.number}>
-            Whole change
-          </th>
-          {PARTS.map(({ part, label }) => (
-            <th key={part} scope="col" className={tables.number}>
-              <span className={classes.partName}>
+    <DataTable
+      label="Shares of LV’s gain"
+      card
+      attributes={{ "data-testid": "shares" }}
+      rows={shares}
+      rowKey={({ window, signal }) => `${window} ${signal}`}
+      columns={[
+        {
+          key: "figure",
+          head: "Figure",
+          text: true,
+          cell: (share) => (
+            <>
+              {words.signal(share.signal)} <span className={ui.dim}>{words.view(share)}</span>
+            </>
+          ),
+        },
+        { key: "whole", head: "Whole change", cell: ({ total_change: change }) => <b>{formatPercent(change)}</b> },
+        ...PARTS.map(
+          ({ part, label }): Column<Share> => ({
+            key: part,
+            head: (
+              <span className={ui.named}>
                 <span className={classes.swatch} data-part={part} aria-hidden />
                 {label}
               </span>
-            </th>
-          ))}
-          <th scope="col" className={classes.track}>
-            <Ends scale={scale} />
-          </th>
-        </tr>
-      </thead>
-      <tbody>
-        {shares.map((share) => (
-          <tr key={`${share.window} ${share.signal}`}>
-            <th scope="row" className={tables.sticky} data-line>
-              {words.signal(share.signal)} <span className={tables.unit}>{words.view(share)}</span>
-            </th>
-            <td className={tables.number}>
-              <b>{formatPercent(share.total_change)}</b>
-            </td>
-            {PARTS.map(({ part }) => (
-              <td key={part} className={tables.number}>
-                {formatFixed(share[part], 0)} %
-              </td>
-            ))}
-            <td className={classes.track}>
-              <Bar share={share} scale={scale} />
-            </td>
-          </tr>
-        ))}
-      </tbody>
-    </ScrollTable>
+            ),
+            cell: (share) => `${formatFixed(share[part], 0)} %`,
+          }),
+        ),
+        { key: "bar", head: <Ends scale={scale} />, headAttributes: { className: classes.track }, cell: (share) => <Bar share={share} scale={scale} /> },
+      ]}
+    />
   );
 }
 

@@ -6,13 +6,12 @@ import type { Paper, PaperReading, ReadingEffects } from "../api/types";
 import { count } from "../units/format";
 import { withSet, type Choices } from "./choices";
 import { typeset } from "./numbers";
-import tables from "./tables.module.css";
 import { effectsQuery } from "./queries";
 import { useVisible } from "./useVisible";
 import { VerdictBar } from "./Verdict";
 import { countsInWords } from "./verdicts";
 import { Fault, Waiting } from "./Waiting";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 
 interface Props {
   readonly paper: Paper;
@@ -20,7 +19,12 @@ interface Props {
   readonly onChoose: (choices: Choices) => void;
 }
 
-type Row = ReadingEffects["rows"][number];
+type Effect = ReadingEffects["rows"][number];
+
+interface Row extends Effect {
+  readonly title: string;
+  readonly label: string;
+}
 
 export function SwitchEffects({ paper: { readings, complete }, choices, onChoose }: Props) {
   const { ref, visible } = useVisible();
@@ -29,39 +33,21 @@ export function SwitchEffects({ paper: { readings, complete }, choices, onChoose
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
   if (!data) {
     return (
-      <div ref={ref} className={tables.unprinted}>
+      <div ref={ref} data-unprinted>
         <Waiting key={String(visible && complete)} what={complete ? "Turning each switch by itself" : "Waiting for the runs of the tables"} height={24 + 40 * expected} />
       </div>
     );
   }
   return (
     <>
-      <ScrollTable label="What each switch does" card className={`${tables.table ?? ""} ${tables.effects ?? ""}`} data-testid="effects">
-        <thead>
-          <tr>
-            <th scope="col">Switch, alone</th>
-            <th scope="col" className={tables.number}>
-              Cells reached
-            </th>
-            <th scope="col" className={tables.barColumn}>
-              Reached, smaller, contradicts
-            </th>
-            <th scope="col" className={tables.number}>
-              Other verdict
-            </th>
-            <th scope="col" className={tables.unprinted}>
-              <span className="visually-hidden">Try it</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {data.rows.map((row) => {
-            const reading = readings.find(({ id }) => id === row.reading);
-            if (!reading) return null;
-            return <EffectRow key={`${row.reading} ${row.choice}`} row={row} reading={reading} onTry={() => onChoose({ ...withSet(choices, readings, "default"), [reading.id]: row.choice })} />;
-          })}
-        </tbody>
-      </ScrollTable>
+      <DataTable
+        label="What each switch does"
+        card
+        attributes={{ "data-testid": "effects" }}
+        rows={data.rows.flatMap((row) => namesOf(row, readings))}
+        rowKey={({ reading, choice }) => `${reading} ${choice}`}
+        columns={columnsOf((row) => onChoose({ ...withSet(choices, readings, "default"), [row.reading]: row.choice }))}
+      />
       {data.unavailable && (
         <Text size="xs" c="dimmed">
           Without the {data.unavailable.cells} cells that are not available here.
@@ -76,26 +62,52 @@ export function SwitchEffects({ paper: { readings, complete }, choices, onChoose
   );
 }
 
-function EffectRow({ row, reading, onTry }: { readonly row: Row; readonly reading: PaperReading; readonly onTry: () => void }) {
+/** The row with its switch's names; none where the switch is of another version. */
+function namesOf(row: Effect, readings: readonly PaperReading[]): readonly Row[] {
+  const reading = readings.find(({ id }) => id === row.reading);
+  if (!reading) return [];
   const label = reading.choices.find(({ id }) => id === row.choice)?.label ?? row.choice;
-  const [title, choice] = [typeset(reading.title), typeset(label)];
-  return (
-    <tr>
-      <th scope="row" className={tables.rowName}>
-        {title}: <b>{choice}</b>
-      </th>
-      <td className={tables.number}>
-        <b>{row.reached}</b> of {row.total}
-      </td>
-      <td className={tables.barColumn} title={countsInWords(row.counts)}>
-        <VerdictBar counts={row.counts} />
-      </td>
-      <td className={tables.number}>{row.changed === 0 ? "none" : count(row.changed, "cell")}</td>
-      <td className={tables.unprinted}>
-        <Button size="compact-xs" variant="default" aria-label={`Try ${title}: ${choice}`} onClick={onTry}>
+  return [{ ...row, title: typeset(reading.title), label: typeset(label) }];
+}
+
+function columnsOf(onTry: (row: Row) => void): readonly Column<Row>[] {
+  return [
+    {
+      key: "switch",
+      head: "Switch, alone",
+      text: true,
+      cell: ({ title, label }) => (
+        <>
+          {title}: <b>{label}</b>
+        </>
+      ),
+    },
+    {
+      key: "reached",
+      head: "Cells reached",
+      cell: ({ reached, total }) => (
+        <>
+          <b>{reached}</b> of {total}
+        </>
+      ),
+    },
+    {
+      key: "counts",
+      head: "Reached, smaller, contradicts",
+      text: true,
+      attributes: ({ counts }) => ({ title: countsInWords(counts), style: { minWidth: "8rem" } }),
+      cell: ({ counts }) => <VerdictBar counts={counts} />,
+    },
+    { key: "changed", head: "Other verdict", cell: ({ changed }) => (changed === 0 ? "none" : count(changed, "cell")) },
+    {
+      key: "try",
+      head: <span className="visually-hidden">Try it</span>,
+      unprinted: true,
+      cell: (row) => (
+        <Button size="compact-xs" variant="default" aria-label={`Try ${row.title}: ${row.label}`} onClick={() => onTry(row)}>
           Try
         </Button>
-      </td>
-    </tr>
-  );
+      ),
+    },
+  ];
 }

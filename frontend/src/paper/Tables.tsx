@@ -11,7 +11,8 @@ import tables from "./tables.module.css";
 import { VerdictMark } from "./Verdict";
 import { cellId } from "./verdicts";
 import type { Words } from "./words";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column, type RowGroup } from "../ui/DataTable";
+import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly paper: Paper;
@@ -50,132 +51,96 @@ interface TableProps {
 }
 
 function Table({ table, cells, words, reason }: TableProps) {
-  const [first] = cells;
   return (
     <div className={tables.tableBlock} id={`table-${table.number}`}>
       <h3 className={classes.subtitle}>
-        Table {table.number} <span className={tables.subtitleRest}>{table.title}</span>
+        Table {table.number} <Text span inherit fw={400} c="dimmed" ml="0.4rem">
+          {table.title}
+        </Text>
       </h3>
-      <ScrollTable label={`Table ${table.number}`} card className={`${tables.table ?? ""} ${tables.comparison ?? ""}`} data-table={table.number}>
-        <caption className="visually-hidden">{table.title}</caption>
-        <thead>
-          <tr>
-            <th scope="col" className={tables.sticky}>
-              {first ? words.view(first) : ""}
-            </th>
-            <th scope="colgroup" colSpan={3} className={tables.group}>
-              Paper
-            </th>
-            <th scope="colgroup" colSpan={3} className={tables.group}>
-              Here
-            </th>
-            <th scope="col" className={tables.group} data-own>
-              Verdict
-            </th>
-            <th scope="col" className={tables.group}>
-              <IconEyeOff size={13} stroke={2} aria-hidden className={tables.inlineIcon} /> Without preview
-            </th>
-          </tr>
-        </thead>
-        {table.columns.map(({ strategy, against }) => (
-          <Pair
-            key={`${strategy} ${against}`}
-            strategy={words.strategy(strategy)}
-            against={words.strategy(against)}
-            cells={cells.filter((cell) => cell.strategy === strategy && cell.against === against)}
-            words={words}
-            reason={reason}
-          />
-        ))}
-      </ScrollTable>
+      <DataTable
+        label={`Table ${table.number}: ${table.title}`}
+        card
+        attributes={{ "data-table": table.number }}
+        columns={columnsOf(cells[0], words)}
+        groups={table.columns.map(({ strategy, against }) => groupOf(words.strategy(strategy), words.strategy(against), cells.filter((cell) => cell.strategy === strategy && cell.against === against), reason))}
+        rowKey={(cell) => cellId(cell)}
+        rowAttributes={(cell) => ({ id: cellId(cell), "data-verdict": cell.verdict })}
+      />
     </div>
   );
 }
 
-interface PairProps {
-  readonly strategy: string;
-  readonly against: string;
-  readonly cells: readonly PaperCell[];
-  readonly words: Words;
-  readonly reason: string | undefined;
+/** A strategy against another: its columns have their names. */
+function groupOf(strategy: string, against: string, rows: readonly PaperCell[], reason: string | undefined): RowGroup<PaperCell> {
+  const heads = [strategy, against, "Change"];
+  return {
+    key: `${strategy} ${against}`,
+    title: (
+      <>
+        {strategy}
+        <span className={ui.under}>against {against}</span>
+      </>
+    ),
+    heads: [...heads, ...heads, "", ""],
+    rows,
+    ...(reason !== undefined && rows.some(({ verdict }) => verdict === "unavailable") && { note: <>{typeset(reason)}.</> }),
+  };
 }
 
-function Pair({ strategy, against, cells, words, reason }: PairProps) {
-  const columns = [strategy, against, "Change"];
+function columnsOf(first: PaperCell | undefined, words: Words): readonly Column<PaperCell>[] {
+  const shown = (value: number | null, { signal }: PaperCell) => (value === null ? "–" : formatResult(value * words.unit(signal).scale));
+  const [paper, here] = [{ group: "Paper", head: "" }, { group: "Here", head: "" }];
+  const verdict = { text: true, attributes: () => ({ style: { minWidth: "9.6rem" } }) };
+  return [
+    { key: "signal", head: first ? words.view(first) : "", text: true, cell: (cell) => <Signal cell={cell} words={words} /> },
+    { ...paper, key: "paper value", cell: (cell) => printedValue(cell.paper_value, words.unit(cell.signal).scale) },
+    { ...paper, key: "paper base", cell: (cell) => printedValue(cell.paper_base, words.unit(cell.signal).scale) },
+    { ...paper, key: "paper change", cell: (cell) => <PrintedChange cell={cell} /> },
+    { ...here, key: "our value", cell: (cell) => shown(cell.our_value, cell) },
+    { ...here, key: "our base", cell: (cell) => shown(cell.our_base, cell) },
+    { ...here, key: "our change", cell: (cell) => <OurChange item={cell} /> },
+    {
+      ...verdict,
+      key: "verdict",
+      head: "Verdict",
+      headAttributes: { "data-own": true },
+      attributes: () => ({ ...verdict.attributes(), "data-own": true }),
+      cell: (cell) => <VerdictMark verdict={cell.verdict} certain={cell.certain} />,
+    },
+    {
+      ...verdict,
+      key: "without",
+      head: (
+        <>
+          <IconEyeOff size={13} stroke={2} aria-hidden className={ui.inline} /> Without preview
+        </>
+      ),
+      cell: ({ without_preview: without }) => <Without without={without} />,
+    },
+  ];
+}
+
+function Signal({ cell, words }: { readonly cell: PaperCell; readonly words: Words }) {
   return (
-    <tbody>
-      <tr className={tables.pair}>
-        <th scope="rowgroup" className={tables.sticky}>
-          {strategy}
-          <span className={tables.against}>against {against}</span>
-        </th>
-        {["paper", "here"].map((side) =>
-          columns.map((name, index) => (
-            <th key={`${side} ${name}`} scope="col" className={tables.number} data-first={index === 0 || undefined}>
-              {name}
-            </th>
-          )),
-        )}
-        <td className={tables.verdictCell} data-own />
-        <td className={tables.verdictCell} />
-      </tr>
-      {cells.map((cell) => (
-        <Row key={cell.signal} cell={cell} words={words} />
-      ))}
-      {reason !== undefined && cells.some(({ verdict }) => verdict === "unavailable") && (
-        <tr>
-          <td className={tables.notHere} colSpan={9}>
-            <span>{typeset(reason)}.</span>
-          </td>
-        </tr>
-      )}
-    </tbody>
+    <>
+      {words.signal(cell.signal)} <span className={ui.dim}>{words.unit(cell.signal).unit}</span>
+      {/* Where the table is wider than the window, the verdict stands where it is in sight. */}
+      <span className={tables.nearVerdict}>
+        <VerdictMark verdict={cell.verdict} certain={cell.certain} />
+      </span>
+    </>
   );
 }
 
-function Row({ cell, words }: { readonly cell: PaperCell; readonly words: Words }) {
-  const { unit, scale } = words.unit(cell.signal);
-  const without = cell.without_preview;
+function Without({ without }: { readonly without: PaperCell["without_preview"] }) {
+  if (!without) return <span className={ui.under}>no preview in it</span>;
   return (
-    <tr id={cellId(cell)} data-verdict={cell.verdict}>
-      <th scope="row" className={tables.sticky}>
-        {words.signal(cell.signal)} <span className={tables.unit}>{unit}</span>
-        {/* Where the table is wider than the window, the verdict stands where it is in sight. */}
-        <span className={tables.nearVerdict}>
-          <VerdictMark verdict={cell.verdict} certain={cell.certain} />
-        </span>
-      </th>
-      <td className={tables.number} data-first>
-        {printedValue(cell.paper_value, scale)}
-      </td>
-      <td className={tables.number}>{printedValue(cell.paper_base, scale)}</td>
-      <td className={tables.number}>
-        <PrintedChange cell={cell} />
-      </td>
-      <td className={tables.number} data-first>
-        {cell.our_value === null ? "–" : formatResult(cell.our_value * scale)}
-      </td>
-      <td className={tables.number}>{cell.our_base === null ? "–" : formatResult(cell.our_base * scale)}</td>
-      <td className={tables.number}>
-        <OurChange item={cell} />
-      </td>
-      <td className={tables.verdictCell} data-own>
-        <VerdictMark verdict={cell.verdict} certain={cell.certain} />
-      </td>
-      <td className={tables.verdictCell} data-without>
-        {without ? (
-          <span className={tables.without}>
-            <VerdictMark verdict={without.verdict} certain={without.certain} />
-            {/* A line that is pending has its height. */}
-            <span className={tables.spread}>
-              {without.our_change !== null && without.ci !== null ? `${formatPercent(without.our_change)} ${spreadOf(without.our_change, without.ci)}` : "\u00a0"}
-            </span>
-          </span>
-        ) : (
-          <span className={tables.spread}>no preview in it</span>
-        )}
-      </td>
-    </tr>
+    <>
+      <VerdictMark verdict={without.verdict} certain={without.certain} />
+      {/* A line that is pending has its height. */}
+      <span className={ui.under}>{without.our_change !== null && without.ci !== null ? `${formatPercent(without.our_change)} ${spreadOf(without.our_change, without.ci)}` : "\u00a0"}</span>
+    </>
   );
 }
 
@@ -183,7 +148,7 @@ function OurChange({ item: { our_change: change, ci } }: { readonly item: PaperJ
   if (change === null || ci === null) return <>–</>;
   return (
     <>
-      <b>{formatPercent(change)}</b> <span className={tables.spread}>{spreadOf(change, ci)}</span>
+      <b>{formatPercent(change)}</b> <span className={ui.dim}>{spreadOf(change, ci)}</span>
     </>
   );
 }
@@ -194,7 +159,7 @@ function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly
     <span className={tables.misprint}>
       <s>{printedChange(misprint.printed)}</s>
       <span className={tables.misprintMark}>
-        <IconAlertTriangle size={12} stroke={2} aria-hidden className={tables.inlineIcon} /> misprint: {printedChange(misprint.follows)} follows
+        <IconAlertTriangle size={12} stroke={2} aria-hidden className={ui.inline} /> misprint: {printedChange(misprint.follows)} follows
       </span>
     </span>
   );

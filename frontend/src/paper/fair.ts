@@ -1,4 +1,4 @@
-/** The fair table's rows: filtered and in order. Pure. */
+/** The fair table's rows: their parts in words, and filtered. Pure. */
 
 import type { Combination } from "../api/types";
 
@@ -32,31 +32,8 @@ export function partOf(row: Combination, name: FilterName): string {
 export const filtered = (rows: readonly Combination[], filter: Filter) =>
   rows.filter((row) => FILTERS.every(({ name }) => filter[name] === ANY || row[name] === filter[name]));
 
-export interface Order {
-  readonly column: string;
-  readonly descending: boolean;
-}
-
 export const metricKey = ({ window, signal, statistic }: Pick<Combination["metrics"][number], "window" | "signal" | "statistic">) =>
   `${window}.${signal}.${statistic}`;
 
-function sortKey(row: Combination, column: string): number | string {
-  if (column === "travel_time") return row.travel_time;
-  const comfort = row.comfort[column];
-  if (comfort) return comfort.value;
-  const metric = row.metrics.find((each) => metricKey(each) === column);
-  if (metric) return metric.value;
-  // Options stand in a meaningful order; what has none comes first.
-  const filter = FILTERS.find(({ name }) => name === column);
-  return filter ? filter.options.findIndex(([value]) => value === row[filter.name]) : row.label;
-}
-
-/** Rows with equal keys stay in the server's order. */
-export function inOrder(rows: readonly Combination[], order: Order | null): readonly Combination[] {
-  if (order === null) return rows;
-  const sign = order.descending ? -1 : 1;
-  return [...rows].sort((one, other) => {
-    const [a, b] = [sortKey(one, order.column), sortKey(other, order.column)];
-    return sign * (typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b)));
-  });
-}
+/** Options stand in a meaningful order; what has none comes first. */
+export const rankOf = (row: Combination, name: FilterName) => FILTERS.find((filter) => filter.name === name)?.options.findIndex(([value]) => value === row[name]);

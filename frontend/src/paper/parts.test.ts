@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Combination } from "../api/types";
-import { ANY, filtered, inOrder, NO_FILTER, partOf } from "./fair";
+import { inOrder } from "../ui/order";
+import { ANY, filtered, NO_FILTER, partOf, rankOf } from "./fair";
 import { scaleOf, segmentsOf, type Share } from "./shares";
 
 const share = (speed: number, preview: number, switching: number): Share => ({
@@ -59,9 +60,8 @@ describe("the combinations", () => {
   });
 
   it("are sorted by numbers as numbers and by parts in their own order", () => {
-    expect(ids(inOrder(rows, { column: "travel_time", descending: false }))).toEqual(["passive", "blind", "lv"]);
-    expect(ids(inOrder(rows, { column: "preview", descending: true }))).toEqual(["lv", "blind", "passive"]);
-    expect(ids(inOrder(rows, null))).toEqual(["lv", "blind", "passive"]);
+    expect(ids(inOrder(rows, (each) => each.travel_time))).toEqual(["passive", "blind", "lv"]);
+    expect(ids(inOrder(rows, (each) => rankOf(each, "preview"), true))).toEqual(["lv", "blind", "passive"]);
   });
 
   it("say a part they do not have with a dash", () => {

@@ -3,12 +3,12 @@
 import { CloseButton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../api/types";
 import { formatPercent } from "../tables/change";
-import { StrategyKey } from "../tables/StrategyKey";
-import tables from "../tables/tables.module.css";
+import { StrategyName } from "../tables/StrategyKey";
 import { formatNumber, prettyUnit } from "../units/format";
 import { compareRuns, type Difference, type Figure } from "./differences";
 import classes from "./share.module.css";
 import { Card } from "../ui/Card";
+import { DataTable } from "../ui/DataTable";
 import ui from "../ui/ui.module.css";
 
 interface Props {
@@ -41,7 +41,7 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
   const { differences, compared, failed } = compareRuns(then, now, catalogue, figures);
   const same = then.core_version === now.core_version;
   return (
-    <Card className={classes.differences ?? ""} aria-label="Differences">
+    <Card mt="0.6rem" aria-label="Differences">
       <header className={classes.differencesHeader}>
         <div role="status">
           <Text component="h2" fw={650} size="sm">
@@ -56,7 +56,7 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
         <CloseButton size="sm" aria-label="Close the differences" onClick={onClose} />
       </header>
       {failed.map((line) => (
-        <Text key={line} size="sm" className={classes.problem ?? ""}>
+        <Text key={line} size="sm" px="0.9rem" pb="xs" c="var(--danger)">
           {line}
         </Text>
       ))}
@@ -67,36 +67,36 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
 
 function DifferencesTable({ differences, strategies }: { readonly differences: readonly Difference[]; readonly strategies: readonly Strategy[] }) {
   return (
-    <div className={classes.differencesScroll} tabIndex={0} role="region" aria-label="Differences by metric">
-      <table className={`${ui.table} ${classes.differencesTable}`}>
-        <thead>
-          <tr>
-            {["Strategy", "Metric", "Then", "Now", "Change"].map((title) => (
-              <th key={title} scope="col">
-                {title}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {differences.map((difference) => {
-            const strategy = strategies.find(({ id }) => id === difference.strategy);
-            return (
-              <tr key={`${difference.strategy} ${difference.metric}`}>
-                <th scope="row">
-                  {strategy && <StrategyKey strategy={strategy} />} {strategy?.label ?? difference.strategy}
-                </th>
-                <td>
-                  {difference.metric} <span className={tables.columnUnit}>{prettyUnit(difference.unit)}</span>
-                </td>
-                <td>{show(difference.then)}</td>
-                <td>{show(difference.now)}</td>
-                <td>{change(difference)}</td>
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-    </div>
+    <DataTable
+      label="Differences by metric"
+      height="19rem"
+      attributes={{ "data-dense": true }}
+      rows={differences}
+      rowKey={({ strategy, metric }) => `${strategy} ${metric}`}
+      columns={[
+        {
+          key: "strategy",
+          head: "Strategy",
+          text: true,
+          cell({ strategy: id }) {
+            const strategy = strategies.find((each) => each.id === id);
+            return strategy ? <StrategyName strategy={strategy} /> : id;
+          },
+        },
+        {
+          key: "metric",
+          head: "Metric",
+          text: true,
+          cell: ({ metric, unit }) => (
+            <>
+              {metric} <span className={ui.dim}>{prettyUnit(unit)}</span>
+            </>
+          ),
+        },
+        { key: "then", head: "Then", cell: ({ then }) => show(then) },
+        { key: "now", head: "Now", cell: ({ now }) => show(now) },
+        { key: "change", head: "Change", cell: change },
+      ]}
+    />
   );
 }

@@ -1,7 +1,8 @@
 /** Which keys there are on this page. */
 
-import { Kbd, Modal, Table } from "@mantine/core";
+import { Kbd, Modal } from "@mantine/core";
 import { commands } from "../state/commands";
+import { DataTable } from "../ui/DataTable";
 import { keyNames } from "./keyNames";
 
 const EVERYWHERE = [
@@ -14,18 +15,15 @@ export function KeyList({ onClose }: { readonly onClose: () => void }) {
   const named = commands().flatMap(({ label, keys }) => (keys === undefined ? [] : [{ label, keys: keyNames(keys) }]));
   return (
     <Modal opened onClose={onClose} title="Keys" closeButtonProps={{ "aria-label": "Close" }}>
-      <Table>
-        <Table.Tbody>
-          {[...named, ...EVERYWHERE].map(({ label, keys }) => (
-            <Table.Tr key={keys + label}>
-              <Table.Td>
-                <Kbd>{keys}</Kbd>
-              </Table.Td>
-              <Table.Td>{label}</Table.Td>
-            </Table.Tr>
-          ))}
-        </Table.Tbody>
-      </Table>
+      <DataTable
+        label="Keys"
+        rows={[...named, ...EVERYWHERE]}
+        rowKey={({ keys, label }) => keys + label}
+        columns={[
+          { key: "keys", head: "Key", text: true, cell: ({ keys }) => <Kbd>{keys}</Kbd> },
+          { key: "label", head: "What it does", text: true, cell: ({ label }) => label },
+        ]}
+      />
     </Modal>
   );
 }

@@ -3,13 +3,14 @@
 import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
 import type { Scene } from "../state/scene";
 import { prettyUnit } from "../units/format";
-import { entryGroups } from "./entries";
+import { CURRENT, entryGroups, type Entry } from "./entries";
 import { EntryHead } from "./EntryHead";
-import { ResultCell } from "./ResultCell";
+import { cellAttributes, ResultCell } from "./ResultCell";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
 import { SolveButton } from "../solve/SolveButton";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
+import type { WindowMetric } from "./metric";
 
 export interface ComparisonProps {
   readonly scene: Scene;
@@ -38,71 +39,55 @@ export function headingOf({ window, statistic }: WindowView, catalogue: Catalogu
   return `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
 }
 
-export function ComparisonTable({ scene, catalogue, figures, signals, caption }: Props) {
-  const groups = entryGroups(scene);
-  const labels = Object.fromEntries(catalogue.signals.map(({ key, label }) => [key, label]));
+export const labelOf = (signal: string, catalogue: Catalogue) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
+
+export function ComparisonTable({ caption, ...props }: Props) {
+  const groups = entryGroups(props.scene);
   return (
-    <ScrollTable label={caption} className={classes.table}>
-      <caption className="visually-hidden">{caption}</caption>
-      <thead>
-        <tr>
-          <td />
-          {VIEWS.map((view) => (
-            <th key={view.window} scope="colgroup" colSpan={signals.length} className={classes.group}>
-              {headingOf(view, catalogue)}
-            </th>
-          ))}
-        </tr>
-        <tr>
-          <th scope="col" className={classes.corner}>
-            Strategy
-          </th>
-          {VIEWS.map(({ window, statistic }) =>
-            signals.map((signal, index) => (
-              <th key={`${window} ${signal}`} scope="col" className={classes.column} data-first={index === 0 || undefined}>
-                <span className={classes.columnName}>{labels[signal] ?? signal}</span>
-                <span className={classes.columnUnit}>
-                  {prettyUnit(shownUnit(signal, figures, catalogue).unit)} <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${labels[signal] ?? signal}, ${window.replace("_", " ")}`} />
-                </span>
-              </th>
-            )),
-          )}
-        </tr>
-      </thead>
-      {groups.map(({ name, entries }) => (
-        <tbody key={entries[0]?.key ?? name} data-pinned={name ?? undefined}>
-          {groups.length > 1 && <GroupRow name={name} columns={1 + VIEWS.length * signals.length} />}
-          {entries.map((entry) => (
-            <tr key={entry.key} data-baseline={entry.isBaseline || undefined} {...{ [name === null ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id }}>
-              <th scope="row" className={classes.rowHeader}>
-                <EntryHead entry={entry} catalogue={catalogue} />
-              </th>
-              {VIEWS.map(({ window, statistic }) =>
-                signals.map((signal, index) => (
-                  <ResultCell
-                    key={`${window} ${signal}`}
-                    first={index === 0}
-                    name={`${window}.${signal}.${statistic}`}
-                    metric={{ window, signal, statistic }}
-                    scale={shownUnit(signal, figures, catalogue).scale}
-                    {...{ scene, entry }}
-                  />
-                )),
-              )}
-            </tr>
-          ))}
-        </tbody>
-      ))}
-    </ScrollTable>
+    <DataTable
+      label={caption}
+      attributes={{ className: classes.comparison }}
+      columns={columnsOf(props)}
+      groups={groups.map(({ name, entries }) => ({
+        key: entries[0]?.key ?? name ?? "",
+        ...(groups.length > 1 && { title: name ?? CURRENT }),
+        rows: entries,
+        attributes: { "data-pinned": name ?? undefined },
+      }))}
+      rowKey={({ key }) => key}
+      rowAttributes={(entry) => ({ "data-baseline": entry.isBaseline || undefined, [entry.shown === props.scene.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id })}
+    />
   );
 }
 
-function GroupRow({ name, columns }: { readonly name: string | null; readonly columns: number }) {
+function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
+  const results = VIEWS.flatMap((view) =>
+    signals.map((signal): Column<Entry> => {
+      const metric = { window: view.window, signal, statistic: view.statistic };
+      const { unit, scale } = shownUnit(signal, figures, catalogue);
+      return {
+        key: `${view.window} ${signal}`,
+        group: headingOf(view, catalogue),
+        head: labelOf(signal, catalogue),
+        detail: <UnitAndSolve {...{ unit, metric, catalogue }} />,
+        attributes: (entry) => cellAttributes(entry, metric),
+        cell: (entry) => <ResultCell {...{ scene, entry, metric, scale }} />,
+      };
+    }),
+  );
+  return [{ key: "strategy", head: "Strategy", text: true, cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} /> }, ...results];
+}
+
+interface UnitProps {
+  readonly unit: string;
+  readonly metric: WindowMetric;
+  readonly catalogue: Catalogue;
+}
+
+export function UnitAndSolve({ unit, metric: { window, signal, statistic }, catalogue }: UnitProps) {
   return (
-    <tr>
-      <th scope="rowgroup" colSpan={columns} className={classes.variantRow}>
-        {name ?? "Current scenario"}
-      </th>
-    </tr>
+    <>
+      {prettyUnit(unit)} <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`} />
+    </>
   );
 }

@@ -1,15 +1,15 @@
 /** The comparison where there is little width: a row per signal, a column for each strategy of each variant. */
 
-import { prettyUnit } from "../units/format";
-import type { ComparisonProps, WindowView } from "./ComparisonTable";
+import type { SignalKey } from "../api/types";
+import { DataTable } from "../ui/DataTable";
+import ui from "../ui/ui.module.css";
+import { labelOf, UnitAndSolve, type ComparisonProps, type WindowView } from "./ComparisonTable";
 import { entryGroups } from "./entries";
 import { EntryHead } from "./EntryHead";
-import { ResultCell } from "./ResultCell";
+import { cellAttributes, ResultCell } from "./ResultCell";
 import classes from "./tables.module.css";
 import { shownUnit } from "./units";
-import { VariantHeads } from "./VariantHeads";
-import { SolveButton } from "../solve/SolveButton";
-import { ScrollTable } from "../ui/ScrollTable";
+import { variantColumns } from "./variantColumns";
 
 interface Props extends ComparisonProps {
   readonly view: WindowView;
@@ -17,38 +17,37 @@ interface Props extends ComparisonProps {
 }
 
 export function NarrowTable({ scene, catalogue, figures, signals, view: { window, statistic }, heading }: Props) {
-  const groups = entryGroups(scene);
-  const entries = groups.flatMap((group) => group.entries);
+  const metricOf = (signal: SignalKey) => ({ window, signal, statistic });
   return (
-    <ScrollTable label={heading} className={classes.table}>
-      <caption className={classes.narrowCaption}>{heading}</caption>
-      <thead>
-        <VariantHeads groups={groups} />
-        <tr>
-          <td />
-          {entries.map((entry) => (
-            <th key={entry.key} scope="col" className={classes.narrowColumn}>
-              <EntryHead entry={entry} catalogue={catalogue} upright />
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {signals.map((signal) => {
-          const { unit, scale } = shownUnit(signal, figures, catalogue);
-          return (
-            <tr key={signal}>
-              <th scope="row" className={classes.quantity}>
-                {catalogue.signals.find(({ key }) => key === signal)?.label ?? signal} <span className={classes.columnUnit}>{prettyUnit(unit)}</span>{" "}
-                <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${catalogue.signals.find(({ key }) => key === signal)?.label ?? signal}, ${window.replace("_", " ")}`} />
-              </th>
-              {entries.map((entry) => (
-                <ResultCell key={entry.key} name={`${window}.${signal}.${statistic}`} metric={{ window, signal, statistic }} marked {...{ scene, entry, scale }} />
-              ))}
-            </tr>
-          );
-        })}
-      </tbody>
-    </ScrollTable>
+    <DataTable
+      label={heading}
+      captioned
+      attributes={{ className: classes.comparison }}
+      rows={signals}
+      rowKey={(signal) => signal}
+      columns={[
+        {
+          key: "signal",
+          head: "",
+          text: true,
+          cell: (signal) => (
+            <>
+              {labelOf(signal, catalogue)}{" "}
+              <span className={ui.dim}>
+                <UnitAndSolve unit={shownUnit(signal, figures, catalogue).unit} metric={metricOf(signal)} catalogue={catalogue} />
+              </span>
+            </>
+          ),
+        },
+        ...variantColumns<SignalKey>(
+          entryGroups(scene),
+          (entry) => <EntryHead entry={entry} catalogue={catalogue} upright />,
+          (entry) => ({
+            attributes: (signal) => ({ ...cellAttributes(entry, metricOf(signal)), "data-baseline": entry.isBaseline || undefined }),
+            cell: (signal) => <ResultCell {...{ scene, entry }} metric={metricOf(signal)} scale={shownUnit(signal, figures, catalogue).scale} />,
+          }),
+        ),
+      ]}
+    />
   );
 }

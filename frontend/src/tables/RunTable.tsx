@@ -7,10 +7,11 @@ import { ChangeText } from "./ChangeMark";
 import { changeOf, entryGroups, type Entry } from "./entries";
 import { Estimated } from "./Estimated";
 import { intervalAt, valueAt, type MetricPath } from "./metric";
-import { StrategyKey } from "./StrategyKey";
+import { StrategyName } from "./StrategyKey";
 import classes from "./tables.module.css";
-import { VariantHeads } from "./VariantHeads";
-import { ScrollTable } from "../ui/ScrollTable";
+import { variantColumns } from "./variantColumns";
+import { DataTable } from "../ui/DataTable";
+import ui from "../ui/ui.module.css";
 
 type Value = number | boolean | null | undefined;
 
@@ -37,39 +38,33 @@ function show(value: Value): string {
 }
 
 export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
-  const groups = entryGroups(scene);
-  const entries = groups.flatMap((group) => group.entries);
   return (
-    <ScrollTable label="Comfort, time and events" className={classes.runTable}>
-      <caption className="visually-hidden">Comfort, time and events</caption>
-      <thead>
-        <VariantHeads groups={groups} />
-        <tr>
-          <th scope="col" className={classes.corner}>
-            Comfort, time and events
-          </th>
-          {entries.map(({ key, strategy }) => (
-            <th key={key} scope="col" className={classes.column}>
-              <span className={classes.columnName}>
-                <StrategyKey strategy={strategy} /> {strategy.label}
-              </span>
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {rows(catalogue).map((row) => (
-          <tr key={row.quantity.key}>
-            <th scope="row" className={classes.quantity} title={row.quantity.description}>
-              {row.quantity.label} <span className={classes.columnUnit}>{prettyUnit(row.quantity.unit)}</span>
-            </th>
-            {entries.map((entry) => (
-              <RunCell key={entry.key} {...{ scene, entry, row }} />
-            ))}
-          </tr>
-        ))}
-      </tbody>
-    </ScrollTable>
+    <DataTable
+      label="Comfort, time and events"
+      rows={rows(catalogue)}
+      rowKey={({ quantity }) => quantity.key}
+      columns={[
+        {
+          key: "quantity",
+          head: "Comfort, time and events",
+          text: true,
+          attributes: ({ quantity }) => ({ title: quantity.description }),
+          cell: ({ quantity }) => (
+            <>
+              {quantity.label} <span className={ui.dim}>{prettyUnit(quantity.unit)}</span>
+            </>
+          ),
+        },
+        ...variantColumns<Row>(
+          entryGroups(scene),
+          ({ strategy }) => <StrategyName strategy={strategy} />,
+          (entry) => ({
+            attributes: ({ quantity }) => ({ "data-cell": `${entry.strategy.id}.${quantity.key}` }),
+            cell: (row) => <RunCell {...{ scene, entry, row }} />,
+          }),
+        ),
+      ]}
+    />
   );
 }
 
@@ -77,9 +72,9 @@ function RunCell({ scene, entry, row: { quantity, metric, judged } }: { readonly
   const interval = metric ? intervalAt(entry.shown, entry.strategy.id, metric) : undefined;
   const value = metric ? valueAt(entry.summary, metric) : entry.summary?.events[quantity.key];
   return (
-    <td className={classes.cell} data-cell={`${entry.strategy.id}.${quantity.key}`}>
+    <>
       {interval ? <Estimated value={interval.mean} interval={interval} scale={1} /> : <span className={classes.value}>{show(value)}</span>}
       {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(scene, entry, metric)} />}
-    </td>
+    </>
   );
 }

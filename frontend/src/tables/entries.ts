@@ -22,6 +22,9 @@ export interface EntryGroup {
   readonly entries: readonly Entry[];
 }
 
+/** The shown result's name beside those of variants. */
+export const CURRENT = "Current scenario";
+
 export function entryGroups({ shown, strategies, pins, against, baseline }: Scene): readonly EntryGroup[] {
   const group = (name: string | null, of: Shown): EntryGroup => ({
     name,

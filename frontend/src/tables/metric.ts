@@ -3,8 +3,14 @@
 import type { Interval, OverRoads, Strategy, StrategyId, Summary } from "../api/types";
 import type { Shown } from "../state/shown";
 
+export interface WindowMetric {
+  readonly window: "rough_road" | "bump" | "whole";
+  readonly signal: string;
+  readonly statistic: "rms" | "peak";
+}
+
 export type MetricPath =
-  | { readonly window: "rough_road" | "bump" | "whole"; readonly signal: string; readonly statistic: "rms" | "peak" }
+  | WindowMetric
   | { readonly comfort: string }
   | { readonly run: string };
 

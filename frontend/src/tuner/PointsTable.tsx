@@ -1,6 +1,7 @@
 /** The best points beside the paper's weights: what they give on the training roads, and their weights. */
 
-import { Button } from "@mantine/core";
+import { Button, Stack } from "@mantine/core";
+import type { ReactNode } from "react";
 import type { Tuning } from "../api/types";
 import { ChangeMark } from "../tables/ChangeMark";
 import tables from "../tables/tables.module.css";
@@ -9,9 +10,8 @@ import { formatResult, prettyUnit } from "../units/format";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
-import results from "./results.module.css";
 import type { Load } from "./useLoad";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -24,84 +24,111 @@ interface Props {
   readonly load: Load;
 }
 
+/** A row of the table: what it is of, and what stands under each point. */
+interface Row {
+  readonly label: string;
+  readonly unit: string;
+  readonly cell: (point: Point) => ReactNode;
+  readonly attributes?: (point: Point) => ReturnType<NonNullable<Column<Row>["attributes"]>>;
+}
+
 export function PointsTable({ tuning, objectives, limits, tunable, points, load }: Props) {
-  const singles = singlesIn(tunable, points[0]?.trial.weights ?? {});
+  const rows = [...objectiveRows(objectives, tuning), ...limitRows(limits, tuning), ...weightRows(tunable, points)];
   return (
     <Card aria-label="Best points" title="Best points, on the training roads">
-      <ScrollTable label="Best points and their weights" className={results.points}>
-        <thead>
-          <tr>
-            <td />
-            {points.map(({ trial, names }) => (
-              <th key={trial.number} scope="col" data-trial={trial.number}>
-                <span className={results.pointName}>{names.join(", ")}</span>
-                <span className={ui.dim}>trial {trial.number}</span>
-                <Button size="compact-xs" variant="default" loading={load.loading === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.load(trial)}>
-                  Load in lab
-                </Button>
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {objectives.map(({ label, unit, scale }, index) => (
-            <tr key={label}>
-              <Name label={label} unit={unit} />
-              {points.map(({ trial, isPaper }) => (
-                <td key={trial.number} className={tables.cell} data-cell={`objectives.${index}`} data-value={trial.values?.[index] ?? ""}>
-                  <span className={tables.value}>{trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}</span>
-                  {isPaper ? <span className={tables.change}>&nbsp;</span> : <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
-                </td>
-              ))}
-            </tr>
-          ))}
-          {limits.map(({ label, unit, scale }, index) => (
-            <tr key={`limit ${label}`}>
-              <Name label={`${label}, largest`} unit={unit} />
-              {points.map(({ trial }) => {
-                const value = trial.limits?.[index];
-                const over = value !== undefined && value > (tuning.limits[index]?.at_most ?? Infinity);
-                return (
-                  <td key={trial.number} className={`${tables.cell ?? ""} ${over ? (ui.error ?? "") : ""}`}>
-                    <span className={tables.value}>{value === undefined ? "–" : formatResult(value * scale)}</span>
-                    <span className={tables.change}>{over ? "over the limit" : "\u00a0"}</span>
-                  </td>
-                );
-              })}
-            </tr>
-          ))}
-          {tunable.triples.map(({ pointer, title, items }) => (
-            <tr key={pointer} className={results.weightsRow}>
-              <Name label={title} unit={items.map((item) => item.title.toLowerCase()).join(" · ")} />
-              {points.map(({ trial }) => (
-                <td key={trial.number} className={tables.cell} data-weights={dotted(pointer)}>
-                  {items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)), item)).join(" · ")}
-                </td>
-              ))}
-            </tr>
-          ))}
-          {singles.map(({ name, title, field }) => (
-            <tr key={name} className={results.weightsRow}>
-              <Name label={title} unit="1" />
-              {points.map(({ trial }) => (
-                <td key={trial.number} className={tables.cell}>
-                  {shownWeight(weightAt(trial.weights, name), field)}
-                </td>
-              ))}
-            </tr>
-          ))}
-        </tbody>
-      </ScrollTable>
+      <DataTable
+        label="Best points and their weights"
+        rows={rows}
+        rowKey={({ label }) => label}
+        columns={[
+          {
+            key: "quantity",
+            head: "",
+            text: true,
+            cell: ({ label, unit }) => (
+              <>
+                {label} <span className={ui.dim}>{prettyUnit(unit)}</span>
+              </>
+            ),
+          },
+          ...points.map(
+            (point): Column<Row> => ({
+              key: String(point.trial.number),
+              head: <PointHead point={point} load={load} />,
+              headAttributes: { "data-trial": point.trial.number },
+              attributes: ({ attributes }) => attributes?.(point) ?? {},
+              cell: ({ cell }) => cell(point),
+            }),
+          ),
+        ]}
+      />
     </Card>
   );
 }
 
+function PointHead({ point: { trial, names }, load }: { readonly point: Point; readonly load: Load }) {
+  return (
+    <Stack gap={3} align="flex-end">
+      <b>{names.join(", ")}</b>
+      <span className={ui.dim}>trial {trial.number}</span>
+      <Button size="compact-xs" variant="default" loading={load.loading === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.load(trial)}>
+        Load in lab
+      </Button>
+    </Stack>
+  );
+}
+
+const objectiveRows = (objectives: readonly Shown[], tuning: Tuning) =>
+  objectives.map(
+    ({ label, unit, scale }, index): Row => ({
+      label,
+      unit,
+      attributes: ({ trial }) => ({ "data-cell": `objectives.${index}`, "data-value": trial.values?.[index] ?? "" }),
+      cell: ({ trial, isPaper }) => (
+        <>
+          <span className={tables.value}>{trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}</span>
+          {isPaper ? <span className={tables.change}>&nbsp;</span> : <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
+        </>
+      ),
+    }),
+  );
+
+const limitRows = (limits: readonly Shown[], tuning: Tuning) =>
+  limits.map(
+    ({ label, unit, scale }, index): Row => ({
+      label: `${label}, largest`,
+      unit,
+      cell({ trial }) {
+        const value = trial.limits?.[index];
+        return <LimitValue value={value === undefined ? "–" : formatResult(value * scale)} over={value !== undefined && value > (tuning.limits[index]?.at_most ?? Infinity)} />;
+      },
+    }),
+  );
+
+function weightRows(tunable: Tunable, points: readonly Point[]): readonly Row[] {
+  return [
+    ...tunable.triples.map(
+      ({ pointer, title, items }): Row => ({
+        label: title,
+        unit: items.map((item) => item.title.toLowerCase()).join(" · "),
+        attributes: () => ({ "data-weights": dotted(pointer) }),
+        cell: ({ trial }) => items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)), item)).join(" · "),
+      }),
+    ),
+    ...singlesIn(tunable, points[0]?.trial.weights ?? {}).map(
+      ({ name, title, field }): Row => ({ label: title, unit: "1", cell: ({ trial }) => shownWeight(weightAt(trial.weights, name), field) }),
+    ),
+  ];
+}
+
 const shownWeight = (value: number | string | undefined, field: Single["field"]) => (value === undefined ? "–" : formatValue(value, field));
 
-function Name({ label, unit }: { readonly label: string; readonly unit: string }) {
+/** A limited figure, and whether it is over its limit. */
+export function LimitValue({ value, over }: { readonly value: string; readonly over: boolean }) {
   return (
-    <th scope="row" className={tables.quantity}>
-      {label} <span className={ui.dim}>{prettyUnit(unit)}</span>
-    </th>
+    <span className={over ? ui.error : undefined}>
+      <span className={tables.value}>{value}</span>
+      <span className={over ? `${tables.change} ${ui.error}` : tables.change}>{over ? "over the limit" : "\u00a0"}</span>
+    </span>
   );
 }

@@ -1,6 +1,6 @@
 /** The search as a plot, and beside it the weights of the point somebody looks at. */
 
-import { Button, Text } from "@mantine/core";
+import { Button, Stack, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Trial, Tuning } from "../api/types";
@@ -42,7 +42,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
       <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setSelectedNumber} />
       {picked && (
         <Card aria-label="Selected point" data-trial={picked.number}>
-          <div className={results.picked}>
+          <Stack gap="sm" p="0.8rem 0.9rem">
             <Choice label="Weights of trial" value={String(picked.number)} data={options(points, tuning.front, picked)} onPick={(value) => setSelectedNumber(Number(value))} />
             <Values {...{ tuning, objectives, limits }} trial={picked} />
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
@@ -54,7 +54,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
             <Button size="xs" loading={load.loading === picked.number} onClick={() => load.load(picked)}>
               Load in lab
             </Button>
-          </div>
+          </Stack>
         </Card>
       )}
     </div>

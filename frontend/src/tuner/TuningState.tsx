@@ -1,13 +1,13 @@
 /** How far a tuning is, what it is about, and how to continue it. */
 
-import { Button, Text } from "@mantine/core";
+import { Button, Group, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../api/http";
 import type { Strategy, Tuning } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { otherThanPaper } from "../origin/otherThanPaper";
-import { optionTitle, type Group } from "../editor/schema";
+import { optionTitle, type Group as Form } from "../editor/schema";
 import { isFinal } from "../jobs/follow";
 import { JobState } from "../jobs/JobState";
 import { BATCH, jobQuery, TUNING, useJobCall } from "../jobs/useJob";
@@ -16,13 +16,12 @@ import { count, formatExact, formatWhole, parseInput } from "../units/format";
 import { ofLimit, ofObjective } from "./figures";
 import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
-import results from "./results.module.css";
 import { Entry } from "../ui/Entry";
 import ui from "../ui/ui.module.css";
 
 interface Props {
   readonly tuning: Tuning;
-  readonly form: Group;
+  readonly form: Form;
   readonly strategies: readonly Strategy[];
   readonly figures: readonly Figure[];
   readonly connected: boolean;
@@ -77,8 +76,9 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
   const wrong = requested === null || !Number.isInteger(requested) || requested < least;
   const resume = useJobCall(TUNING, tuning.id, (number: number) => ask("post", "/tunings/{id}/resume", { path: { id: tuning.id }, query: { trials: number } }));
   return (
-    <form
-      className={results.resume}
+    <Group
+      component="form"
+      gap="0.4rem"
       onSubmit={(event) => {
         event.preventDefault();
         if (!wrong) resume.mutate(requested);
@@ -94,7 +94,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
           {resume.error.message}
         </span>
       )}
-    </form>
+    </Group>
   );
 }
 
@@ -116,7 +116,7 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
     ["Submitted", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
   ];
   return (
-    <dl className={results.facts}>
+    <dl className={ui.facts}>
       {facts.map(([term, text]) => (
         <div key={term}>
           <dt>{term}</dt>

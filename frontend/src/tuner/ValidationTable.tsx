@@ -12,7 +12,8 @@ import { ofKey, type Shown } from "./figures";
 import { gainsOf, type Gain, type Keeps } from "./gain";
 import { roleName } from "./points";
 import results from "./results.module.css";
-import { ScrollTable } from "../ui/ScrollTable";
+import { DataTable, type Column } from "../ui/DataTable";
+import { LimitValue } from "./PointsTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
 
@@ -42,7 +43,6 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
   }
   const labels = objectives.map(({ label }) => label);
   const gains = gainsOf(comparison, objectives.length);
-  const [paper, ...tuned] = comparison.points;
   return (
     <Card aria-label="Validation roads" title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}>
       <ul className={results.gains}>
@@ -60,47 +60,26 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           )),
         )}
       </ul>
-      <ScrollTable label="The paper’s and the tuned weights over training and validation roads" className={results.validation}>
-        <thead>
-          <tr>
-            <td />
-            {comparison.points.map((point) => (
-              <th key={point.trial} scope="colgroup" colSpan={2} data-trial={point.trial}>
-                {point.roles.map((role) => roleName(role, labels)).join(", ")} <span className={ui.dim}>trial {point.trial}</span>
-              </th>
-            ))}
-          </tr>
-          <tr>
-            <td />
-            {comparison.points.flatMap(({ trial }) => [
-              <th key={`${trial} training`} scope="col" data-first>
-                training
-              </th>,
-              <th key={`${trial} fresh`} scope="col">
-                validation
-              </th>,
-            ])}
-          </tr>
-        </thead>
-        <tbody>
-          {comparison.figures.map(({ key }) => {
-            const { label, unit, scale } = ofKey(key, tuning, figures);
-            const isLimit = key.startsWith("limits.");
-            const most = isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined;
-            return (
-              <tr key={key} data-figure={key}>
-                <th scope="row" className={tables.quantity}>
-                  {label}
-                  {isLimit && ", largest"} <span className={ui.dim}>{prettyUnit(unit)}</span>
-                </th>
-                {[paper, ...tuned].flatMap((point) =>
-                  point ? [<Cell key={`${point.trial} t`} figure={point.training[key]} first {...{ scale, most, point }} />, <Cell key={`${point.trial} f`} figure={point.fresh[key]} {...{ scale, most, point }} />] : [],
-                )}
-              </tr>
-            );
-          })}
-        </tbody>
-      </ScrollTable>
+      <DataTable
+        label="The paper’s and the tuned weights over training and validation roads"
+        rows={comparison.figures.map(({ key }) => rowOf(key, tuning, figures))}
+        rowKey={({ key }) => key}
+        rowAttributes={({ key }) => ({ "data-figure": key })}
+        columns={[
+          {
+            key: "figure",
+            head: "",
+            text: true,
+            cell: ({ label, unit, isLimit }) => (
+              <>
+                {label}
+                {isLimit && ", largest"} <span className={ui.dim}>{prettyUnit(unit)}</span>
+              </>
+            ),
+          },
+          ...comparison.points.flatMap((point) => columnsOf(point, `${point.roles.map((role) => roleName(role, labels)).join(", ")} · trial ${point.trial}`)),
+        ]}
+      />
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
         Means over the roads; the change against the paper’s weights with its 95 % interval, paired road by road. An arrow stands only where the interval does not hold zero.
       </Text>
@@ -121,23 +100,40 @@ function GainLine({ gain: { keeps, text }, label }: { readonly gain: Gain; reado
   );
 }
 
-interface CellProps {
-  readonly figure: TunedFigure | undefined;
-  readonly scale: number;
+interface Row extends Shown {
+  readonly key: string;
+  readonly isLimit: boolean;
   /** Of a limit. */
   readonly most: number | undefined;
-  readonly point: ComparedPoint;
-  readonly first?: boolean;
 }
 
-function Cell({ figure, scale, most, point, first = false }: CellProps) {
-  if (!figure) return <td className={tables.cell}>–</td>;
-  const over = most !== undefined && figure.worst > most;
+function rowOf(key: string, tuning: Tuning, figures: readonly Figure[]): Row {
+  const isLimit = key.startsWith("limits.");
+  return { ...ofKey(key, tuning, figures), key, isLimit, most: isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined };
+}
+
+const ROADS = { training: "training", fresh: "validation" } as const;
+
+const columnsOf = (point: ComparedPoint, group: string) =>
+  (["training", "fresh"] as const).map(
+    (roads): Column<Row> => ({
+      key: `${point.trial} ${roads}`,
+      group,
+      head: ROADS[roads],
+      headAttributes: { "data-trial": point.trial },
+      attributes: ({ key }) => ({ "data-trial": point.trial, "data-value": point[roads][key]?.mean ?? "" }),
+      cell: ({ key, scale, most }) => <Value figure={point[roads][key]} {...{ scale, most }} />,
+    }),
+  );
+
+function Value({ figure, scale, most }: { readonly figure: TunedFigure | undefined } & Pick<Row, "scale" | "most">) {
+  if (!figure) return "–";
+  if (most !== undefined) return <LimitValue value={formatResult(figure.worst * scale, 3)} over={figure.worst > most} />;
   return (
-    <td className={`${tables.cell ?? ""} ${over ? (ui.error ?? "") : ""}`} data-first={first || undefined} data-trial={point.trial} data-value={figure.mean}>
-      <span className={tables.value}>{formatResult((most === undefined ? figure.mean : figure.worst) * scale, 3)}</span>
-      {most === undefined ? <ChangeOf figure={figure} /> : <span className={tables.change}>{over ? "over the limit" : "\u00a0"}</span>}
-    </td>
+    <>
+      <span className={tables.value}>{formatResult(figure.mean * scale, 3)}</span>
+      <ChangeOf figure={figure} />
+    </>
   );
 }
 
@@ -152,7 +148,7 @@ function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
         {formatPercent(value)}
         <span className="visually-hidden">, {verdict === "same" ? "unclear" : verdict}</span>
       </span>
-      <span className={results.interval}>{low === null || high === null ? "one road" : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}</span>
+      <span className={ui.under}>{low === null || high === null ? "one road" : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}</span>
     </>
   );
 }

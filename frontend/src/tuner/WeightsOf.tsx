@@ -2,9 +2,9 @@
 
 import type { Weights } from "../api/types";
 import { dotted } from "../sweep/fields";
-import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
+import { DataTable, type Column } from "../ui/DataTable";
 import ui from "../ui/ui.module.css";
-import results from "./results.module.css";
+import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 
 interface Props {
   readonly weights: Weights;
@@ -13,47 +13,47 @@ interface Props {
   readonly tunable: Tunable;
 }
 
+interface Row {
+  readonly title: string;
+  readonly items: readonly Pick<Single, "name" | "field">[];
+}
+
 export function WeightsOf({ weights, beside, tunable }: Props) {
   const { triples } = tunable;
+  const rows: readonly Row[] = [
+    ...triples.map(({ title, items }) => ({ title, items: items.map((field) => ({ name: dotted(field.pointer), field })) })),
+    ...singlesIn(tunable, weights).map(({ name, title, field }) => ({ title, items: [{ name, field }] })),
+  ];
   return (
-    <table className={`${ui.table} ${results.weights}`}>
-      <caption className="visually-hidden">Weights</caption>
-      <thead>
-        <tr>
-          <td />
-          {triples[0]?.items.map(({ title }) => (
-            <th key={title} scope="col">
-              {title}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {triples.map(({ pointer, title, items }) => (
-          <tr key={pointer}>
-            <th scope="row">{title}</th>
-            {items.map((item) => (
-              <Weight key={item.pointer} name={dotted(item.pointer)} field={item} {...{ weights, beside }} />
-            ))}
-          </tr>
-        ))}
-        {singlesIn(tunable, weights).map(({ name, title, field }) => (
-          <tr key={name}>
-            <th scope="row">{title}</th>
-            <Weight {...{ name, field }} {...{ weights, beside }} />
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <DataTable
+      label="Weights"
+      attributes={{ "data-dense": true }}
+      rows={rows}
+      rowKey={({ title }) => title}
+      columns={[
+        { key: "stage", head: "", text: true, cell: ({ title }) => title },
+        ...(triples[0]?.items ?? []).map(
+          ({ title }, index): Column<Row> => ({
+            key: title,
+            head: title,
+            attributes({ items }) {
+              const item = items[index];
+              return item ? { "data-weight": item.name, "data-value": weightAt(weights, item.name) ?? "" } : {};
+            },
+            cell: ({ items }) => items[index] && <Weight {...items[index]} {...{ weights, beside }} />,
+          }),
+        ),
+      ]}
+    />
   );
 }
 
-function Weight({ name, field, weights, beside }: Pick<Single, "name" | "field"> & Pick<Props, "weights" | "beside">) {
+function Weight({ name, field, weights, beside }: Row["items"][number] & Pick<Props, "weights" | "beside">) {
   const [value, paper] = [weightAt(weights, name), beside && weightAt(beside, name)];
   return (
-    <td data-weight={name} data-value={value ?? ""}>
+    <>
       {value === undefined ? "–" : formatValue(value, field)}
-      {paper !== undefined && paper !== value && <span className={results.was}>{formatValue(paper, field)}</span>}
-    </td>
+      {paper !== undefined && paper !== value && <s className={ui.under}>{formatValue(paper, field)}</s>}
+    </>
   );
 }

@@ -19,6 +19,8 @@ export interface Column<Row> {
   readonly group?: ReactNode;
   /** Words, which stand at the left; numbers stand at the right. */
   readonly text?: boolean;
+  /** Only on a screen, where it can be pressed. */
+  readonly unprinted?: boolean;
   readonly headAttributes?: Attributes;
   readonly cell: (row: Row) => ReactNode;
   readonly attributes?: (row: Row) => Attributes;
@@ -56,10 +58,12 @@ interface Props<Row> {
   /** On a surface of its own. */
   readonly card?: boolean;
   readonly captioned?: boolean;
+  /** At most; the heads stay when it scrolls. */
+  readonly height?: string;
   readonly attributes?: Attributes;
 }
 
-export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "", rows }], rowKey, rowAttributes, order: initial, onSort, page, empty, card = false, captioned = false, attributes = {} }: Props<Row>) {
+export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "", rows }], rowKey, rowAttributes, order: initial, onSort, page, empty, card = false, captioned = false, height, attributes = {} }: Props<Row>) {
   const [chosen, setOrder] = useState<Order | undefined>();
   const order = chosen ?? initial;
   const sort = (column: string) => {
@@ -71,7 +75,7 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
   const shown = (group: RowGroup<Row>) => (valueOf ? inOrder(group.rows, valueOf, order?.descending) : group.rows).slice(...(page ?? []));
   const { className = "", ...rest } = attributes;
   return (
-    <div className={`${classes.scroll} ${card ? ui.card : ""}`} tabIndex={0} role="region" aria-label={label}>
+    <div className={`${classes.scroll} ${card ? ui.card : ""}`} tabIndex={0} role="region" aria-label={label} style={{ maxHeight: height }}>
       <table className={`${classes.table} ${className}`} {...rest}>
         <caption className={captioned ? classes.caption : "visually-hidden"}>{label}</caption>
         <thead>
@@ -93,7 +97,7 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
             {group.note !== undefined && (
               <tr className={classes.note}>
                 <td colSpan={columns.length}>
-                  <span>{group.note}</span>
+                  <span className={classes.still}>{group.note}</span>
                 </td>
               </tr>
             )}
@@ -139,8 +143,8 @@ interface HeadProps<Row> {
   readonly onSort: (column: string) => void;
 }
 
-function Head<Row>({ column: { key, head, detail, help, text, headAttributes, sort }, first, order, onSort }: HeadProps<Row>) {
-  const look = { "data-text": text, "data-first": first, title: help, ...headAttributes };
+function Head<Row>({ column: { key, head, detail, help, text, unprinted, headAttributes, sort }, first, order, onSort }: HeadProps<Row>) {
+  const look = { "data-text": text, "data-first": first, "data-unprinted": unprinted, title: help, ...headAttributes };
   if (head === "") return <td {...look} />;
   const content = (
     <>
@@ -170,11 +174,11 @@ function GroupRow<Row>({ group: { title, heads }, columns }: Columns<Row> & { re
   return (
     <tr className={classes.groupRow}>
       <th scope="rowgroup" data-text colSpan={heads ? 1 : columns.length}>
-        {heads ? title : <span>{title}</span>}
+        {heads ? title : <span className={classes.still}>{title}</span>}
       </th>
       {heads?.map((head, index) => {
-        const { key, text } = columns[index + 1] ?? {};
-        const look = { "data-text": text, "data-first": beginsGroup(columns, index + 1) };
+        const { key, text, headAttributes } = columns[index + 1] ?? {};
+        const look = { "data-text": text, "data-first": beginsGroup(columns, index + 1), ...headAttributes };
         return head === "" ? <td key={key} {...look} /> : <th key={key} scope="col" {...look}>{head}</th>;
       })}
     </tr>
@@ -183,11 +187,11 @@ function GroupRow<Row>({ group: { title, heads }, columns }: Columns<Row> & { re
 
 function Cells<Row>({ row, columns }: Columns<Row> & { readonly row: Row }) {
   let taken = 0;
-  return columns.map(({ key, text, cell, attributes, span }, index) => {
+  return columns.map(({ key, text, unprinted, cell, attributes, span }, index) => {
     if (index < taken) return null;
     const colSpan = span?.(row) ?? 1;
     taken = index + colSpan;
-    const look = { "data-text": text, "data-first": beginsGroup(columns, index), ...(colSpan > 1 && { colSpan }), ...attributes?.(row) };
+    const look = { "data-text": text, "data-first": beginsGroup(columns, index), "data-unprinted": unprinted, ...(colSpan > 1 && { colSpan }), ...attributes?.(row) };
     return <Fragment key={key}>{index === 0 ? <th scope="row" {...look}>{cell(row)}</th> : <td {...look}>{cell(row)}</td>}</Fragment>;
   });
 }
