@@ -26,7 +26,6 @@ from sim_core.simulate import simulate
 
 SHARE = 0.9  # of the points: a lead counts where so many of them have it
 LOSSES = 2  # of the eight metrics, in which an LQR with the same preview may be as good
-MARGIN = 0.02  # a greater lead over the paper's LQR is not searched for; the other LQR decides then
 HOPELESS, NEAR = 0.15, 0.03  # worse than the paper's LQR by this much: no more points, no other LQR
 SEARCH_SEED, FRESH_SEED = 1, 2  # of the points, and of the search
 TRAVEL = "events.travel_exceeded_mm"
@@ -86,10 +85,11 @@ def suggested(trial: optuna.Trial) -> Changes:
     }
 
 
-def search(pool: Executor, trials: int, where: Sequence[Changes]) -> Changes:
+def search(pool: Executor, trials: int, where: Sequence[Changes], margin: float) -> Changes:
     """The controller with the largest lead over the paper's LQR in all eight metrics, over one with its preview in six.
 
-    A metric's lead is the change that `SHARE` of the points reach; the smallest of those that count is what counts.
+    A metric's lead is the change that `SHARE` of the points reach; the smallest of those that count is what counts. A
+    lead over the paper's LQR greater than the margin is not searched for: the other LQR decides then.
     """
     paper = driven(pool, where, "lqr", {})
 
@@ -105,7 +105,7 @@ def search(pool: Executor, trials: int, where: Sequence[Changes]) -> Changes:
         if lead > NEAR:
             return 1 + lead
         same = driven(pool, where, "lqr", opponents(changes)["LQR with this preview"])
-        return max(lead, -MARGIN) + 0.1 * min(_leads(ours, same)[-1 - LOSSES], 1)
+        return max(lead, -margin) + 0.1 * min(_leads(ours, same)[-1 - LOSSES], 1)
 
     sampler = optuna.samplers.TPESampler(seed=SEARCH_SEED, multivariate=True, n_startup_trials=12)
     study = optuna.create_study(sampler=sampler)
@@ -147,6 +147,7 @@ def main() -> None:
     """Search, then print the tables."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--trials", type=int, default=150, help="controllers tried; 0 takes the preset")
+    parser.add_argument("--margin", type=float, default=0.02, help="a greater lead over the paper's LQR counts no more")
     parser.add_argument("--points", type=int, default=60, help="points each is tried at")
     parser.add_argument("--fresh", type=int, default=400, help="points of the tables")
     parser.add_argument(
@@ -156,7 +157,7 @@ def main() -> None:
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     with ProcessPoolExecutor(os.cpu_count()) as pool:
         if options.trials:
-            controller = search(pool, options.trials, points(options.points, SEARCH_SEED))
+            controller = search(pool, options.trials, points(options.points, SEARCH_SEED), options.margin)
             print(json.dumps(controller))
         else:
             plain = preset("robust").model_dump(mode="json")
