@@ -1,5 +1,6 @@
-"""Print every figure: the core's, then the service's."""
+"""Print every figure, the core's, then the service's; or only those of the parts that are named."""
 
+import argparse
 import os
 
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -7,8 +8,13 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 
 from benchmarks import api_latency, batches, core, first_view  # noqa: E402 - after the thread limits above
 
+PARTS = {"core": core.run, "api_latency": api_latency.run, "first_view": first_view.run, "batches": batches.run}
+
 if __name__ == "__main__":
-    core.run()
-    api_latency.run()
-    first_view.run()
-    batches.run()
+    parser = argparse.ArgumentParser(prog="python -m benchmarks", description="Speed, as ratios in one run.")
+    parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; all by default")
+    names = parser.parse_args().parts or list(PARTS)
+    if unknown := set(names) - PARTS.keys():
+        parser.error(f"there is no {', '.join(sorted(unknown))}; there are {', '.join(PARTS)}")
+    for name in names:
+        PARTS[name]()

@@ -5,7 +5,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from time import perf_counter
@@ -21,12 +21,21 @@ REPEATS = 15
 
 
 @contextmanager
-def server() -> Iterator[httpx.Client]:
-    """A client of a server with an empty store; the server ends with the block."""
+def server(prefix: Sequence[str] = (), **environment: str) -> Iterator[httpx.Client]:
+    """A client of a server with an empty store; the server ends with the block.
+
+    Args:
+        prefix: A command that starts it.
+        environment: Further variables of its environment.
+    """
     with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", folder]
+        command = [*prefix, sys.executable, "-m", "backend", "--port", "0", "--data-dir", folder]
         process = subprocess.Popen(  # noqa: S603 - our own module, no shell
-            command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[1], env={**os.environ, **QUIET}
+            command,
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=Path(__file__).parents[1],
+            env={**os.environ, **QUIET, **environment},
         )
         try:
             address = next(iter(process.stdout or [])).split()[-1]
