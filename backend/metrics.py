@@ -10,7 +10,6 @@ from typing import Protocol
 
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, ProcessCollector
 
-from backend.json_types import JsonObject
 from sim_core import __version__
 
 REGISTRY = CollectorRegistry()
@@ -60,18 +59,17 @@ for _what in ("jobs", "results"):
 BUILD.labels(__version__, python_version()).set(1)
 
 
-def count_run(kind: str, status: str, summary: JsonObject) -> None:
-    """Count one computed result.
+def count_runs(kind: str, status: str, count: int = 1, fallbacks: float = 0) -> None:
+    """Count computed results.
 
     Args:
         kind: `interactive` or `batch`.
         status: `ok` or `failed`.
-        summary: `StrategyResult.summary()`, or the reason of a failure.
+        count: How many.
+        fallbacks: Of the solver, in all of them.
     """
-    RUNS.labels(kind, status).inc()
-    fallbacks = summary.get("events", {}).get("qp_fallbacks")
-    if fallbacks:
-        SOLVER_FALLBACKS.inc(fallbacks)
+    RUNS.labels(kind, status).inc(count)
+    SOLVER_FALLBACKS.inc(fallbacks)
 
 
 class Loaded(Protocol):

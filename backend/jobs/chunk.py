@@ -42,13 +42,17 @@ class WaitingRun:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComputedRun:
-    """A run's result, its summary as JSON text as it will be stored; a failure that is not `cacheable` is no result."""
+    """A run's result, its summary as JSON text as it will be stored; a failure that is not `cacheable` is no result.
+
+    `fallbacks` are those of its QP solver.
+    """
 
     key: str
     strategy: str
     status: str
     summary: str
     compute_ms: float
+    fallbacks: float = 0.0
     cacheable: bool = True
 
 
@@ -65,6 +69,7 @@ class Chunk:
         roads: The measured roads that base and runs name, by id.
         budget: After so long no further run of it is begun [s].
         timeout: The whole chunk may take so long [s].
+        priority: Those of the highest come first.
     """
 
     group: str
@@ -75,6 +80,7 @@ class Chunk:
     roads: Mapping[str, MeasuredRoad]
     budget: float
     timeout: float
+    priority: int = 0
 
 
 Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]

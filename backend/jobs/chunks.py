@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger(__name__)
 
-CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
+CHUNK_BUDGET = 4.0  # a chunk is cut short after this, where its runs take longer than those before [s]
 PAUSE = 2.0  # after the database or the cluster failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
 REASONS: dict[Trouble, str] = {
@@ -53,9 +53,10 @@ class Chunks:
         return len(self._computing) + len(self._committing)
 
     def send(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
-        """Send these runs to the cluster, and store their results."""
+        """Send these runs to the cluster, and store their results; a job's first goes before others' later ones."""
+        priority = -running.open_chunks
         running.open_chunks += 1
-        _keep(self._computing, self._compute(cluster, running, runs))
+        _keep(self._computing, self._compute(cluster, running, runs, priority))
 
     async def wait_until_computed(self, seconds: float) -> None:
         """Wait until every chunk is back, at most `seconds`; the chunks then wait to be stored."""
@@ -76,10 +77,10 @@ class Chunks:
         await _cancel(self._computing)
         await _cancel(self._committing)
 
-    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
+    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun], priority: int) -> None:
         committing = False
         try:
-            chunk = await self._chunk(running, runs)
+            chunk = await self._chunk(running, runs, priority)
             if chunk is None:
                 return
             outcome = await _outcome(cluster, chunk)
@@ -95,7 +96,7 @@ class Chunks:
             if not committing:
                 self._end(running)
 
-    async def _chunk(self, running: RunningJob, runs: list[WaitingRun]) -> Chunk | None:
+    async def _chunk(self, running: RunningJob, runs: list[WaitingRun], priority: int) -> Chunk | None:
         """The chunk with its roads; None where the database has failed: its runs are sent again."""
         try:
             roads = await self._roads(running.job, runs)
@@ -113,6 +114,7 @@ class Chunks:
             roads=roads,
             budget=CHUNK_BUDGET,
             timeout=self._timeout,
+            priority=priority,
         )
 
     async def _roads(self, job: StoredJob, runs: Sequence[WaitingRun]) -> dict[str, MeasuredRoad]:
@@ -137,10 +139,10 @@ class Chunks:
             await self._save(running.job.id, computed, failures)
         finally:
             self._end(running)
-        for run in computed:
-            metrics.count_run("batch", run.status, orjson.loads(run.summary))
-        for _ in failures:
-            metrics.count_run("batch", "failed", {})
+        refused = sum(run.status == "failed" for run in computed)
+        fallbacks = sum(run.fallbacks for run in computed)
+        metrics.count_runs("batch", "ok", len(computed) - refused, fallbacks)
+        metrics.count_runs("batch", "failed", refused + len(failures))
 
     async def _save(self, job_id: str, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
         while True:

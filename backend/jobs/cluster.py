@@ -92,7 +92,7 @@ class Cluster:
             ClusterLostError: The cluster, or the part that computed it, went away: it may be handed out again.
         """
         with _lost():
-            future = self._connection.submit(_on_worker, chunk, pure=False)
+            future = self._connection.submit(_on_worker, chunk, pure=False, priority=chunk.priority)
             try:
                 outcome: ChunkOutcome = await future
                 return outcome

@@ -171,17 +171,22 @@ class Scheduler:
         self._running_jobs[job.id] = RunningJob(job=job)
 
     async def _send_chunks(self) -> None:
-        """Keep every process busy; the next chunk is of the job with the fewest open chunks."""
+        """Keep every process busy; the next chunk is of the job with the fewest open chunks.
+
+        A job that has none need not wait until one of another comes back.
+        """
         cluster = self._cluster
         if cluster is None or not self._running_jobs:
             return
         max_chunks = CHUNKS_PER_PROCESS * max(1, await cluster.slots())
         looked_at: set[str] = set()
-        while self._chunks.count < max_chunks and cluster.connected:
+        while self._chunks.count < 2 * max_chunks and cluster.connected:
             waiting = [each for each in self._running_jobs.values() if each.job.id not in looked_at]
             if not waiting:
                 return
             running = min(waiting, key=lambda each: (each.open_chunks, each.last_send))
+            if running.open_chunks and self._chunks.count >= max_chunks:
+                return
             runs = await running.next_chunk(self._store, max_chunks)
             if runs:
                 running.last_send = next(self._send_counter)

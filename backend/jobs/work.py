@@ -40,9 +40,9 @@ def run_chunk(
             changes, scenario = run.changes, scenario_at(base, orjson.loads(run.changes), schema_version, roads)
         begin, cacheable = time.perf_counter(), True
         try:
-            status, summary = "ok", _summary(scenario, run.strategy)
+            status, (summary, fallbacks) = "ok", _summary(scenario, run.strategy)
         except RidelabError as error:
-            status, summary = "failed", orjson.dumps(refusal(error)).decode()
+            status, summary, fallbacks = "failed", orjson.dumps(refusal(error)).decode(), 0.0
             cacheable = not isinstance(error, NOT_CACHEABLE)
         elapsed = elapsed_ms(begin)
         computed[run.key] = ComputedRun(
@@ -51,13 +51,15 @@ def run_chunk(
             status=status,
             summary=summary,
             compute_ms=elapsed,
+            fallbacks=fallbacks,
             cacheable=cacheable,
         )
     return list(computed.values())
 
 
-def _summary(scenario: Scenario, strategy: str) -> str:
-    """A run's stored summary, as JSON."""
+def _summary(scenario: Scenario, strategy: str) -> tuple[str, float]:
+    """A run's stored summary, as JSON, and its QP solver's fallbacks."""
     if strategy.startswith(paper.PREFIX):
-        return orjson.dumps(paper.compute(strategy, scenario), option=orjson.OPT_SERIALIZE_NUMPY).decode()
-    return summary_json(simulate(scenario, strategy)).decode()
+        return orjson.dumps(paper.compute(strategy, scenario), option=orjson.OPT_SERIALIZE_NUMPY).decode(), 0.0
+    result = simulate(scenario, strategy)
+    return summary_json(result).decode(), float(result.events["qp_fallbacks"] or 0)

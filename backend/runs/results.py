@@ -8,7 +8,7 @@ from backend import digest
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.http.admission import Admission
-from backend.metrics import CACHE, count_run
+from backend.metrics import CACHE, count_runs
 from backend.roads.service import Roads
 from backend.runs import work
 from backend.runs.memory import Memory
@@ -122,7 +122,8 @@ class Results:
     async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], points: int | None) -> dict[str, ComputedResult]:
         outcomes = await self._workers.call(work.run, scenario, list(fresh), points)
         for outcome in outcomes.values():
-            count_run("interactive", outcome.status, outcome.summary)
+            fallbacks = outcome.summary.get("events", {}).get("qp_fallbacks", 0)
+            count_runs("interactive", outcome.status, fallbacks=fallbacks)
         for name, key in fresh.items():  # those without series too: until they are committed nothing else has them
             if outcomes[name].cacheable:
                 self._memory.put(key, outcomes[name])

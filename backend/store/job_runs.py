@@ -42,19 +42,19 @@ class JobRunStore:
         """
         query = _waiting_runs(job_id).where(job_runs.c.position > after).limit(limit)
         with self._database.reading() as connection:
-            runs = [
-                WaitingRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
-                for row in connection.execute(query).all()
-            ]
-            keys = [run.key for run in runs]
-            stored = select(results.c.key).where(results.c.key.in_(keys), results.c.status != EXPIRED)
-            stored_keys = set(connection.execute(stored).scalars())
-        if stored_keys:
+            rows = connection.execute(query).all()
+        stored = {row.result_key: row.stored for row in rows if row.stored is not None}
+        if stored:
             with self._database.writing() as connection:
                 lock(connection, job_id)
-                _settle(connection, job_id, sorted(stored_keys))
+                _settle(connection, job_id, stored)
             self._database.changed()
-        return (runs[-1].position if runs else None), [run for run in runs if run.key not in stored_keys]
+        runs = [
+            WaitingRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
+            for row in rows
+            if row.stored is None
+        ]
+        return (rows[-1].position if rows else None), runs
 
     def save(
         self,
@@ -74,7 +74,7 @@ class JobRunStore:
             lock(connection, job_id)
             insert_results(connection, rows)
             _fail(connection, job_id, failures or {})
-            _settle(connection, job_id, [item.key for item in computed])
+            _settle(connection, job_id, {item.key: item.status for item in computed})
         self._database.changed()
 
     def rekey(self, job_id: str, keys: Mapping[int, tuple[str | None, str | None]]) -> None:
@@ -105,8 +105,12 @@ class JobRunStore:
 
 
 def _waiting_runs(job_id: str) -> Select[Any]:
+    """Runs without a result, each with the status of one that is stored all the same."""
+    has_result = (job_runs.c.result_key == results.c.key) & (results.c.status != EXPIRED)
+    run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.result_key)
     return (
-        select(job_runs)
+        select(*run, results.c.status.label("stored"))
+        .join_from(job_runs, results, has_result, isouter=True)
         .where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
         .order_by(job_runs.c.position)
     )
@@ -116,10 +120,11 @@ def _update_waiting(job_id: str) -> Update:
     return update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
 
 
-def _settle(connection: Connection, job_id: str, keys: Sequence[str]) -> None:
-    """Set waiting runs to the status of their stored result."""
-    counts = {}
-    for status in ("ok", "failed"):
+def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) -> None:
+    """Set waiting runs to the status of their stored result, which is by its key in `statuses`."""
+    counts = dict.fromkeys(("ok", "failed"), 0)
+    for status in set(statuses.values()):
+        keys = [key for key, each in statuses.items() if each == status]
         of_status = select(results.c.key).where(results.c.key.in_(keys), results.c.status == status)
         matching = _update_waiting(job_id).where(job_runs.c.result_key.in_(of_status))
         counts[status] = connection.execute(matching.values(status=status)).rowcount

@@ -53,6 +53,7 @@ class Misbehaving:
     behaviour: Behaviour = staticmethod(answered)
     chunks: Sequence[Chunk] = ()
     starts = 0
+    delay = 0.0  # of every chunk [s]
 
     def __init__(self, _: Settings) -> None:
         self.connected = True
@@ -64,8 +65,8 @@ class Misbehaving:
         return 2
 
     async def compute(self, chunk: Chunk) -> ChunkOutcome:
-        await asyncio.sleep(0)
         type(self).chunks = [*self.chunks, chunk]
+        await asyncio.sleep(self.delay)
         try:
             return type(self).behaviour(chunk)
         except ConnectionError:
@@ -122,14 +123,17 @@ def drive(
     core_version: str = CORE_VERSION,
     background: Any = Here(),  # noqa: B008  # it has no state
     road: MeasuredRoad | None = None,
+    others: int = 0,
     **patches: Any,
 ) -> list[JobRow]:
-    """The rows of a batch after a driver with that cluster has finished it."""
+    """The rows of a batch after a driver with that cluster has finished it, beside so many others."""
 
     async def run() -> list[JobRow]:
         store = Store(f"sqlite:///{folder}/ridelab.sqlite")
         store.migrate()
         batch = submitted(store, core_version=core_version, road=road)
+        for number in range(1, others + 1):
+            submitted(store, first_seed=number * RUNS)
         for name, value in patches.items():
             setattr(store.job_runs, name, value(getattr(store.job_runs, name)))
         Misbehaving.behaviour = staticmethod(behaviour)
@@ -159,6 +163,17 @@ def test_every_run_is_handed_out_once(tmp_path: Path) -> None:
     rows = drive(tmp_path, answered)
     assert [row.status for row in rows] == ["ok"] * RUNS
     assert sorted(seed for chunk in Misbehaving.chunks for seed in seeds(chunk)) == list(range(RUNS))
+
+
+def test_every_job_begins_at_once_and_first_chunks_go_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Misbehaving, "delay", 0.3)
+    drive(tmp_path / "alone", answered)  # two processes have room for four
+    assert [chunk.priority for chunk in Misbehaving.chunks[:4]] == [0, -1, -2, -3]
+    monkeypatch.setattr(Misbehaving, "chunks", ())
+    drive(tmp_path / "beside", answered, others=5)
+    first = Misbehaving.chunks[:6]
+    assert len({chunk.group for chunk in first}) == 6
+    assert all(chunk.priority == 0 for chunk in first)
 
 
 @pytest.mark.parametrize("trouble", ["lost", "timeout", "bug"])
