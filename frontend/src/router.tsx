@@ -42,7 +42,8 @@ const tuner = createRoute({
 const tuning = createRoute({
   getParentRoute: () => root,
   path: "/tuner/$id",
-  component: lazyRouteComponent(() => import("./tuner/TunerPage"), "OneTuningPage"),
+  component: lazyRouteComponent(() => import("./tuner/TuningPage"), "TuningPage"),
+  remountDeps: ({ params }) => params,
 });
 const robustness = createRoute({
   getParentRoute: () => root,

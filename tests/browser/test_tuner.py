@@ -47,7 +47,7 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
     pages.get_by_role("link", name="Tuner").click()
     expect(page.get_by_role("textbox", name="Trials")).to_have_value("12")
     # 12 sets of weights and the passive car on 1 road; then the paper's and the best on all 3, the passive car on 2.
-    expect(page.get_by_test_id("tuning-estimate")).to_contain_text(re.compile(r"^\d+ runs in 2 generations, "))
+    expect(page.get_by_test_id("estimate")).to_contain_text(re.compile(r"^\d+ runs in 2 generations, "))
     page.get_by_role("button", name="Start").click()
 
     expect(page).to_have_url(re.compile(r"/tuner/[\w-]{22}$"))

@@ -79,7 +79,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
         {...{ batch, columns, catalogue, strategies, markers, best }}
         loading={table.isPending}
         figures={listed}
-        opening={opening.run}
+        opening={opening.opening?.run ?? null}
         onOpen={open}
       />
     </div>

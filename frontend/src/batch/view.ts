@@ -37,13 +37,13 @@ type Change = (part: Partial<BatchView>) => void;
 
 const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
 
-export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: BatchSearch): BatchView {
+export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: Readonly<Record<keyof BatchSearch, string | null | undefined>> | BatchSearch): BatchView {
   const threshold = at === NONE ? NONE : parseFloat(at ?? "");
   return {
     plot: kindOf(plot),
     x: x ?? null,
     y: y ?? OPENING_FIGURE,
-    hidden: listOf(hide),
+    hidden: listOf(hide ?? undefined),
     strategy: strategy ?? null,
     against: against ?? null,
     threshold: threshold === NONE || Number.isFinite(threshold) ? threshold : null,
@@ -69,15 +69,7 @@ export function useBatchView(): readonly [BatchView, Change] {
 }
 
 export function useSharedView({ plot, x, y, hidden, strategy, against, threshold, versus }: SharedView): readonly [BatchView, Change] {
-  const [view, setView] = useState<BatchView>({
-    plot: kindOf(plot),
-    x: x ?? null,
-    y: y ?? OPENING_FIGURE,
-    hidden: hidden ?? [],
-    strategy: strategy ?? null,
-    against: against ?? null,
-    threshold: threshold ?? null,
-    versus: versus ?? null,
-  });
+  const stated = { plot, x, y, hide: hidden?.join(","), strategy, against, at: threshold?.toString(), versus };
+  const [view, setView] = useState(() => viewOf(stated));
   return [view, (part) => setView((before) => ({ ...before, ...part }))];
 }

@@ -1,7 +1,6 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
 import { Alert, Skeleton, Text } from "@mantine/core";
-import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { ApiProblem, isTransient } from "../api/problem";
@@ -9,7 +8,7 @@ import type { Summary } from "../api/types";
 import { usePageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { errorsByField } from "../editor/errors";
-import { CouldNotLoad } from "../shell/Blank";
+import { Page } from "../shell/Page";
 import { useSchemeColours } from "../state/useSchemeColours";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../state/queries";
 import { BuildReport } from "./BuildReport";
@@ -33,7 +32,6 @@ export function EcuPage() {
   const strategies = useQuery(strategiesQuery);
   const catalogue = useQuery(catalogueQuery);
   const figures = useQuery(figuresQuery);
-  useDocumentTitle("ECU · Ridelab");
 
   const refused = useMemo(() => {
     if (!error || isTransient(error) || !schema.data) return NO_ERRORS;
@@ -43,47 +41,41 @@ export function EcuPage() {
   const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured?.find((each) => each.id === id) ?? []), [coloured]);
   const { summaries, failures } = useMemo(() => split(run?.strategies ?? {}), [run]);
   const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
-  const fault = [schema, strategies, catalogue, figures].find((query) => query.error !== null && !isTransient(query.error))?.error;
+  const lead = (
+    <>
+      LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), runs as a process of its own and meets the simulated car over TCP: sensors and
+      commands through converters, every command a step late. <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes part.
+    </>
+  );
 
   return (
-      <main className={ui.main}>
-        <h1 className={ui.title}>The controller as an ECU’s program</h1>
-        <Text className={ui.lead ?? ""}>
-          LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), runs as a process of its own and meets the simulated car over TCP: sensors and
-          commands through converters, every command a step late. <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes part.
-        </Text>
-        {fault ? (
-          <CouldNotLoad message={fault.message} />
-        ) : (
-          <>
-            <Card className={`${ui.part}`} aria-label="Scenario and loop">
-              <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
-              {schema.data && scenario ? <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} /> : <Skeleton height={58} />}
-              <Problems messages={[...refused.general, ...elsewhere(refused.fields)]} />
-              <ExportController scenario={source.scenario} />
-            </Card>
-            {failures.map(({ id, reason }) => (
-              <Alert key={id} color="red" variant="light" p="xs" role="alert">
-                {shown.find((each) => each.id === id)?.label ?? id} could not be driven: {reason}
-              </Alert>
-            ))}
-            {run && catalogue.data && figures.data && shown.length > 0 ? (
-              <>
-                <EcuTable {...{ summaries, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
-                <EcuFigures {...{ run, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
-              </>
-            ) : (
-              refused === NO_ERRORS && <EcuLoading />
-            )}
-            {source.scenario && catalogue.data && (
-              <>
-                <BuildReport scenario={source.scenario} catalogue={catalogue.data} />
-                <RealTime scenario={source.scenario} catalogue={catalogue.data} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
-              </>
-            )}
-          </>
-        )}
-      </main>
+    <Page title="ECU" heading="The controller as an ECU’s program" what="page" lead={lead} faults={[schema, strategies, catalogue, figures].map(({ error: fault }) => fault)}>
+      <Card className={`${ui.part}`} aria-label="Scenario and loop">
+        <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
+        {schema.data && scenario ? <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} /> : <Skeleton height={58} />}
+        <Problems messages={[...refused.general, ...elsewhere(refused.fields)]} />
+        <ExportController scenario={source.scenario} />
+      </Card>
+      {failures.map(({ id, reason }) => (
+        <Alert key={id} color="red" variant="light" p="xs" role="alert">
+          {shown.find((each) => each.id === id)?.label ?? id} could not be driven: {reason}
+        </Alert>
+      ))}
+      {run && catalogue.data && figures.data && shown.length > 0 ? (
+        <>
+          <EcuTable {...{ summaries, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
+          <EcuFigures {...{ run, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
+        </>
+      ) : (
+        refused === NO_ERRORS && <EcuLoading />
+      )}
+      {source.scenario && catalogue.data && (
+        <>
+          <BuildReport scenario={source.scenario} catalogue={catalogue.data} />
+          <RealTime scenario={source.scenario} catalogue={catalogue.data} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
+        </>
+      )}
+    </Page>
   );
 }
 

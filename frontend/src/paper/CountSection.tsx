@@ -1,12 +1,10 @@
 /** How many of the paper's printed changes come out here, and what that hinges on. */
 
 import { Anchor, Button, Progress, Text } from "@mantine/core";
-import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../icons";
 import { api } from "../api/client";
 import type { Paper, PaperCell } from "../api/types";
-import { useOpenInLab } from "../shell/useOpenInLab";
-import { runKey } from "../state/queries";
+import { useRunInLab } from "../shell/useOpenInLab";
 import { count, formatWhole } from "../units/format";
 import classes from "./paper.module.css";
 import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
@@ -97,21 +95,14 @@ function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
 
 /** Runs the page's scenario as the lab would and goes there. */
 function OpenScenario({ paper }: Pick<Props, "paper">) {
-  const queries = useQueryClient();
   const strategies = [...new Set(paper.tables.flatMap(({ columns }) => columns.flatMap(({ strategy, against }) => [strategy, against])))];
-  const openInLab = useOpenInLab();
-  const opening = useMutation({
-    mutationFn: () => api.createRun(paper.scenario, strategies),
-    onSuccess: (run) => queries.setQueryData(runKey(run.id), run),
-  });
+  const { open, opening, error } = useRunInLab((all: readonly string[]) => api.createRun(paper.scenario, all));
   return (
     <div className={classes.actions}>
-      <Button size="xs" variant="default" rightSection={<IconArrowRight size={15} aria-hidden />} loading={opening.isPending} onClick={() => opening.mutate(undefined, { onSuccess: openInLab() })}>
+      <Button size="xs" variant="default" rightSection={<IconArrowRight size={15} aria-hidden />} loading={opening !== null} onClick={() => open(strategies)}>
         Open this scenario in the lab
       </Button>
-      {opening.error && (
-        <Fault size="sm">{opening.error.message}</Fault>
-      )}
+      {error !== null && <Fault size="sm">{error}</Fault>}
     </div>
   );
 }

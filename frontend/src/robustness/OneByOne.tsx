@@ -154,7 +154,7 @@ function BarRow({ bar: { field, low, high }, nominal, offset, figure, opening, b
               className={styles.tornadoBar}
               data-side={side}
               data-worse={!left || undefined}
-              disabled={opening.run !== null}
+              disabled={opening.opening !== null}
               style={shares(from, to - from)}
               title={`${field.title} ${placeText(end)}: ${change(end)}`}
               aria-label={`${field.title} ${placeText(end)}: ${change(end)}; open it in the lab`}

@@ -25,7 +25,7 @@ export function RunButton({ run, text, what, opening }: Props) {
         size="compact-xs"
         variant="subtle"
         className={classes.runButton ?? ""}
-        loading={opening.run === run.run}
+        loading={opening.opening?.run === run.run}
         rightSection={<IconExternalLink size={13} aria-hidden />}
         aria-label={`${what} ${text}: open run ${run.run} in the lab`}
         onClick={() => opening.open(run)}

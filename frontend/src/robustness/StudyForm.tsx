@@ -1,11 +1,12 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
-import { Button, Checkbox, Switch, Text } from "@mantine/core";
+import { Checkbox, Switch, Text } from "@mantine/core";
 import { useId, type ReactNode } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
-import { EstimateLine } from "../sweep/EstimateLine";
+import { StartFoot } from "../submission/StartFoot";
 import { StrategyChoice } from "../sweep/StrategyChoice";
+import { amountOf, notesOf } from "../sweep/useSweep";
 import { prettyUnit } from "../units/format";
 import { draftStudy, exactText, restoreStudy, type RangeDraft, type StudyDraft } from "./study";
 import { useStudy } from "./useStudy";
@@ -14,7 +15,6 @@ import ui from "../ui/ui.module.css";
 import { useDraft } from "../state/useDraft";
 import { Entry } from "../ui/Entry";
 import { Fault, Problems } from "../ui/Fault";
-import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -29,21 +29,23 @@ interface Props {
 
 export function StudyForm({ defaults, strategies, form, scenario, head, existing }: Props) {
   const initial = () => draftStudy(defaults, form, existing);
-  const { draft, setDraft, isEdited, reset, forget } = useDraft({
+  const stored = useDraft({
     name: existing ? "changed study" : "study",
     of: existing?.id,
     initial,
-    restore: (stored) => restoreStudy(stored, initial()),
+    restore: (texts) => restoreStudy(texts, initial()),
   });
+  const { draft, setDraft } = stored;
   const patch = (change: Partial<StudyDraft>) => setDraft({ ...draft, ...change });
-  const { errors, general, estimate, pending, starting, start } = useStudy(draft, scenario, forget);
+  const submission = useStudy(draft, scenario, stored.forget);
+  const { errors, general } = submission;
   return (
     <form
       className={ui.card}
       aria-label="Study"
       onSubmit={(event) => {
         event.preventDefault();
-        if (estimate && !starting) start();
+        submission.start();
       }}
     >
       <div className={ui.part}>{head}</div>
@@ -81,13 +83,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
         />
       </div>
       <Problems messages={general} mx="md" mb="xs" />
-      <div className={ui.foot}>
-        <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
-        <ResetDraft isEdited={isEdited} onReset={reset} />
-        <Button type="submit" disabled={estimate === undefined} loading={starting}>
-          Start
-        </Button>
-      </div>
+      <StartFoot inForm {...{ submission, draft: stored }} amount={amountOf(draft.strategies.length)} notes={notesOf} />
     </form>
   );
 }

@@ -6,7 +6,7 @@ import { fieldText } from "./names";
 import { scaleTo } from "./scale";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Sensitivity } from "./summary";
-import { scenarioAt } from "../batch/useOpenRun";
+import { withFields } from "../sweep/fields";
 
 const range = (field: string, low: number, high: number) => ({ field, title: field, unit: "1", low, high, why: "" });
 const DEFAULTS: RobustnessDefaults = {
@@ -126,7 +126,7 @@ it("a scale ends on a round number not below the most", () => {
 
 it("a place's scenario has its fields and shares the rest", () => {
   const base = { road: { seed: 1, bump: { height: 0.1 } }, mpc: { lag: null } };
-  const there = scenarioAt(base, { "road.seed": 7, "mpc.lag": 12 });
+  const there = withFields(base, { "road.seed": 7, "mpc.lag": 12 });
   expect(there).toEqual({ road: { seed: 7, bump: { height: 0.1 } }, mpc: { lag: 12 } });
   expect((there.road as typeof base.road).bump).toBe(base.road.bump);
 });

@@ -26,12 +26,13 @@ interface Submission<Body, Estimate> {
 
 type Started<Body> = { readonly body: Body } & Pick<Submission<Body, unknown>, "onSubmitted">;
 
-interface SubmissionState<Estimate> {
+export interface SubmissionState<Estimate> {
   readonly errors: DraftErrors;
   readonly general: readonly string[];
   readonly estimate: Estimate | undefined;
   readonly pending: boolean;
   readonly starting: boolean;
+  /** Begins it, where an estimate says that it can be and it has not begun. */
   readonly start: () => void;
 }
 
@@ -72,12 +73,16 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
       ? problemsByField(problem.errors, submission.fieldNameOf, problem.message)
       : { fields: {}, general: problem ? [problem.message] : [] };
 
+  const shown = text && isUpToDate && !estimate.isError ? estimate.data : undefined;
   return {
     errors: submission.errors ?? placed.fields,
     general: submission.errors ? [] : placed.general,
-    estimate: text && isUpToDate && !estimate.isError ? estimate.data : undefined,
+    estimate: shown,
     pending: text !== "" && (!isUpToDate || estimate.isFetching),
     starting: started.isPending,
-    start: () => submission.body !== null && started.mutate({ body: submission.body, onSubmitted: submission.onSubmitted }, { onSuccess: fromHere(router).go }),
+    start: () => {
+      const { body, onSubmitted } = submission;
+      if (body !== null && shown !== undefined && !started.isPending) started.mutate({ body, onSubmitted }, { onSuccess: fromHere(router).go });
+    },
   };
 }

@@ -1,7 +1,6 @@
 /** Finds a field of the scenario by its title or its dotted name. */
 
-import { Select } from "@mantine/core";
-import { useState } from "react";
+import { Finder } from "../ui/Finder";
 import { prettyUnit } from "../units/format";
 import { draftField, type FieldDraft } from "./draft";
 import { TOGETHER, type SweepField } from "./fields";
@@ -16,7 +15,6 @@ interface Props {
 }
 
 export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
-  const [search, setSearch] = useState("");
   const offered = fields.filter(({ leaf }) => !numbersOnly || leaf.kind === "number");
   const together = TOGETHER.flatMap(({ title, names }) => {
     const [first, ...linked] = names.flatMap((name) => offered.find((field) => field.name === name) ?? []);
@@ -24,17 +22,11 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
   });
   const sections = [...new Set(offered.map(({ section }) => section))];
   return (
-    <Select
-      size="xs"
+    <Finder
       label="Add a field"
       placeholder="Height, road.bump.height, spring…"
-      searchable
-      value={null}
-      searchValue={search}
-      onSearchChange={setSearch}
       error={error}
       nothingFoundMessage="No field of that name"
-      maxDropdownHeight={280}
       // The label is what is searched: it holds the section and both names.
       data={[
         { group: "Together", items: together.map(({ title, draft }) => ({ value: title, label: `${title}: ${namesOf(draft)}` })) },
@@ -47,11 +39,7 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
         const field = offered.find(({ name }) => name === option.value);
         return field ? <Option field={field} /> : option.label;
       }}
-      onChange={(name) => {
-        const picked = [...offered.filter((field) => field.name === name).map(draftField), ...together.filter(({ title }) => title === name).map(({ draft }) => draft)];
-        setSearch("");
-        onPick(picked);
-      }}
+      onPick={(name) => onPick([...offered.filter((field) => field.name === name).map(draftField), ...together.filter(({ title }) => title === name).map(({ draft }) => draft)])}
     />
   );
 }

@@ -7,18 +7,17 @@ import type { Strategy } from "../api/types";
 import type { Group as Form } from "../editor/schema";
 import { SweepList } from "../batch/SweepList";
 import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
-import { EstimateLine } from "./EstimateLine";
 import { FieldPicker } from "./FieldPicker";
 import { linkable, sweepFields } from "./fields";
 import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
-import { useSweep } from "./useSweep";
+import { amountOf, notesOf, useSweep } from "./useSweep";
 import { useLab, useScenario } from "../state/context";
 import { useDraft } from "../state/useDraft";
+import { StartFoot } from "../submission/StartFoot";
 import { Entry } from "../ui/Entry";
 import { Problems } from "../ui/Fault";
-import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly form: Form;
@@ -28,21 +27,23 @@ interface Props {
 
 const FIRST_FIELD = "road.bump.height";
 
-export function SweepDialog({ form, strategies, onClose }: Props) {
+export function SweepDialog({ form: schema, strategies, onClose }: Props) {
   const scenario = useScenario();
   const selected = useLab((state) => state.strategies);
-  const fields = useMemo(() => sweepFields(form), [form]);
+  const fields = useMemo(() => sweepFields(schema), [schema]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
-  const { draft, setDraft, isEdited, reset, forget } = useDraft<SweepDraft>({
+  const form = useDraft<SweepDraft>({
     name: "sweep",
     initial: () => ({ method: "grid", fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField), samples: "200", seed: "0", strategies: selected }),
     restore: (stored) => restoreSweep(stored, fields),
   });
+  const { draft, setDraft } = form;
   const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
   const patchField = (name: string, change: Partial<FieldDraft>) =>
     patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
   const free = fields.filter((field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)));
-  const { errors, general, estimate, pending, starting, start } = useSweep(draft, scenario, forget);
+  const submission = useSweep(draft, scenario, form.forget);
+  const { errors, general } = submission;
 
   return (
     <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}>
@@ -100,18 +101,11 @@ export function SweepDialog({ form, strategies, onClose }: Props) {
         <summary>Earlier sweeps</summary>
         <SweepList strategies={strategies} />
       </details>
-      <div className={classes.footer}>
-        <EstimateLine estimate={estimate} strategies={draft.strategies.length} pending={pending} wrong={Object.keys(errors).length > 0} />
-        <Group gap="xs" wrap="nowrap">
-          <ResetDraft isEdited={isEdited} onReset={reset} />
-          <Button variant="default" onClick={onClose}>
-            Cancel
-          </Button>
-          <Button disabled={estimate === undefined} loading={starting} onClick={start}>
-            Start
-          </Button>
-        </Group>
-      </div>
+      <StartFoot {...{ submission, draft: form }} className={classes.footer} amount={amountOf(draft.strategies.length)} notes={notesOf}>
+        <Button variant="default" onClick={onClose}>
+          Cancel
+        </Button>
+      </StartFoot>
     </Modal>
   );
 }

@@ -1,6 +1,7 @@
 /** The scenario's fields as a sweep names them: `road.bump.height`, `mpc.stage_weights.cruise.0`. */
 
-import type { Pointer } from "../editor/path";
+import type { JsonValue, Scenario } from "../api/types";
+import { setAt, type Pointer } from "../editor/path";
 import type { ChoiceField, Group, Member, NumberField } from "../editor/schema";
 
 export interface SweepField {
@@ -24,6 +25,10 @@ export function linkable({ field: { name, leaf } }: { readonly field: SweepField
 export const dotted = (pointer: Pointer) => pointer.slice(1).replace(/\//g, ".");
 
 export const pointerOf = (name: string): Pointer => `/${name.replace(/\./g, "/")}`;
+
+/** The scenario with other values, by dotted name. */
+export const withFields = (scenario: Scenario, values: Readonly<Record<string, JsonValue>>): Scenario =>
+  Object.entries(values).reduce((changed, [name, value]) => setAt(changed, pointerOf(name), value), scenario);
 
 export function sweepFields(form: Group): readonly SweepField[] {
   return form.members.flatMap((member) => below(member, []));

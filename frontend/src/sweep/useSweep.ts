@@ -3,9 +3,10 @@
 import { useMemo } from "react";
 import { ask } from "../api/http";
 import { withKey } from "../api/jobs";
-import type { Scenario } from "../api/types";
+import type { Estimate, Scenario } from "../api/types";
 import { BATCH } from "../jobs/useJob";
 import { useSubmission } from "../submission/useSubmission";
+import { count } from "../units/format";
 import { readDraft, type SweepDraft } from "./draft";
 import { sweepFieldName } from "./problems";
 
@@ -21,3 +22,8 @@ export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () 
     submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await ask("post", "/batches", { body, ...withKey(keyOf(body)) })).id } }),
   });
 }
+
+export const amountOf = (strategies: number) => ({ total, points }: Estimate) => `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
+
+export const notesOf = ({ notes, contradictory, total }: Estimate): readonly string[] =>
+  contradictory === 0 ? notes : [...notes, `In ${contradictory === total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why`];

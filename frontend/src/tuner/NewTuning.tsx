@@ -1,13 +1,12 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
-import { Button, Input, MultiSelect, SegmentedControl, Switch, Text } from "@mantine/core";
+import { Input, MultiSelect, SegmentedControl, Switch } from "@mantine/core";
 import { useMemo } from "react";
 import type { Catalogue, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import type { PageScenario } from "../origin/origin";
 import { ScenarioChoice } from "../origin/ScenarioChoice";
 import { optionTitle, type Group } from "../editor/schema";
-import { formatDuration } from "../units/dates";
 import { count } from "../units/format";
 import { firstDraft, rangesFor, restoreTuning, type TuningDraft } from "./draft";
 import { LimitRows } from "./LimitRows";
@@ -18,9 +17,9 @@ import classes from "./tuner.module.css";
 import { useNewTuning } from "./useNewTuning";
 import ui from "../ui/ui.module.css";
 import { useDraft } from "../state/useDraft";
+import { StartFoot } from "../submission/StartFoot";
 import { Problems } from "../ui/Fault";
 import { Choice, Entry } from "../ui/Entry";
-import { ResetDraft } from "../ui/ResetDraft";
 
 interface Props {
   readonly form: Group;
@@ -39,11 +38,13 @@ const QUANTILES = [
 ];
 
 export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
-  const { draft, setDraft, isEdited, reset, forget } = useDraft<TuningDraft>({ name: "tuning", initial: () => firstDraft(form), restore: (stored) => restoreTuning(stored, form) });
+  const stored = useDraft<TuningDraft>({ name: "tuning", initial: () => firstDraft(form), restore: (texts) => restoreTuning(texts, form) });
+  const { draft, setDraft } = stored;
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
   const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
   const numbers = useMemo(() => numberFields(tunable), [tunable]);
-  const { errors, general, estimate, pending, starting, start } = useNewTuning(draft, numbers, figures, source.scenario, forget);
+  const submission = useNewTuning(draft, numbers, figures, source.scenario, stored.forget);
+  const { errors, general } = submission;
   const { preview } = tunable;
   const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
     <Entry {...{ label, description }} inputMode="text" value={draft[key]} error={errors[field]} onType={(text) => patch({ [key]: text })} />
@@ -54,7 +55,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
       aria-label="New tuning"
       onSubmit={(event) => {
         event.preventDefault();
-        if (estimate && !starting) start();
+        submission.start();
       }}
     >
       <Part title="What is tuned">
@@ -119,28 +120,9 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
         </div>
       </Part>
       <Problems messages={[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])]} m="0 0.9rem 0.6rem" />
-      <footer className={ui.foot}>
-        <Text size="sm" role="status" data-testid="tuning-estimate" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
-          {estimate
-            ? describe(estimate)
-            : Object.keys(errors).length > 0
-              ? "Correct the marked fields."
-              : pending
-                ? "Estimating…"
-                : "\u00a0"}
-        </Text>
-        <ResetDraft isEdited={isEdited} onReset={reset} />
-        <Button type="submit" disabled={estimate === undefined} loading={starting}>
-          Start
-        </Button>
-      </footer>
+      <StartFoot inForm {...{ submission, draft: stored }} amount={({ runs, generations }) => `${count(runs, "run")} in ${count(generations, "generation")}`} />
     </form>
   );
-}
-
-function describe({ runs, generations, estimated_cost: cost, estimated_seconds: seconds }: NonNullable<ReturnType<typeof useNewTuning>["estimate"]>): string {
-  const time = seconds === null ? `about ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
-  return `${count(runs, "run")} in ${count(generations, "generation")}, ${time}`;
 }
 
 function Part({ title, detail, children }: { readonly title: string; readonly detail?: string; readonly children: React.ReactNode }) {

@@ -2,7 +2,7 @@
 
 import { Button, Stack } from "@mantine/core";
 import type { ReactNode } from "react";
-import type { Tuning } from "../api/types";
+import type { Trial, Tuning } from "../api/types";
 import { ChangeMark } from "../tables/ChangeMark";
 import tables from "../tables/tables.module.css";
 import { dotted } from "../sweep/fields";
@@ -10,7 +10,7 @@ import { formatResult, prettyUnit } from "../units/format";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
-import type { Load } from "./useLoad";
+import type { RunInLab } from "../shell/useOpenInLab";
 import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
@@ -21,7 +21,7 @@ interface Props {
   readonly limits: readonly Shown[];
   readonly tunable: Tunable;
   readonly points: readonly Point[];
-  readonly load: Load;
+  readonly load: RunInLab<Trial>;
 }
 
 /** A row of the table: what it is of, and what stands under each point. */
@@ -66,12 +66,12 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
   );
 }
 
-function PointHead({ point: { trial, names }, load }: { readonly point: Point; readonly load: Load }) {
+function PointHead({ point: { trial, names }, load }: { readonly point: Point; readonly load: RunInLab<Trial> }) {
   return (
     <Stack gap={3} align="flex-end">
       <b>{names.join(", ")}</b>
       <span className={ui.dim}>trial {trial.number}</span>
-      <Button size="compact-xs" variant="default" loading={load.loading === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.load(trial)}>
+      <Button size="compact-xs" variant="default" loading={load.opening?.number === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.open(trial)}>
         Load in lab
       </Button>
     </Stack>

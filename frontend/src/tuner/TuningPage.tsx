@@ -1,15 +1,14 @@
 /** One tuning: how far it is, what it found, and whether that holds on other roads. */
 
 import { Anchor, Text } from "@mantine/core";
-import { useDocumentTitle } from "@mantine/hooks";
-import { Link } from "@tanstack/react-router";
+import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
-import { explain, isNotFound, isTransient } from "../api/problem";
-import type { Strategy, Tuning } from "../api/types";
-import type { Figure } from "../batch/figures";
-import type { Group } from "../editor/schema";
+import { api } from "../api/client";
+import type { Trial, Tuning } from "../api/types";
 import { TUNING, useJob } from "../jobs/useJob";
-import { Blank, CouldNotLoad } from "../shell/Blank";
+import { Page } from "../shell/Page";
+import { useRunInLab } from "../shell/useOpenInLab";
+import type { Catalogues } from "../state/useCatalogues";
 import { ofLimit, ofObjective } from "./figures";
 import { ValidationTable } from "./ValidationTable";
 import { pointsOf } from "./points";
@@ -17,46 +16,51 @@ import { PointsTable } from "./PointsTable";
 import { tunableOf } from "./space";
 import { TuningPlot } from "./TuningPlot";
 import { TuningState } from "./TuningState";
-import { useLoad } from "./useLoad";
+import { useNumericCatalogues } from "./useNumericCatalogues";
+import { withFields } from "../sweep/fields";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
-import { Loading } from "../ui/Loading";
 
-interface Props {
-  readonly id: string;
-  /** All there is to know first; `null` until it is there. */
-  readonly catalogues: { readonly form: Group; readonly strategies: readonly Strategy[]; readonly figures: readonly Figure[] } | null;
-}
+/** What weights are looked at beside. */
+const BESIDE = ["lqr", "passive"];
 
-export function TuningPage({ id, catalogues }: Props) {
+export function TuningPage() {
+  const { id } = useParams({ from: "/tuner/$id" });
+  const { catalogues, fault } = useNumericCatalogues();
   const { job: tuning, error, connected, left } = useJob(TUNING, id);
-  const strategy = catalogues?.strategies.find((each) => each.id === tuning?.strategy)?.label;
-  useDocumentTitle(`${strategy === undefined ? "Tuning" : `Weights of ${strategy}`} · Ridelab`);
-  if (error && !tuning && !isTransient(error)) {
-    return isNotFound(error) ? (
-      <Blank title="There is no tuning at this address" text="The address may be incomplete, or the tuning was made on another server.">
-        <Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>Start a tuning</Anchor>
-      </Blank>
-    ) : (
-      <CouldNotLoad what="tuning" message={error.message} />
-    );
-  }
-  if (!tuning || !catalogues) return <Loading label="Loading the tuning" heights={[28, 150, 420]} />;
+  const strategy = catalogues?.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
+  const heading = catalogues && strategy !== undefined ? `Weights of ${strategy}` : undefined;
+  const start = (text: string) => (
+    <Anchor size="sm" renderRoot={(props) => <Link to="/tuner" {...props} />}>
+      {text}
+    </Anchor>
+  );
   return (
-    <>
-      <h1 className={ui.title}>Weights of {strategy ?? tuning.strategy}, tuned</h1>
-      <TuningState {...{ tuning, connected, left }} {...catalogues} />
-      <TuningResults tuning={tuning} {...catalogues} />
-    </>
+    <Page
+      title={heading ?? "Tuning"}
+      above={start("New tuning, earlier tunings")}
+      heading={heading && `${heading}, tuned`}
+      what="tuning"
+      instead={start("Start a tuning")}
+      faults={[tuning ? null : error, fault]}
+      heights={[28, 150, 420]}
+    >
+      {tuning && catalogues ? (
+        <>
+          <TuningState {...{ tuning, connected, left }} {...catalogues} />
+          <TuningResults tuning={tuning} {...catalogues} />
+        </>
+      ) : null}
+    </Page>
   );
 }
 
-function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & NonNullable<Props["catalogues"]>) {
+function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & Catalogues) {
   const objectives = useMemo(() => tuning.objectives.map((each) => ofObjective(each, figures)), [tuning.objectives, figures]);
   const limits = useMemo(() => tuning.limits.map((each) => ofLimit(each, figures)), [tuning.limits, figures]);
   const tunable = useMemo(() => tunableOf(form, tuning.strategy), [form, tuning.strategy]);
   const points = useMemo(() => pointsOf(tuning, objectives.map(({ label }) => label)), [tuning, objectives]);
-  const load = useLoad(tuning);
+  const load = useRunInLab(({ weights }: Trial) => api.createRun(withFields(tuning.scenario, weights), [...new Set([tuning.strategy, ...BESIDE])]));
   const colour = strategies.find(({ id }) => id === tuning.strategy)?.colour ?? "currentColor";
   const warning = warningOf(tuning);
   return (
@@ -66,8 +70,8 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
           {warning}
         </Text>
       )}
-      {load.error && (
-        <Fault size="sm">These weights could not be loaded: {explain(load.error)}</Fault>
+      {load.error !== null && (
+        <Fault size="sm">These weights could not be loaded: {load.error}</Fault>
       )}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}

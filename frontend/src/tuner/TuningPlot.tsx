@@ -11,7 +11,7 @@ import type { Point } from "./points";
 import { SearchCard } from "./SearchCard";
 import type { Tunable } from "./space";
 import results from "./results.module.css";
-import type { Load } from "./useLoad";
+import type { RunInLab } from "../shell/useOpenInLab";
 import { trialsQuery } from "./queries";
 import { WeightsOf } from "./WeightsOf";
 import { Choice } from "../ui/Entry";
@@ -26,7 +26,7 @@ interface Props {
   readonly points: readonly Point[];
   /** The tuned strategy's. */
   readonly colour: string;
-  readonly load: Load;
+  readonly load: RunInLab<Trial>;
 }
 
 const NO_TRIALS: readonly Trial[] = [];
@@ -51,7 +51,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
                 Struck through: the paper’s.
               </Text>
             )}
-            <Button size="xs" loading={load.loading === picked.number} onClick={() => load.load(picked)}>
+            <Button size="xs" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>
               Load in lab
             </Button>
           </Stack>

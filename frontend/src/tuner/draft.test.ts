@@ -3,7 +3,8 @@ import type { Figure } from "../batch/figures";
 import { problemsByField } from "../submission/problems";
 import { rangesFor, readDraft, objectiveOf, tuningFieldName, type TuningDraft } from "./draft";
 import { readSchema } from "../editor/schema";
-import { formatValue, numberFields, ownText, tunableOf, weightAt, withWeights } from "./space";
+import { withFields } from "../sweep/fields";
+import { formatValue, numberFields, ownText, tunableOf, weightAt } from "./space";
 
 const TRAVEL: Figure = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
 const LOAD: Figure = { key: "bump.load.peak", label: "Load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
@@ -113,6 +114,6 @@ describe("a trial's weights", () => {
 
   it("go into a scenario as they are", () => {
     const scenario = { mpc: { stage_weights: { bump: [0, 0, 0], brake: [9, 9, 9] }, deflection_weight: 0 } };
-    expect(withWeights(scenario, weights)).toEqual({ mpc: { stage_weights: { bump: [1, 2, 3], brake: [9, 9, 9] }, deflection_weight: 4 } });
+    expect(withFields(scenario, weights)).toEqual({ mpc: { stage_weights: { bump: [1, 2, 3], brake: [9, 9, 9] }, deflection_weight: 4 } });
   });
 });

@@ -1,7 +1,7 @@
 /** What of a strategy can be tuned, as backend/jobs/tuning/space.py has it; names, units and limits are the form's. */
 
 import type { Scenario, StrategyId, Weights } from "../api/types";
-import { getAt, setAt, type Pointer } from "../editor/path";
+import { getAt, type Pointer } from "../editor/path";
 import { findMember, optionTitle, type ChoiceField, type Group, type NumberField, type VectorField } from "../editor/schema";
 import { dotted, pointerOf } from "../sweep/fields";
 import { typedText, valueText } from "../editor/limits";
@@ -68,10 +68,6 @@ export function numberFields({ triples, others }: Tunable): readonly TunableNumb
     ...others.map((field) => ({ name: dotted(field.pointer), row: titleOf(field), field: searched(field), single: true })),
   ];
 }
-
-/** The scenario with a trial's weights in it. */
-export const withWeights = (scenario: Scenario, weights: Weights): Scenario =>
-  Object.entries(weights).reduce((result, [name, value]) => setAt(result, pointerOf(name), value), scenario);
 
 const titleOf = ({ title, shown }: NumberField) => titleWithUnit(title, shown.unit);
 
