@@ -2,32 +2,22 @@
 
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useEffect, useEffectEvent, useMemo } from "react";
-import type { Batch, Catalogue, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
-import type { Markers } from "../plots/markers";
 import { BatchPlot } from "./BatchPlot";
 import { BatchRows } from "./BatchRows";
-import { paperFigures, type Figure } from "./figures";
+import { paperFigures } from "./figures";
 import { cell, lowest, rowsOf, type Columns } from "./table";
 import { CAVEAT_COLUMNS } from "./describeRow";
 import { tableQuery } from "./queries";
 import { useOpenRun } from "./useOpenRun";
 import { shownPlot } from "./shownPlot";
 import { shownColumns, shownFields } from "./shownFields";
-import type { BatchView } from "./view";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
+import type { SweepParts } from "./parts";
 
-interface Props {
-  readonly batch: Batch;
+interface Props extends Pick<SweepParts, "batch" | "catalogue" | "strategies" | "markers" | "figures" | "view" | "onView"> {
   readonly form: Group;
-  readonly catalogue: Catalogue;
-  /** The batch's, in the catalogue's order. */
-  readonly strategies: readonly Strategy[];
-  readonly markers: Markers;
-  readonly figures: readonly Figure[];
-  readonly view: BatchView;
-  readonly onView: (change: Partial<BatchView>) => void;
 }
 
 const NOTHING: Columns = {};

@@ -3,11 +3,8 @@
 import { ActionIcon, Box, Checkbox, Group, Pagination, Text, Tooltip } from "@mantine/core";
 import { IconExternalLink } from "../icons";
 import { useMemo, useState } from "react";
-import type { Batch, Catalogue, Strategy } from "../api/types";
-import type { Markers } from "../plots/markers";
 import { count, prettyUnit } from "../units/format";
 import classes from "./batch.module.css";
-import type { Figure } from "./figures";
 import { MarkerKey } from "./MarkerKey";
 import { showCell, showFigure } from "./show";
 import { cell, rowsOf, type Columns } from "./table";
@@ -16,19 +13,12 @@ import { Card } from "../ui/Card";
 import { DataTable, type Column } from "../ui/DataTable";
 import ui from "../ui/ui.module.css";
 import { CaveatMark } from "../tables/CaveatMark";
+import type { SweepParts } from "./parts";
 
-interface Props {
-  readonly batch: Batch;
-  readonly columns: Columns;
-  readonly catalogue: Catalogue;
-  readonly strategies: readonly Strategy[];
-  readonly markers: Markers;
-  readonly figures: readonly Figure[];
-  readonly best: number | null;
+interface Props extends Pick<SweepParts, "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "best" | "onOpen"> {
   readonly loading: boolean;
   /** The row whose run is being opened. */
   readonly opening: number | null;
-  readonly onOpen: (row: number) => void;
 }
 
 const PAGE = 50;

@@ -2,7 +2,6 @@
 
 import { Text, useComputedColorScheme } from "@mantine/core";
 import { useMemo, useRef } from "react";
-import type { Strategy } from "../api/types";
 import { Chart } from "../plots/Chart";
 import { ChartButton } from "../plots/ChartButton";
 import { ON_PAPER, PALETTES } from "../plots/palettes";
@@ -11,21 +10,9 @@ import classes from "./batch.module.css";
 import { fullName } from "./figures";
 import { mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
-import type { ShownPlot } from "./shownPlot";
-import type { Columns } from "./table";
+import type { PlotParts } from "./parts";
 
-interface Props {
-  /** Its id. */
-  readonly batch: string;
-  readonly columns: Columns;
-  readonly shown: ShownPlot;
-  readonly strategies: readonly Strategy[];
-  readonly height: number;
-  readonly textOf: (row: number) => readonly string[];
-  readonly onOpen: (row: number) => void;
-}
-
-export function MapPlot({ batch, columns, shown, strategies, height, textOf, onOpen }: Props) {
+export function MapPlot({ batch, columns, shown, strategies, height, textOf, onOpen }: PlotParts) {
   const scheme = useComputedColorScheme("light");
   const { x, other, y, strategy, against, threshold, mapUnit } = shown;
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? "";
@@ -67,7 +54,7 @@ export function MapPlot({ batch, columns, shown, strategies, height, textOf, onO
           {colours}. {sentence}
           {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double click for all.
         </Text>
-        <ChartButton title={name} file={`ridelab-${batch}-${y.key}-${strategy}`} hostRef={host} draw={() => ({ figure: onPaper(), legend: [], colours })} />
+        <ChartButton title={name} file={`ridelab-${batch.id}-${y.key}-${strategy}`} hostRef={host} draw={() => ({ figure: onPaper(), legend: [], colours })} />
       </div>
     </>
   );

@@ -1,19 +1,14 @@
 /** Whose map is drawn, compared with which strategy, and where it has a line. */
 
 import { useState } from "react";
-import type { Strategy } from "../api/types";
 import { formatInput } from "../units/format";
 import { parseQuantity } from "../units/quantity";
 import { Choice, Entry, labelled } from "../ui/Entry";
 import classes from "./batch.module.css";
-import type { ShownPlot } from "./shownPlot";
-import { NONE, type BatchView } from "./view";
+import { NONE } from "./view";
+import type { SweepParts } from "./parts";
 
-interface Props {
-  readonly strategies: readonly Strategy[];
-  readonly shown: ShownPlot;
-  readonly onView: (change: Partial<BatchView>) => void;
-}
+type Props = Pick<SweepParts, "strategies" | "shown" | "onView">;
 
 export function MapTools({ strategies, shown, onView }: Props) {
   const { strategy, against } = shown;

@@ -1,8 +1,6 @@
 /** What a sweep's plot shows: of which kind it is, which metric, over which field, under which strategies. */
 
 import { SegmentedControl, Select } from "@mantine/core";
-import type { Strategy } from "../api/types";
-import type { Markers } from "../plots/markers";
 import bar from "../shell/toolbar.module.css";
 import { Choice } from "../ui/Entry";
 import { titleWithUnit } from "../units/format";
@@ -11,17 +9,11 @@ import classes from "./batch.module.css";
 import { optionsOf, type Figure } from "./figures";
 import { MapTools } from "./MapTools";
 import { MarkerKey } from "./MarkerKey";
-import type { ShownPlot } from "./shownPlot";
-import type { BatchView, PlotKind } from "./view";
+import type { PlotKind } from "./view";
+import type { SweepParts } from "./parts";
 
-interface Props {
+interface Props extends Pick<SweepParts, "strategies" | "markers" | "figures" | "shown" | "view" | "onView"> {
   readonly axes: readonly AxisOf[];
-  readonly strategies: readonly Strategy[];
-  readonly markers: Markers;
-  readonly figures: readonly Figure[];
-  readonly shown: ShownPlot;
-  readonly view: BatchView;
-  readonly onView: (change: Partial<BatchView>) => void;
 }
 
 const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [

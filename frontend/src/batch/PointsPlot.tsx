@@ -2,12 +2,11 @@
 
 import { Text, useComputedColorScheme } from "@mantine/core";
 import { useMemo, useRef } from "react";
-import type { Batch, Catalogue, Strategy } from "../api/types";
+import type { Batch, Strategy } from "../api/types";
 import { IconAlertTriangle } from "../icons";
 import { isFinal } from "../jobs/follow";
 import { Chart } from "../plots/Chart";
 import { ChartButton } from "../plots/ChartButton";
-import type { Markers } from "../plots/markers";
 import { ON_PAPER, PALETTES } from "../plots/palettes";
 import { useLightColours } from "../state/useSchemeColours";
 import { count, formatWhole, formatWithUnit } from "../units/format";
@@ -22,20 +21,11 @@ import { scatterFigure } from "./scatter";
 import { showCell } from "./show";
 import type { ShownPlot } from "./shownPlot";
 import { cell, pointsOf, type Columns } from "./table";
+import type { PlotParts, SweepParts } from "./parts";
 
-interface Props {
-  readonly batch: Batch;
-  readonly columns: Columns;
-  readonly catalogue: Catalogue;
-  readonly strategies: readonly Strategy[];
+interface Props extends PlotParts, Pick<SweepParts, "catalogue" | "markers" | "best"> {
   /** Those switched on. */
   readonly visible: readonly Strategy[];
-  readonly markers: Markers;
-  readonly shown: ShownPlot;
-  readonly best: number | null;
-  readonly height: number;
-  readonly textOf: (row: number) => readonly string[];
-  readonly onOpen: (row: number) => void;
 }
 
 const NONE: readonly number[] = [];

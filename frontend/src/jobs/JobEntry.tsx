@@ -1,10 +1,11 @@
 /** One job of a list. */
 
-import { ActionIcon, Button, Menu, Text, TextInput } from "@mantine/core";
+import { ActionIcon, Button, Menu, Text } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import { useState } from "react";
 import { IconDots } from "../icons";
+import { NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
 import { isFinal } from "./follow";
@@ -64,7 +65,7 @@ export function JobEntry<Item extends Common, Job extends Item>({ kind, item, de
 }
 
 /** A call that changes the list, and perhaps the job that the page shows. */
-function useChange<Item extends Common, Job extends Item>({ name }: Kind<Item, Job>, call: () => Promise<unknown>, onClose: () => void) {
+function useChange<Item extends Common, Job extends Item, Value = void>({ name }: Kind<Item, Job>, call: (value: Value) => Promise<unknown>, onClose: () => void) {
   const queries = useQueryClient();
   return useMutation({
     mutationFn: call,
@@ -79,24 +80,9 @@ function useChange<Item extends Common, Job extends Item>({ name }: Kind<Item, J
 type FormProps<Item extends Common, Job extends Item> = Pick<Props<Item, Job>, "kind" | "item"> & { readonly onClose: () => void };
 
 function Rename<Item extends Common, Job extends Item>({ kind, item, onClose }: FormProps<Item, Job>) {
-  const [label, setLabel] = useState(item.label ?? "");
-  const rename = useChange(kind, () => kind.calls.label(item.id, label.trim() || null), onClose);
+  const rename = useChange(kind, (name: string) => kind.calls.label(item.id, name.trim() || null), onClose);
   return (
-    <form
-      className={classes.entryForm}
-      onSubmit={(event) => {
-        event.preventDefault();
-        rename.mutate();
-      }}
-    >
-      <TextInput size="xs" flex={1} aria-label="Name" placeholder="Name" maxLength={200} autoFocus value={label} error={rename.error?.message} onChange={(event) => setLabel(event.currentTarget.value)} />
-      <Button type="submit" size="xs" loading={rename.isPending}>
-        Save
-      </Button>
-      <Button size="xs" variant="default" onClick={onClose}>
-        Close
-      </Button>
-    </form>
+    <NameForm name={item.label ?? ""} label="Name" action="Save" longest={200} className={classes.entryForm} error={rename.error?.message} saving={rename.isPending} onSave={rename.mutate} onClose={onClose} />
   );
 }
 

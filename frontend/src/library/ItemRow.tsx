@@ -1,11 +1,12 @@
 /** One item of the library: opened by a click; renamed, exported and deleted by its menu. */
 
-import { ActionIcon, Button, Menu, TextInput } from "@mantine/core";
+import { ActionIcon, Menu } from "@mantine/core";
 import { useState } from "react";
 import { changedFields, changesText, completed } from "../editor/diff";
 import type { Group } from "../editor/schema";
 import { IconDots } from "../icons";
 import { LONGEST_NAME } from "../state/pins";
+import { NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count } from "../units/format";
 import { exportItem } from "./files";
@@ -60,9 +61,8 @@ export function ItemRow({ item, form, open, remove }: Props) {
 }
 
 function Rename({ item, onClose }: { readonly item: Item; readonly onClose: () => void }) {
-  const [name, setName] = useState(item.name);
   const [wrong, setWrong] = useState<string | null>(null);
-  const rename = () => {
+  const rename = (name: string) => {
     try {
       ownLibrary.rename(item, name);
       onClose();
@@ -70,21 +70,5 @@ function Rename({ item, onClose }: { readonly item: Item; readonly onClose: () =
       setWrong(error instanceof Error ? error.message : String(error));
     }
   };
-  return (
-    <form
-      className={classes.rename}
-      onSubmit={(event) => {
-        event.preventDefault();
-        rename();
-      }}
-    >
-      <TextInput size="xs" className={classes.grow ?? ""} aria-label="New name" autoFocus maxLength={LONGEST_NAME} value={name} error={wrong} onChange={(event) => setName(event.currentTarget.value)} />
-      <Button type="submit" size="xs">
-        Rename
-      </Button>
-      <Button size="xs" variant="default" onClick={onClose}>
-        Close
-      </Button>
-    </form>
-  );
+  return <NameForm name={item.name} label="New name" action="Rename" longest={LONGEST_NAME} className={classes.rename} error={wrong} onSave={rename} onClose={onClose} />;
 }

@@ -7,10 +7,9 @@ import { scaleTo } from "./scale";
 import { quantile, type FigureSummary } from "./summary";
 import styles from "./bars.module.css";
 import ui from "../ui/ui.module.css";
+import type { StudyParts } from "./parts";
 
-interface Props {
-  readonly summary: BatchSummary;
-  readonly strategies: readonly Strategy[];
+interface Props extends Pick<StudyParts, "summary" | "strategies"> {
   readonly figure: Figure;
 }
 

@@ -2,7 +2,6 @@
 
 import { Text } from "@mantine/core";
 import type { BatchSummary, Strategy, StrategyId } from "../api/types";
-import type { Figure } from "../batch/figures";
 import { formatPercent } from "../tables/change";
 import { StrategyName } from "../tables/StrategyKey";
 import classes from "./robustness.module.css";
@@ -11,11 +10,9 @@ import { DataTable, type Column } from "../ui/DataTable";
 import { Choice, labelled } from "../ui/Entry";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { StudyParts } from "./parts";
 
-interface Props {
-  readonly summary: BatchSummary;
-  readonly strategies: readonly Strategy[];
-  readonly figures: readonly Figure[];
+interface Props extends Pick<StudyParts, "summary" | "strategies" | "figures"> {
   readonly onBaseline: (baseline: StrategyId) => void;
 }
 

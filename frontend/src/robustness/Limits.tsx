@@ -10,12 +10,9 @@ import type { Opening } from "../batch/useOpenRun";
 import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { StudyParts } from "./parts";
 
-interface Props {
-  readonly summary: BatchSummary;
-  readonly strategies: readonly Strategy[];
-  readonly opening: Opening;
-}
+type Props = Pick<StudyParts, "summary" | "strategies" | "opening">;
 
 export function Limits({ summary, strategies, opening }: Props) {
   const reasons = strategies.flatMap(({ id, label }) => Object.entries(summary.strategies[id]?.reasons ?? {}).map(([reason, times]) => ({ label, reason, times })));

@@ -2,7 +2,7 @@
 
 import { SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
-import type { Batch, BatchSummary, Strategy } from "../api/types";
+import type { Batch } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { formatFixed } from "../units/format";
 import { nameOf } from "./names";
@@ -13,13 +13,9 @@ import { DataTable, type Column } from "../ui/DataTable";
 import { labelled } from "../ui/Entry";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { StudyParts } from "./parts";
 
-interface Props {
-  readonly batch: Batch;
-  readonly summary: BatchSummary;
-  readonly strategies: readonly Strategy[];
-  readonly figures: readonly Figure[];
-}
+type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 
 const STABILITY = "stability";
 

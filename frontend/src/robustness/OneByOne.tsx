@@ -4,7 +4,7 @@ import { Text } from "@mantine/core";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useState, type CSSProperties } from "react";
 import { isFinal } from "../jobs/follow";
-import type { Batch, Strategy } from "../api/types";
+import type { Batch } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { fullName, OPENING_FIGURE } from "../batch/figures";
 import { tableQuery } from "../batch/queries";
@@ -14,19 +14,18 @@ import { formatResult, prettyUnit } from "../units/format";
 import { nameOf, useFieldText } from "./names";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
 import { TRAVEL } from "./summary";
-import { useOpenRun, type Opening } from "../batch/useOpenRun";
+import { useOpenRun } from "../batch/useOpenRun";
 import styles from "./bars.module.css";
 import { Choice, labelled } from "../ui/Entry";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { StudyParts } from "./parts";
 
-interface Props {
+interface Props extends Pick<StudyParts, "figures" | "strategies"> {
   readonly id: string;
-  readonly figures: readonly Figure[];
   /** The keys offered first are these figures'. */
   readonly paper: readonly Figure[];
-  readonly strategies: readonly Strategy[];
 }
 
 const REFRESH_MS = 2_000;
@@ -94,11 +93,9 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
   );
 }
 
-interface BarsProps {
+interface BarsProps extends Pick<StudyParts, "batch" | "opening"> {
   readonly tornado: Tornado;
   readonly figure: Figure;
-  readonly opening: Opening;
-  readonly batch: Batch;
 }
 
 /** Lengths are shares of the widest bar's; the style adds room for labels. */

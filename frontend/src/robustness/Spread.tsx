@@ -15,13 +15,9 @@ import styles from "./bars.module.css";
 import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { StudyParts } from "./parts";
 
-interface Props {
-  readonly summary: BatchSummary;
-  readonly strategies: readonly Strategy[];
-  readonly figures: readonly Figure[];
-  readonly opening: Opening;
-}
+type Props = Pick<StudyParts, "summary" | "strategies" | "figures" | "opening">;
 
 export function Spread({ summary, strategies, figures, opening }: Props) {
   const groups = [...new Set(figures.map(({ group }) => group))];

@@ -5,8 +5,8 @@ import { useQuery } from "@tanstack/react-query";
 import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { isFinal } from "../jobs/follow";
-import type { Batch, Catalogue, Strategy } from "../api/types";
-import { paperFigures, type Figure } from "../batch/figures";
+import type { Catalogue } from "../api/types";
+import { paperFigures } from "../batch/figures";
 import { formatWhole } from "../units/format";
 import { Leads } from "./Leads";
 import { Limits } from "./Limits";
@@ -19,15 +19,12 @@ import { useOpenRun } from "../batch/useOpenRun";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 import { Loading } from "../ui/Loading";
+import type { StudyParts } from "./parts";
 
 /** Fewer finished points are no spread to look at. */
 const LEAST_POINTS = 10;
 
-interface Props {
-  readonly batch: Batch;
-  readonly figures: readonly Figure[];
-  /** The study's, in the catalogue's order. */
-  readonly strategies: readonly Strategy[];
+interface Props extends Pick<StudyParts, "batch" | "figures" | "strategies"> {
   readonly catalogue: Catalogue;
 }
 

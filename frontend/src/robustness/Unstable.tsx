@@ -2,13 +2,10 @@
 
 import { Alert } from "@mantine/core";
 import { IconAlertTriangle } from "../icons";
-import type { BatchSummary, Strategy } from "../api/types";
 import { formatWhole } from "../units/format";
+import type { StudyParts } from "./parts";
 
-interface Props {
-  readonly summary: BatchSummary;
-  readonly strategies: readonly Strategy[];
-}
+type Props = Pick<StudyParts, "summary" | "strategies">;
 
 export function Unstable({ summary, strategies }: Props) {
   const sentences = strategies.flatMap(({ id, label }) => {

@@ -2,7 +2,7 @@
 
 import { Button, Stack } from "@mantine/core";
 import type { ReactNode } from "react";
-import type { Trial, Tuning } from "../api/types";
+import type { Tuning } from "../api/types";
 import { ChangeMark } from "../tables/ChangeMark";
 import tables from "../tables/tables.module.css";
 import { dotted } from "../sweep/fields";
@@ -10,19 +10,10 @@ import { formatResult, prettyUnit } from "../units/format";
 import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
-import type { RunInLab } from "../shell/useOpenInLab";
 import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
-
-interface Props {
-  readonly tuning: Tuning;
-  readonly objectives: readonly Shown[];
-  readonly limits: readonly Shown[];
-  readonly tunable: Tunable;
-  readonly points: readonly Point[];
-  readonly load: RunInLab<Trial>;
-}
+import type { TuningParts } from "./parts";
 
 /** A row of the table: what it is of, and what stands under each point. */
 interface Row {
@@ -32,7 +23,7 @@ interface Row {
   readonly attributes?: (point: Point) => ReturnType<NonNullable<Column<Row>["attributes"]>>;
 }
 
-export function PointsTable({ tuning, objectives, limits, tunable, points, load }: Props) {
+export function PointsTable({ tuning, objectives, limits, tunable, points, load }: Omit<TuningParts, "colour">) {
   const rows = [...objectiveRows(objectives, tuning), ...limitRows(limits, tuning), ...weightRows(tunable, points)];
   return (
     <Card aria-label="Best points" title="Best points, on the training roads">
@@ -66,7 +57,7 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
   );
 }
 
-function PointHead({ point: { trial, names }, load }: { readonly point: Point; readonly load: RunInLab<Trial> }) {
+function PointHead({ point: { trial, names }, load }: { readonly point: Point; readonly load: TuningParts["load"] }) {
   return (
     <Stack gap={3} align="flex-end">
       <b>{names.join(", ")}</b>

@@ -17,15 +17,12 @@ import { Choice } from "../ui/Entry";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { TuningParts } from "./parts";
 
-interface Props {
-  readonly tuning: Tuning;
-  readonly objectives: readonly Shown[];
-  readonly points: readonly Point[];
+interface Props extends Pick<TuningParts, "tuning" | "objectives" | "points" | "colour"> {
   readonly trials: readonly Trial[];
   /** Why there are no single trials. */
   readonly fault: Error | null;
-  readonly colour: string;
   readonly picked: number | null;
   readonly onPick: (trial: number) => void;
 }

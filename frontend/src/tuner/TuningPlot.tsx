@@ -3,35 +3,22 @@
 import { Button, Stack, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Trial, Tuning } from "../api/types";
+import type { Trial } from "../api/types";
 import { ChangeMark } from "../tables/ChangeMark";
 import { formatInput, formatResult, prettyUnit } from "../units/format";
-import type { Shown } from "./figures";
 import type { Point } from "./points";
 import { SearchCard } from "./SearchCard";
-import type { Tunable } from "./space";
 import results from "./results.module.css";
-import type { RunInLab } from "../shell/useOpenInLab";
 import { trialsQuery } from "./queries";
 import { WeightsOf } from "./WeightsOf";
 import { Choice } from "../ui/Entry";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
-
-interface Props {
-  readonly tuning: Tuning;
-  readonly objectives: readonly Shown[];
-  readonly limits: readonly Shown[];
-  readonly tunable: Tunable;
-  readonly points: readonly Point[];
-  /** The tuned strategy's. */
-  readonly colour: string;
-  readonly load: RunInLab<Trial>;
-}
+import type { TuningParts } from "./parts";
 
 const NO_TRIALS: readonly Trial[] = [];
 
-export function TuningPlot({ tuning, objectives, limits, tunable, points, colour, load }: Props) {
+export function TuningPlot({ tuning, objectives, limits, tunable, points, colour, load }: TuningParts) {
   const [selectedNumber, setSelectedNumber] = useState<number | null>(null);
   const trials = useQuery({ ...trialsQuery(tuning), enabled: tuning.paper !== null });
   const all = trials.data?.trials ?? NO_TRIALS;
@@ -67,7 +54,7 @@ function options(points: readonly Point[], front: readonly Trial[], picked: Tria
   return [...named, ...others.map(({ number }) => ({ value: String(number), label: `${number}` }))];
 }
 
-function Values({ tuning, objectives, limits, trial }: Pick<Props, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
+function Values({ tuning, objectives, limits, trial }: Pick<TuningParts, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
   return (
     <dl className={results.values}>
       {objectives.map(({ label, unit, scale }, index) => (

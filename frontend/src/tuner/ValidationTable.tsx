@@ -16,10 +16,9 @@ import { DataTable, type Column } from "../ui/DataTable";
 import { LimitValue } from "./PointsTable";
 import { Card } from "../ui/Card";
 import ui from "../ui/ui.module.css";
+import type { TuningParts } from "./parts";
 
-interface Props {
-  readonly tuning: Tuning;
-  readonly objectives: readonly Shown[];
+interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Figure[];
 }
 

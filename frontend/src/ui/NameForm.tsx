@@ -1,0 +1,38 @@
+/** Renames something in its list. */
+
+import { Button, TextInput } from "@mantine/core";
+import { useState } from "react";
+
+interface Props {
+  readonly name: string;
+  /** What the entry is called. */
+  readonly label: string;
+  readonly action: string;
+  readonly longest: number;
+  readonly className: string | undefined;
+  readonly error: string | null | undefined;
+  readonly saving?: boolean;
+  readonly onSave: (name: string) => void;
+  readonly onClose: () => void;
+}
+
+export function NameForm({ name, label, action, longest, className, error, saving = false, onSave, onClose }: Props) {
+  const [typed, setTyped] = useState(name);
+  return (
+    <form
+      className={className}
+      onSubmit={(event) => {
+        event.preventDefault();
+        onSave(typed);
+      }}
+    >
+      <TextInput size="xs" flex={1} aria-label={label} placeholder="Name" autoFocus maxLength={longest} value={typed} error={error} onChange={(event) => setTyped(event.currentTarget.value)} />
+      <Button type="submit" size="xs" loading={saving}>
+        {action}
+      </Button>
+      <Button size="xs" variant="default" onClick={onClose}>
+        Close
+      </Button>
+    </form>
+  );
+}
