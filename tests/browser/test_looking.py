@@ -6,6 +6,18 @@ from playwright.sync_api import Locator, expect
 
 from tests.browser.dashboard import Dashboard
 
+# Scrolled to where the car stands, whichever lies there is the comparison's.
+NOT_COVERED = """head => {
+  const car = document.querySelector('[aria-label="The moving car"]').getBoundingClientRect();
+  scrollBy(0, head.getBoundingClientRect().top - (car.top + car.bottom) / 2);
+  const {left, top, width, height} = head.getBoundingClientRect();
+  const x = Math.min(left + width / 2, innerWidth - 20);
+  return head.closest('section').contains(document.elementFromPoint(x, top + height / 2));
+}"""
+CUT = """results => [...results.querySelectorAll('h3, p, span, button, th')]
+  .filter(each => getComputedStyle(each).overflowX === 'hidden' && each.scrollWidth > each.clientWidth + 1)
+  .filter(each => !each.matches('.visually-hidden')).map(each => each.textContent)"""
+
 
 def middle_of(panel: Locator) -> tuple[float, float, float]:
     """Centre of a panel's plot and its width."""
@@ -13,6 +25,20 @@ def middle_of(panel: Locator) -> tuple[float, float, float]:
     box = panel.locator("canvas").bounding_box()
     assert box is not None
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
+
+
+def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
+    """Neither the comparison's head under the car nor a sentence that ends in an ellipsis, on laptop, tablet, phone."""
+    dashboard.open()
+    page = dashboard.page
+    page.get_by_text("Plot differences").click()
+    expect(page.get_by_text(", less ").first).to_be_visible()
+    head = page.get_by_role("region", name="Comparison", exact=True).locator("thead th").last
+    for width, height in ((1440, 900), (1024, 768), (390, 844)):
+        page.set_viewport_size({"width": width, "height": height})
+        head.scroll_into_view_if_needed()
+        assert head.evaluate(NOT_COVERED), width
+        assert dashboard.results.evaluate(CUT) == [], width
 
 
 def test_one_cursor_reads_every_plot_and_moves_the_car(dashboard: Dashboard) -> None:

@@ -27,13 +27,12 @@ function decimalsFor({ signal, scale }: FigureMeta, all: SeriesByStrategy): numb
 export function Readouts({ meta, series, strategies, axis }: Props) {
   const x = useStore(cursor);
   const decimals = useMemo(() => decimalsFor(meta, series), [meta, series]);
-  if (x === null) return null;
   return (
-    <span className={classes.readouts} aria-hidden>
+    <span className={classes.readouts} data-empty={x === null || undefined} aria-hidden>
       {strategies.map(({ id, colour }) => {
         const samples = series[id]?.[axisKey(axis)];
         const values = series[id]?.[meta.signal];
-        const value = samples && values ? valueAt(samples, values, x) : null;
+        const value = x !== null && samples && values ? valueAt(samples, values, x) : null;
         return (
           <span key={id} className={classes.readout}>
             <span className={classes.swatch} style={{ background: colour }} />

@@ -1,4 +1,4 @@
-/** The caveats of a result on one line, so that no table moves when one appears; on hover, focus or touch what they mean. */
+/** The caveats of a result; on hover, focus or touch what they mean. */
 
 import { Tooltip } from "@mantine/core";
 import { IconAlertTriangle } from "../icons";

@@ -37,7 +37,7 @@ export function Tables({ scene, catalogue, figures }: Props) {
       <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />
     );
   return (
-    <Card aria-label="Comparison">
+    <Card className={classes.comparison ?? ""} aria-label="Comparison">
       <CompareBar scene={scene} />
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
