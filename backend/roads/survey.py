@@ -80,7 +80,7 @@ def read(content: bytes) -> Survey:
     numbers, table = _table(lines, separator, len(scales))
     columns = [table[:, index] * scales[index] for index in order]
     if len(columns) == 1:
-        columns.insert(0, np.arange(len(table)) * SPACING)
+        columns.insert(0, SPACING * np.arange(len(table), dtype=float))
     distance, *tracks = columns
     _check_distances(distance, numbers)
     _check_heights(tracks, numbers)

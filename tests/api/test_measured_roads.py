@@ -233,6 +233,21 @@ def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: h
     assert "Line 3: A value is not a finite number" in cli.error
 
 
+def test_the_command_drives_a_librarys_file_with_its_road(
+    cli: Cli, client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any], tmp_path: Path
+) -> None:
+    """Where the scenario names a road that the service does not have, the file's own is sent to it."""
+    csv = client.get(f"/api/v1/roads/{sent['id']}", params={"format": "csv"}).text
+    there = {"road": {**scenario["road"], "profile": MISSING}}
+    file = tmp_path / "street.json"
+    file.write_text(json.dumps({"schema_version": 1, "label": "Street", "scenario": there, "measured_road": csv}))
+    run = json.loads(cli("run", file, "-s", "passive", "--json"))
+    assert run["scenario"]["road"]["profile"] == sent["id"]
+    file.write_text(json.dumps({"schema_version": 99, "scenario": there}))
+    cli("run", file, "-s", "passive", code=2)
+    assert "street.json: its schema version is 99, and this service reads up to 1: update Ridelab" in cli.error
+
+
 @pytest.mark.parametrize(
     ("length", "hump", "bump"),
     [

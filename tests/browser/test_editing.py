@@ -1,5 +1,6 @@
 """What-if: drag, type, undo, reset; wrong values; strategies and baseline."""
 
+import json
 import re
 from pathlib import Path
 
@@ -293,3 +294,41 @@ def test_a_measured_road_is_opened_driven_and_taken_off(dashboard: Dashboard, tm
     page.get_by_test_id("reset-all").click()
     expect(page).to_have_url(address)
     expect(page.get_by_text("Bumps in it")).to_have_count(0)
+
+
+def test_a_measured_road_is_chosen_saved_and_taken_to_another_server(dashboard: Dashboard, tmp_path: Path) -> None:
+    dashboard.open()
+    page = dashboard.page
+    page.get_by_role("button", name="Road", exact=True).click()
+    page.get_by_label("Road file").set_input_files(ROADS / "street.csv")
+    choice = page.locator("[data-pointer='/road/profile'] select")
+    expect(choice.locator("option:checked")).to_have_text("street")
+    profile = choice.input_value()
+    dashboard.expect_accessible(page.locator("[data-pointer='/road/profile']"))
+    choice.select_option("None")
+    expect(page.get_by_text("Bumps in it")).to_have_count(0)
+    choice.select_option("street")
+    expect(dashboard.entry("Length")).to_have_value("180")
+    with page.expect_download() as saved:
+        page.get_by_role("link", name="Save CSV").click()
+    first, columns = saved.value.path().read_text().splitlines()[:2]
+    assert first.startswith(f"# Ridelab road {profile}: ")
+    assert columns == "distance [m],height [m]"
+
+    page.get_by_role("button", name="Library").click()
+    page.get_by_role("textbox", name="Name", exact=True).fill("On the street")
+    with page.expect_download() as saved:
+        page.get_by_role("dialog").get_by_role("button", name="Export", exact=True).click()
+    content = json.loads(saved.value.path().read_text())
+    assert content["measured_road"].startswith(first)
+    content["scenario"]["road"]["profile"] = "A" * 22  # of a road that this server does not have
+    content["scenario"]["road"]["bump"]["width"] = 3
+    (tmp_path / "street.json").write_text(json.dumps(content), encoding="utf-8")
+    page.get_by_label("Files for the library").set_input_files(tmp_path / "street.json")
+    expect(page.get_by_role("status").filter(has_text="The scenario “On the street” is opened")).to_be_visible()
+    expect(choice).to_have_value(profile)
+    content |= {"schema_version": 99}
+    wrong = {"road": {"bump": {"height": 5}}}
+    page.evaluate(DROP, [["new.json", json.dumps(content)], ["high.json", json.dumps(wrong)]])
+    alert = page.get_by_role("alert").filter(has_text="new.json: This file comes from a newer version of Ridelab")
+    expect(alert).to_contain_text("high.json: Bump height: Must be from −100 to 100\u00a0cm; the file has 500\u00a0cm")

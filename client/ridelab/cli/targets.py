@@ -43,11 +43,11 @@ class Target:
 def find(target: str, services: Services) -> Target:
     """Look up a target."""
     if target == "-":
-        return _document(sys.stdin.buffer.read(), "standard input")
+        return _document(sys.stdin.buffer.read(), "standard input", services)
     if target.startswith(("http://", "https://")):
         return _address(target, services)
     if Path(target).is_file():
-        return _document(Path(target).read_bytes(), target)
+        return _document(Path(target).read_bytes(), target, services)
     if _ID.fullmatch(target):
         ridelab = services.at()
         result = _first(target, "run, batch or link", ridelab.get_run, ridelab.get_batch, ridelab.open_link)
@@ -88,11 +88,13 @@ def _no_number(text: str) -> float:
     raise ValueError(f"{text} is no number")
 
 
-def _document(content: bytes, name: str) -> Target:
-    """A scenario, or a saved run."""
+def _document(content: bytes, name: str, services: Services) -> Target:
+    """A scenario, also as the page's library exports it, or a saved run."""
     value = document(content, name)
     if not isinstance(value, dict):
         raise InputError(f"{name}: this has to be a JSON object, a scenario or a saved run")
+    if "strategies" not in value and isinstance(value.get("scenario"), dict):
+        return Target(name=name, scenario=_of_library(value, name, services))
     if "strategies" not in value:
         return Target(name=name, scenario=value)
     try:
@@ -103,6 +105,22 @@ def _document(content: bytes, name: str) -> Target:
     if not whole:
         raise InputError(f"{name}: this is not a whole run as ridelab run --json prints it")
     return Target(name=name, scenario=run.scenario, run=run)
+
+
+def _of_library(value: dict[str, Any], name: str, services: Services) -> dict[str, Any]:
+    """The scenario of a library's file; the service gets its measured road."""
+    scenario: dict[str, Any] = value["scenario"]
+    version, road = value.get("schema_version", 1), value.get("measured_road")
+    ridelab = services.at()
+    newest = ridelab.get("/schema")["schema_version"]
+    if not isinstance(version, int) or version > newest:
+        raise InputError(
+            f"{name}: its schema version is {version}, and this service reads up to {newest}: update Ridelab"
+        )
+    if isinstance(road, str):
+        profile = ridelab.upload_road(road.encode())["id"]
+        scenario = {**scenario, "road": {**scenario.get("road", {}), "profile": profile}}
+    return scenario
 
 
 def _address(address: str, services: Services) -> Target:

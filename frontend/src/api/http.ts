@@ -50,7 +50,7 @@ export const query = <P extends Path<"get">, Q extends Question<Operation<"get",
   queryOptions({ queryKey: [path, question], queryFn: ({ signal }) => ask("get", path, question, signal) });
 
 /** A file in place of JSON. */
-export const askFile = async <P extends Path<"post">>(path: P, question: Question<Operation<"post", P>> & Sent): Promise<Blob> => read((await send("post", path, question)).blob());
+export const askFile = async <M extends Method, P extends Path<M>>(method: M, path: P, question: Question<Operation<M, P>> & Sent): Promise<Blob> => read((await send(method, path, question)).blob());
 
 async function send(method: Method, path: string, { header, body, ...rest }: Sent, signal?: AbortSignal): Promise<Response> {
   const [type, content] = typeof body === "string" ? ["text/csv", body] : ["application/json", JSON.stringify(body)];

@@ -3,7 +3,7 @@
 import { Button, NativeSelect, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { JsonObject } from "../api/types";
-import { exportItem } from "../library/files";
+import { useExportItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
 import { dialog, useItems } from "../library/ownLibrary";
 import { useEdit, useFromScenario, useReadOnly } from "../state/context";
@@ -18,6 +18,7 @@ const OTHER = "";
 
 export function VehicleChoice({ group }: { readonly group: Group }) {
   const edit = useEdit();
+  const exportItem = useExportItem();
   const readOnly = useReadOnly();
   const vehicle = useFromScenario((scenario) => getAt(scenario, group.pointer));
   const sourced = useQuery(vehiclesQuery).data ?? [];
@@ -33,7 +34,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
     const next = choice && whole(choice.vehicle);
     if (next !== undefined && !sameValue(next, vehicle)) edit.commit(setAt(edit.newest(), group.pointer, next));
   };
-  const save = () => exportItem({ kind: "vehicle", name: chosen?.label ?? "Own vehicle", value: vehicle as JsonObject });
+  const save = () => void exportItem({ kind: "vehicle", name: chosen?.label ?? "Own vehicle", value: vehicle as JsonObject });
 
   return (
     <div className={classes.vehicle}>

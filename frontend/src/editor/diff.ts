@@ -58,15 +58,20 @@ function shown(value: JsonValue | undefined, leaf: Leaf): string {
   return typeof value === "number" && leaf.kind === "number" ? formatExact(inShownUnit(leaf, value), "1") : typeof value === "string" ? value : JSON.stringify(value);
 }
 
-/** What two scenarios differ in, in the form's order, by the form's names and units. */
-export function changedFields(form: Member, from: Scenario, to: Scenario, group = ""): readonly FieldChange[] {
-  if (form.kind === "group") return form.members.flatMap((member) => changedFields(member, from, to, form.pointer === "/" ? "" : form.title));
+/** Every field with a name that says on its own which one it is: `Bump height`. */
+export function namedLeaves(form: Member, group = ""): readonly { readonly leaf: Leaf; readonly name: string }[] {
+  if (form.kind === "group") return form.members.flatMap((member) => namedLeaves(member, form.pointer === "/" ? "" : form.title));
   const name = named(group, form.title);
-  return leavesOf(form).flatMap((leaf): readonly FieldChange[] => {
+  return leavesOf(form).map((leaf) => ({ leaf, name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name }));
+}
+
+/** What two scenarios differ in, in the form's order, by the form's names and units. */
+export function changedFields(form: Member, from: Scenario, to: Scenario): readonly FieldChange[] {
+  return namedLeaves(form).flatMap(({ leaf, name }): readonly FieldChange[] => {
     const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
     if (sameValue(one, other)) return [];
     const unit = leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
-    return [{ pointer: leaf.pointer, name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name, change: `${shown(one, leaf)} → ${shown(other, leaf)}${unit}` }];
+    return [{ pointer: leaf.pointer, name, change: `${shown(one, leaf)} → ${shown(other, leaf)}${unit}` }];
   });
 }
 

@@ -18,7 +18,7 @@ export function parseTyped(field: NumberField, text: string): ParsedValue {
   return { ok: true, value };
 }
 
-function limitText(field: NumberField): string {
+export function limitText(field: NumberField): string {
   const low = formatExact(inShownUnit(field, field.minimum), "1");
   const high = valueText(field, field.maximum);
   if (field.exclusiveMinimum) return `Must be above ${low} and at most ${high}`;

@@ -158,9 +158,14 @@ class Reader {
   }
 }
 
+export interface Form extends Group {
+  /** Of the schema: files of a newer one cannot be read. */
+  readonly version: number;
+}
+
 /** The whole form, as the schema orders it. */
-export function readSchema(schema: JsonObject): Group {
-  return new Reader(schema).group(schema, "", "Scenario", {});
+export function readSchema(schema: JsonObject): Form {
+  return { ...new Reader(schema).group(schema, "", "Scenario", {}), version: number(schema.schema_version) ?? 1 };
 }
 
 /** Every field under a member, groups flattened, vectors whole. */

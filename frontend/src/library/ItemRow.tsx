@@ -9,9 +9,9 @@ import { LONGEST_NAME } from "../state/pins";
 import { NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count } from "../units/format";
-import { exportItem } from "./files";
 import type { Item } from "./library";
 import classes from "./library.module.css";
+import { useExportItem } from "./open";
 import { ownLibrary } from "./ownLibrary";
 
 interface Props {
@@ -34,7 +34,8 @@ function describe({ kind, value }: Item, form: Group): string {
 
 export function ItemRow({ item, form, open, remove }: Props) {
   const [isRenaming, setRenaming] = useState(false);
-  const { name, kind, saved } = item;
+  const exportItem = useExportItem();
+  const { name, saved } = item;
   return (
     <li className={classes.entry}>
       <button type="button" className={classes.open} onClick={() => open(item)}>
@@ -51,7 +52,7 @@ export function ItemRow({ item, form, open, remove }: Props) {
         </Menu.Target>
         <Menu.Dropdown>
           <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
-          {kind !== "road" && <Menu.Item onClick={() => exportItem(item)}>Export as a file</Menu.Item>}
+          <Menu.Item onClick={() => void exportItem(item)}>Export as a file</Menu.Item>
           <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
         </Menu.Dropdown>
       </Menu>

@@ -10,10 +10,9 @@ import { LONGEST_NAME } from "../state/pins";
 import { useEdit, useScenario } from "../state/context";
 import { formatMinute } from "../units/dates";
 import { Fault } from "../ui/Fault";
-import { exportItem } from "./files";
 import { cleanName, type Kind } from "./library";
 import classes from "./library.module.css";
-import { notice } from "./open";
+import { notice, useExportItem } from "./open";
 import { ownLibrary, useItems } from "./ownLibrary";
 
 type Saved = Exclude<Kind, "road">;
@@ -27,6 +26,7 @@ interface Props {
 
 export function SaveForm({ form, kind: first, onSaved }: Props) {
   const edit = useEdit();
+  const exportItem = useExportItem();
   const scenario = completed(form, useScenario());
   const [kind, setKind] = useState(first);
   const [typed, setTyped] = useState<string | null>(null);
@@ -76,7 +76,7 @@ export function SaveForm({ form, kind: first, onSaved }: Props) {
       <Button type="submit" size="xs" disabled={name === ""}>
         {replaced ? "Replace" : "Save"}
       </Button>
-      <Button size="xs" variant="default" disabled={name === ""} onClick={() => exportItem({ kind, name, value })}>
+      <Button size="xs" variant="default" disabled={name === ""} onClick={() => void exportItem({ kind, name, value })}>
         Export
       </Button>
       <Text className={classes.text} role="status">

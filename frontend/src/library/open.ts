@@ -1,22 +1,17 @@
 /** Opens items and files in the lab, as an edit that can be undone; what came from a file is in the library too. */
 
 import { useQuery, useQueryClient } from "@tanstack/react-query";
-import { api } from "../api/client";
-import { ask } from "../api/http";
-import { ApiProblem } from "../api/problem";
-import type { CreatedRoad, JsonObject, JsonValue, Scenario } from "../api/types";
+import type { CreatedRoad, Scenario } from "../api/types";
 import { completed } from "../editor/diff";
 import { onRoad } from "../editor/measuredRoad";
-import { sameValue, setAt, type Pointer } from "../editor/path";
+import { sameValue, setAt } from "../editor/path";
 import type { Group } from "../editor/schema";
-import { DEFAULT_VIEW } from "../state/address";
 import { useEdit, useReadOnly } from "../state/context";
-import { presetsQuery, schemaQuery, vehiclesQuery } from "../state/queries";
+import { schemaQuery } from "../state/queries";
 import { createStore } from "../state/store";
-import { dotted } from "../sweep/fields";
-import { readFile } from "./files";
-import { KINDS, type Item, type Kind } from "./library";
-import { dialog, ownLibrary } from "./ownLibrary";
+import type { Exported } from "./files";
+import type { Item, Kind } from "./library";
+import { dialog } from "./ownLibrary";
 
 export interface Notice {
   readonly lines: readonly string[];
@@ -48,45 +43,21 @@ export function useOpenItem(): (item: Content) => void {
   };
 }
 
-interface Opened extends Content {
-  readonly name: string;
-  readonly warnings: readonly string[];
-}
+const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
-const LONGEST = 4 * 1024 * 1024;
-
-/** The content of a file as the server understands it: complete, in SI units, and within every limit. */
-async function upload(file: File, form: Group, wanted: Kind | undefined): Promise<Opened> {
-  if (file.size > LONGEST) throw new Error("A file may have 4 MiB");
-  const parts = form.members.map(({ pointer }) => dotted(pointer));
-  const content = readFile(file.name, await file.text(), parts);
-  const stem = file.name.replace(/\.\w+$/, "") || "File";
-  if (content.kind === "road") {
-    const { warnings, ...road } = await ask("post", "/roads", { body: content.csv });
-    return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };
-  }
-  if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value)) throw new Error("This file has no vehicle");
-  const asked = content.kind === "vehicle" ? { vehicle: content.value } : content.value;
-  const { scenario } = await api.createRun(asked, [DEFAULT_VIEW.baseline]);
-  const kind = wanted === "vehicle" ? wanted : content.kind;
-  return { kind, name: content.label ?? stem, value: kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario, warnings: [] };
-}
-
-function problemText(error: unknown): string {
-  if (error instanceof ApiProblem && error.errors.length > 0) {
-    return error.errors.map(({ pointer, message }) => [dotted(pointer.replace(/^\/scenario/, "") as Pointer), message].filter(Boolean).join(": ")).join(". ");
-  }
-  return error instanceof Error ? error.message : String(error);
-}
-
-/** Adds it to the library, except where the server has it by a name; returns what to say of it. */
-function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue | undefined)[]): string {
-  if (known.some((each) => sameValue(each, value))) return `The ${kind} “${name}” is opened.`;
-  try {
-    return `The ${kind} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
-  } catch (error) {
-    return `The ${kind} “${name}” is opened, but not in the library. ${problemText(error)}.`;
-  }
+/** Saves an item as a file. */
+export function useExportItem(): (item: Exported) => Promise<void> {
+  const edit = useEdit();
+  const queries = useQueryClient();
+  return async (item) => {
+    try {
+      const { saveItem } = await import("./save");
+      await saveItem(item, queries);
+    } catch (error) {
+      dialog.set(null);
+      notice.set({ lines: [`The ${item.kind} “${item.name}” is not exported: ${problemText(error)}`], isWrong: true, scenario: edit.newest() });
+    }
+  };
 }
 
 /** `wanted` is the part to take from a file that has more. */
@@ -102,27 +73,13 @@ export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promi
       return;
     }
     say([`Opening ${files.map(({ name }) => name).join(", ")}`]);
-    const answers = await Promise.all([
-      queries.query({ ...schemaQuery, staleTime: "static" }),
-      queries.query({ ...presetsQuery, staleTime: "static" }),
-      queries.query({ ...vehiclesQuery, staleTime: "static" }),
-    ]).catch((error: unknown) => say([problemText(error)], true));
-    if (!answers) return;
-    const [form, presets, vehicles] = answers;
-    const known = [...presets.map(({ scenario }) => scenario), ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle)];
-    const wrong: string[] = [];
-    const opened: Opened[] = [];
-    for (const file of files) {
-      try {
-        opened.push(await upload(file, form, wanted));
-      } catch (error) {
-        wrong.push(`${file.name}: ${problemText(error)}`);
-      }
+    try {
+      const { openAll } = await import("./upload");
+      const { scenario, lines, isWrong } = await openAll(files, () => edit.newest(), queries, wanted);
+      if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
+      say(lines, isWrong);
+    } catch (error) {
+      say([problemText(error)], true);
     }
-    // A vehicle and a road belong into the scenario that came with them.
-    opened.sort((one, other) => KINDS.indexOf(one.kind) - KINDS.indexOf(other.kind));
-    const next = opened.reduce((scenario, content) => withItem(scenario, content, form), edit.newest());
-    if (!sameValue(next, edit.newest())) edit.commit(next);
-    say([...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])], wrong.length > 0);
   };
 }
